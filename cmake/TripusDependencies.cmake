@@ -1,0 +1,10 @@
+# Every third-party library, found once. scripts/setup installs them.
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Boost 1.74 REQUIRED)
+find_package(Ceres 2.1 REQUIRED QUIET)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(Cholmod REQUIRED)
+find_package(Glpk REQUIRED)

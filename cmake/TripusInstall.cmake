@@ -1,0 +1,14 @@
+# Install and export: find_package(tripus) then tripus::<module>.
+include(CMakePackageConfigHelpers)
+set(TRIPUS_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/tripus")
+install(EXPORT tripusTargets NAMESPACE tripus:: DESTINATION "${TRIPUS_CMAKE_DIR}")
+configure_package_config_file(
+  "${PROJECT_SOURCE_DIR}/cmake/tripusConfig.cmake.in" "${PROJECT_BINARY_DIR}/tripusConfig.cmake"
+  INSTALL_DESTINATION "${TRIPUS_CMAKE_DIR}")
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/tripusConfigVersion.cmake"
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/tripusConfig.cmake"
+              "${PROJECT_BINARY_DIR}/tripusConfigVersion.cmake"
+              "${PROJECT_SOURCE_DIR}/cmake/FindCholmod.cmake"
+              "${PROJECT_SOURCE_DIR}/cmake/FindGlpk.cmake"
+        DESTINATION "${TRIPUS_CMAKE_DIR}")

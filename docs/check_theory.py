@@ -10,7 +10,10 @@ import random
 import sys
 
 EDGES = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)]
-SAMPLES = 200
+SAMPLES = 25
+# zeta(2), zeta(4), ...: the first few in closed form, the others by their fast series.
+ZETA = [math.pi**2 / 6, math.pi**4 / 90, math.pi**6 / 945, math.pi**8 / 9450, math.pi**10 / 93555]
+ZETA += [sum(k ** (-2.0 * n) for k in range(1, 40)) for n in range(6, 40)]
 failures = 0
 
 
@@ -113,16 +116,9 @@ def clausen(x):
         return 0.0
     if abs(x) > 2 * math.pi / 3:
         return 2 * clausen(x / 2) - 2 * clausen(math.pi - x / 2)
-    total, term = x * (1 - math.log(abs(x))), 0.0
-    for n in range(1, 60):
-        zeta = math.pi**2 / 6 if n == 1 else sum(k ** (-2 * n) for k in range(1, 40))
-        if n in (2, 3, 4, 5):
-            zeta = {2: math.pi**4 / 90, 3: math.pi**6 / 945, 4: math.pi**8 / 9450,
-                    5: math.pi**10 / 93555}[n]
-        term = zeta * x * (x / (2 * math.pi)) ** (2 * n) / (n * (2 * n + 1))
-        total += term
-        if abs(term) < 1e-18:
-            break
+    total = x * (1 - math.log(abs(x)))
+    for n, zeta in enumerate(ZETA, start=1):
+        total += zeta * x * (x / (2 * math.pi)) ** (2 * n) / (n * (2 * n + 1))
     return total
 
 

@@ -5,6 +5,9 @@
 #include <numbers>
 #include <string>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
 #include "base/error.hpp"
 #include "geometry/volume.hpp"
 
@@ -166,6 +169,27 @@ double CoVolume::volume() const {
   for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t)
     sum += geometry::volume(dihedral_angles(t));
   return sum;
+}
+
+double CoVolume::convexity_bound() const {
+  if (flat_count_ != 0) return 0;
+  using Matrix = Eigen::Matrix<double, 6, 6>;
+  double largest_inverse = 0;
+  for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
+    Matrix jacobian;
+    Eigen::Index q = 0;
+    for (Eigen::Index i = 0; i < 6; ++i)
+      for (Eigen::Index j = i; j < 6; ++j, ++q)
+        jacobian(i, j) = jacobian(j, i) = jacobian_entry(t, static_cast<std::size_t>(q));
+    const Eigen::LLT<Matrix> factor(jacobian);
+    if (factor.info() != Eigen::Success) return 0;
+    const Matrix inverse = factor.solve(Matrix::Identity());
+    largest_inverse = std::max(largest_inverse, inverse.norm());
+  }
+  std::size_t least_valence = triangulation_.valence(0);
+  for (std::size_t e = 1; e < dimension(); ++e)
+    least_valence = std::min(least_valence, triangulation_.valence(e));
+  return static_cast<double>(least_valence) / largest_inverse;
 }
 
 double CoVolume::value_at(std::span<const double> x) const {

@@ -45,6 +45,10 @@ class CoVolume final : public solver::Problem {
   std::vector<std::size_t> flat_tetrahedra() const;
   /// Sum of the volumes of the tetrahedra.
   double volume() const;
+  /// A lower bound of the least eigenvalue of the Hessian, from the Jacobians of the latest
+  /// evaluation with second derivatives: min_e valence * min_t 1 / |J_t^-1| (Frobenius norm);
+  /// 0 where a tetrahedron is flat. Source: docs/theory.md (40).
+  double convexity_bound() const;
   /// H at x, from the angles of the latest evaluation, which must have been at x.
   double value_at(std::span<const double> x) const;
 

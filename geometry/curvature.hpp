@@ -5,7 +5,7 @@
 namespace tripus::geometry {
 
 /// Edge curvature K(e) = 2 pi - (sum of the dihedral angles around e); radians.
-/// Source: docs/theory.md section 6.
+/// Source: docs/theory.md (32).
 double edge_curvature(std::span<const double> angles_around_edge);
 
 /// Area of the hyperbolic triangle that truncates a hyperideal vertex, pi - (sum of the dihedral

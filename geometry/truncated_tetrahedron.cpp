@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
 #include "base/error.hpp"
 #include "geometry/batch.hpp"
+#include "geometry/detail/angle_gram.hpp"
 #include "geometry/detail/gram_kernel.hpp"
 #include "geometry/detail/scaled_kernel.hpp"
 
 namespace tripus::geometry {
 namespace {
+
+constexpr double kPi = std::numbers::pi;
 
 /// Row and column scaling of a Gram matrix: s_i = e^{-u_i}.
 using Exponents = std::array<double, 4>;
@@ -101,12 +105,20 @@ double scaled_kernel(const double* l, double* theta, double* jacobian) {
       c[e] = leading * (1 + std::exp(-2 * l[e]));
     }
   }
-  const double det = gram_kernel(c, s, d, theta, jacobian);
-  if (jacobian != nullptr) {
-    for (int e = 0; e < 6; ++e)
-      if (!(l[e] > 0)) jacobian[packed_index(e, e)] = 0;
+  double packed[kPackedJacobian];
+  const double det = gram_kernel(c, s, d, theta, packed);
+  // Scaled minors can underflow, but only where a change of the lengths far below an ulp makes the
+  // tetrahedron flat: it is called flat then.
+  const bool flat = !(det > 0) || !std::all_of(packed, packed + kPackedJacobian,
+                                               [](double x) { return std::isfinite(x); });
+  if (flat) {
+    for (int e = 0; e < 6; ++e) theta[e] = theta[e] > kPi / 2 ? kPi : 0;
+    std::fill(packed, packed + kPackedJacobian, 0.0);
   }
-  return det;
+  for (int e = 0; e < 6; ++e)
+    if (!(l[e] > 0)) packed[packed_index(e, e)] = 0;
+  if (jacobian != nullptr) std::copy(packed, packed + kPackedJacobian, jacobian);
+  return flat ? 0 : det;
 }
 
 /// The unscaled route, in the same operations as the batched kernels.
@@ -127,9 +139,8 @@ double unscaled_kernel(const double* l, double* theta, double* jacobian) {
 
 TetrahedronKind kind_of(double minus_det, const double* theta) {
   if (minus_det > 0) return TetrahedronKind::kTruncated;
-  constexpr double kRightAngle = 1.5;
-  if (theta[0] > kRightAngle) return TetrahedronKind::kFlat01_23;
-  return theta[1] > kRightAngle ? TetrahedronKind::kFlat02_13 : TetrahedronKind::kFlat03_12;
+  if (theta[0] > kPi / 2) return TetrahedronKind::kFlat01_23;
+  return theta[1] > kPi / 2 ? TetrahedronKind::kFlat02_13 : TetrahedronKind::kFlat03_12;
 }
 
 }  // namespace
@@ -182,20 +193,11 @@ bool lengths_from_angles(std::span<const double, 6> theta, std::span<double, 6> 
     const double b = theta[static_cast<std::size_t>(edges[1])];
     const double c = theta[static_cast<std::size_t>(edges[2])];
     const double half = (a + b + c) / 2;
-    if (!(a > 0 && b > 0 && c > 0 && half < 1.57079632679489661923)) return false;
+    if (!(a > 0 && b > 0 && c > 0 && half < kPi / 2)) return false;
     minor[v] = 4 * std::cos(half) * std::cos(half - a) * std::cos(half - b) * std::cos(half - c);
     if (!(minor[v] > 0)) return false;
   }
-  double cosine[6];
-  std::transform(theta.begin(), theta.end(), cosine, [](double t) { return std::cos(t); });
-  // -det of g with g_ii = 1 and g_ij = -cos of the angle between the faces i and j, which is the
-  // angle at the edge opposite to ij.
-  const double p = cosine[0] * cosine[5], q = cosine[1] * cosine[4], r = cosine[2] * cosine[3];
-  double squares = 0;
-  for (const double x : cosine) squares += x * x;
-  const double faces = cosine[0] * cosine[1] * cosine[2] + cosine[0] * cosine[3] * cosine[4] +
-                       cosine[1] * cosine[3] * cosine[5] + cosine[2] * cosine[4] * cosine[5];
-  const double det = (squares - 1) + 2 * faces + (4 * q * r - (p - q - r) * (p - q - r));
+  const double det = angle_gram_minus_det(theta);
   if (!(det > 0)) return false;
   const double root = std::sqrt(det);
   for (int e = 0; e < 6; ++e) {

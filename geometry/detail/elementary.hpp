@@ -5,7 +5,7 @@
 /// Elementary functions without branches, on doubles and on packs, for the limited domains on
 /// which the kernels call them. They exist because the kernels must give the same bits on every
 /// machine and at every vector width, which neither libm nor libmvec promises. Errors measured
-/// against the correctly rounded results are below 2 ulp (tests/unit/geometry_elementary.cpp).
+/// against the correctly rounded results are below 2.5 ulp (tests/unit/geometry_elementary.cpp).
 namespace tripus::geometry {
 namespace {
 

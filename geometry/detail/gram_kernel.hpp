@@ -40,20 +40,37 @@ inline constexpr EdgeFrame kEdgeFrames[6] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 
 inline constexpr int kEdgeBetween[4][4] = {
     {-1, 0, 1, 2}, {0, -1, 3, 4}, {1, 3, -1, 5}, {2, 4, 5, -1}};
 
-/// -det G, docs/theory.md (5): the Heron term is taken in its stable order, largest product first.
+/// cosh(l_ij - l_kl) at a pair of opposite edges, scaled, from c = cosh and s = sinh of l_ij, l_kl.
+/// The difference of products is taken as (cosh^2 + sinh^2) / (sum of products): no cancellation.
+template <int E, class Real, class Diagonal>
+inline Real cosh_of_difference(const Real* c, const Real* s, const Diagonal& d, Real p,
+                               Real sigma) {
+  constexpr EdgeFrame f = kEdgeFrames[E];
+  const Real squares =
+      d[f.k] * (d[f.l] * (c[E] * c[E])) + d[f.i] * (d[f.j] * (s[5 - E] * s[5 - E]));
+  // It never exceeds the product of the cosh; a scaled product may underflow to 0.
+  return p > broadcast<Real>(0.0) ? minimum(squares / (p + sigma), p) : p;
+}
+
+/// -det G, docs/theory.md (48): all terms are positive but for one subtraction in the Heron term of
+/// the products of sinh, which is taken in its stable order, largest product first.
 template <class Real, class Diagonal>
 inline Real minus_determinant(const Real* c, const Real* s, const Diagonal& d) {
   const Real p = c[0] * c[5], q = c[1] * c[4], r = c[2] * c[3];
-  const Real largest = maximum(maximum(p, q), r);
-  const Real least = minimum(minimum(p, q), r);
-  const Real middle = maximum(minimum(p, q), minimum(maximum(p, q), r));
-  const Real excess = (largest - middle) - least;
+  const Real sp = s[0] * s[5], sq = s[1] * s[4], sr = s[2] * s[3];
+  const Real kp = cosh_of_difference<0>(c, s, d, p, sp);
+  const Real kq = cosh_of_difference<1>(c, s, d, q, sq);
+  const Real kr = cosh_of_difference<2>(c, s, d, r, sr);
   const Real faces = d[3] * (c[0] * c[1] * c[3]) + d[2] * (c[0] * c[2] * c[4]) +
                      d[1] * (c[1] * c[2] * c[5]) + d[0] * (c[3] * c[4] * c[5]);
-  const Real squares = d[2] * (d[3] * (s[0] * s[0])) + d[1] * (d[3] * (c[1] * c[1])) +
-                       d[1] * (d[2] * (c[2] * c[2])) + d[0] * (d[3] * (c[3] * c[3])) +
-                       d[0] * (d[2] * (c[4] * c[4])) + d[0] * (d[1] * (c[5] * c[5]));
-  return (4.0 * (middle * least) + (2.0 * faces + squares)) - excess * excess;
+  const Real mixed = (p * kq + sq * kp) + (p * kr + sr * kp) + (q * kr + sr * kq);
+  const Real largest = maximum(maximum(sp, sq), sr);
+  const Real least = minimum(minimum(sp, sq), sr);
+  const Real middle = maximum(minimum(sp, sq), minimum(maximum(sp, sq), sr));
+  const Real excess = (largest - middle) - least;
+  const Real one = broadcast<Real>(1.0);
+  return (2.0 * (d[0] * (d[1] * (d[2] * (d[3] * one))) + faces + mixed) + 4.0 * (middle * least)) -
+         excess * excess;
 }
 
 /// -c_ll > 0: the principal minor of the face ijk opposite l, with its sign turned.

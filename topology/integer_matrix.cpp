@@ -1,0 +1,248 @@
+#include "topology/detail/integer_matrix.hpp"
+
+#include <algorithm>
+#include <queue>
+#include <utility>
+
+// Three stages. First, pivots +-1 are eliminated on sparse rows of 64-bit integers, with every
+// product checked: a pivot whose elimination would overflow is put aside. Then the same on big
+// integers, which have no such pivots. Last, what has no unit entry left is small, and goes
+// through the textbook dense algorithm.
+
+namespace tripus::topology::detail {
+namespace {
+
+/// x -= factor * y; false, with x unchanged, if that overflows.
+bool subtract_product(std::int64_t& x, std::int64_t factor, std::int64_t y) {
+  std::int64_t product = 0;
+  std::int64_t difference = 0;
+  if (__builtin_mul_overflow(factor, y, &product) ||
+      __builtin_sub_overflow(x, product, &difference) || difference == INT64_MIN)
+    return false;
+  x = difference;
+  return true;
+}
+bool subtract_product(BigInteger& x, const BigInteger& factor, const BigInteger& y) {
+  x -= factor * y;
+  return true;
+}
+
+template <class Integer>
+bool is_unit(const Integer& x) {
+  return x == 1 || x == -1;
+}
+
+template <class Integer>
+class UnitEliminator {
+ public:
+  UnitEliminator(std::vector<SparseRow<Integer>> rows, std::size_t column_count)
+      : rows_(std::move(rows)), rows_of_(column_count), count_(column_count, 0) {
+    for (std::uint32_t r = 0; r < rows_.size(); ++r) {
+      for (const auto& entry : rows_[r]) add_to_column(entry.column, r);
+      waiting_.emplace(rows_[r].size(), r);
+    }
+  }
+
+  /// Eliminates unit pivots until there is none, and returns their number.
+  std::size_t run() {
+    std::size_t pivots = 0;
+    while (!waiting_.empty()) {
+      const auto [length, r] = waiting_.top();
+      waiting_.pop();
+      if (length != rows_[r].size() || length == 0) continue;  // changed since it was queued
+      const auto* pivot = cheapest_unit(rows_[r]);
+      if (pivot && eliminate(r, pivot->column)) ++pivots;
+    }
+    return pivots;
+  }
+
+  std::vector<SparseRow<Integer>> take_rows() {
+    std::erase_if(rows_, [](const auto& row) { return row.empty(); });
+    return std::move(rows_);
+  }
+
+ private:
+  void add_to_column(std::uint32_t column, std::uint32_t row) {
+    rows_of_[column].push_back(row);
+    ++count_[column];
+  }
+
+  /// The unit entry in the emptiest column, which makes the least fill.
+  const Entry<Integer>* cheapest_unit(const SparseRow<Integer>& row) const {
+    const Entry<Integer>* best = nullptr;
+    for (const auto& entry : row)
+      if (is_unit(entry.value) && (!best || count_[entry.column] < count_[best->column]))
+        best = &entry;
+    return best;
+  }
+
+  static const Entry<Integer>* find(const SparseRow<Integer>& row, std::uint32_t column) {
+    const auto place = std::ranges::lower_bound(row, column, {}, &Entry<Integer>::column);
+    return place != row.end() && place->column == column ? &*place : nullptr;
+  }
+
+  /// False on overflow: then rows were changed by multiples of row r only, which is harmless.
+  bool eliminate(std::uint32_t r, std::uint32_t column) {
+    const SparseRow<Integer> pivot_row = rows_[r];
+    const Integer pivot = find(pivot_row, column)->value;
+    const auto members = rows_of_[column];  // may hold rows that have lost the column
+    for (const std::uint32_t other : members) {
+      const auto* entry = other == r ? nullptr : find(rows_[other], column);
+      if (entry && !subtract(other, Integer(entry->value * pivot), pivot_row)) return false;
+    }
+    for (const auto& entry : pivot_row) --count_[entry.column];
+    rows_[r].clear();
+    std::vector<std::uint32_t>().swap(rows_of_[column]);
+    return true;
+  }
+
+  bool subtract(std::uint32_t target, const Integer& factor, const SparseRow<Integer>& row) {
+    SparseRow<Integer> merged;
+    const SparseRow<Integer>& old = rows_[target];
+    merged.reserve(old.size() + row.size());
+    auto x = old.begin();
+    for (const auto& y : row) {
+      while (x != old.end() && x->column < y.column) merged.push_back(*x++);
+      Entry<Integer> sum{y.column, 0};
+      if (x != old.end() && x->column == y.column) sum.value = (x++)->value;
+      if (!subtract_product(sum.value, factor, y.value)) return false;
+      if (sum.value != 0) merged.push_back(std::move(sum));
+    }
+    merged.insert(merged.end(), x, old.end());
+    replace(target, std::move(merged));
+    return true;
+  }
+
+  void replace(std::uint32_t target, SparseRow<Integer> merged) {
+    const SparseRow<Integer>& old = rows_[target];
+    for (const auto& entry : old)
+      if (!find(merged, entry.column)) --count_[entry.column];
+    for (const auto& entry : merged)
+      if (!find(old, entry.column)) add_to_column(entry.column, target);
+    waiting_.emplace(merged.size(), target);
+    rows_[target] = std::move(merged);
+  }
+
+  using Waiting = std::pair<std::size_t, std::uint32_t>;  // length when queued, row
+  std::vector<SparseRow<Integer>> rows_;
+  std::vector<std::vector<std::uint32_t>> rows_of_;  // per column, possibly stale
+  std::vector<std::uint32_t> count_;                 // per column, exact
+  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting_;
+};
+
+using DenseMatrix = std::vector<std::vector<BigInteger>>;
+
+DenseMatrix compressed(const std::vector<SparseRow<BigInteger>>& rows) {
+  std::vector<std::uint32_t> columns;
+  for (const auto& row : rows)
+    for (const auto& entry : row) columns.push_back(entry.column);
+  std::ranges::sort(columns);
+  columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+  DenseMatrix dense(rows.size(), std::vector<BigInteger>(columns.size()));
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (const auto& entry : rows[r]) {
+      const auto place = std::ranges::lower_bound(columns, entry.column) - columns.begin();
+      dense[r][static_cast<std::size_t>(place)] = entry.value;
+    }
+  return dense;
+}
+
+/// Diagonalises the block from (k, k) on, one entry at a time.
+class DenseReducer {
+ public:
+  explicit DenseReducer(DenseMatrix matrix) : matrix_(std::move(matrix)) {}
+
+  std::vector<BigInteger> diagonal() {
+    std::vector<BigInteger> result;
+    for (; move_least_to_corner(); ++corner_) {
+      while (!clear_cross() || !divides_the_rest()) (void)move_least_to_corner();
+      result.push_back(abs(matrix_[corner_][corner_]));
+    }
+    return result;
+  }
+
+ private:
+  std::size_t height() const { return matrix_.size(); }
+  std::size_t width() const { return matrix_.empty() ? 0 : matrix_[0].size(); }
+
+  /// False if the block is zero.
+  bool move_least_to_corner() {
+    std::size_t row = height();
+    std::size_t column = 0;
+    for (std::size_t i = corner_; i < height(); ++i)
+      for (std::size_t j = corner_; j < width(); ++j)
+        if (matrix_[i][j] != 0 &&
+            (row == height() || abs(matrix_[i][j]) < abs(matrix_[row][column]))) {
+          row = i;
+          column = j;
+        }
+    if (row == height()) return false;
+    std::swap(matrix_[row], matrix_[corner_]);
+    if (column != corner_)
+      for (auto& line : matrix_) std::swap(line[column], line[corner_]);
+    return true;
+  }
+
+  /// Reduces the corner's row and column modulo the corner; true if both vanish.
+  bool clear_cross() {
+    bool clear = true;
+    const auto& top = matrix_[corner_];
+    for (std::size_t i = corner_ + 1; i < height(); ++i) {
+      const BigInteger factor = matrix_[i][corner_] / top[corner_];
+      if (factor != 0)
+        for (std::size_t j = corner_; j < width(); ++j) matrix_[i][j] -= factor * top[j];
+      clear = clear && matrix_[i][corner_] == 0;
+    }
+    for (std::size_t j = corner_ + 1; j < width(); ++j) {
+      const BigInteger factor = top[j] / top[corner_];
+      if (factor != 0)
+        for (std::size_t i = corner_; i < height(); ++i)
+          matrix_[i][j] -= factor * matrix_[i][corner_];
+      clear = clear && top[j] == 0;
+    }
+    return clear;
+  }
+
+  /// Adds a row with an entry that the corner does not divide to the corner's row, if there is
+  /// one, so that the next round finds a smaller corner.
+  bool divides_the_rest() {
+    for (std::size_t i = corner_ + 1; i < height(); ++i)
+      for (std::size_t j = corner_ + 1; j < width(); ++j)
+        if (matrix_[i][j] % matrix_[corner_][corner_] != 0) {
+          for (std::size_t k = corner_; k < width(); ++k) matrix_[corner_][k] += matrix_[i][k];
+          // The remainder itself, so that the least entry is smaller than before.
+          const BigInteger factor = matrix_[corner_][j] / matrix_[corner_][corner_];
+          for (std::size_t k = corner_; k < height(); ++k)
+            matrix_[k][j] -= factor * matrix_[k][corner_];
+          return false;
+        }
+    return true;
+  }
+
+  DenseMatrix matrix_;
+  std::size_t corner_ = 0;
+};
+
+std::vector<SparseRow<BigInteger>> widened(const std::vector<SparseRow<std::int64_t>>& rows) {
+  std::vector<SparseRow<BigInteger>> result(rows.size());
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (const auto& entry : rows[r]) result[r].push_back({entry.column, entry.value});
+  return result;
+}
+
+}  // namespace
+
+SmithForm smith_form(std::vector<SparseRow<std::int64_t>> rows, std::size_t column_count) {
+  SmithForm form;
+  UnitEliminator<std::int64_t> small(std::move(rows), column_count);
+  form.rank = small.run();
+  UnitEliminator<BigInteger> big(widened(small.take_rows()), column_count);
+  form.rank += big.run();
+  for (BigInteger& factor : DenseReducer(compressed(big.take_rows())).diagonal()) {
+    ++form.rank;
+    if (factor != 1) form.factors.push_back(std::move(factor));
+  }
+  return form;
+}
+
+}  // namespace tripus::topology::detail

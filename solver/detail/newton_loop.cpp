@@ -1,0 +1,332 @@
+#include "solver/detail/newton_loop.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "solver/detail/vectors.hpp"
+
+// Newton's method for a convex function of class C1, globalised by its gradient alone.
+//
+// Values of f are not used. They cost more than gradients, and near the minimum f - min f is the
+// square of the distance, so that they stop telling points apart at half the digits. Gradients do
+// not: max|g| is meaningful down to rounding.
+//
+// A step. Let d solve (H + mu D + Z) d = -g and phi(t) = f(x + t d). phi is convex, so phi' is
+// monotone; phi'(t) = g(x + t d).d costs one gradient. A trial t is accepted
+//   (A) when max|g(x + t d)| <= 1/2 (the least max|g| so far), or
+//   (B) when 0.9 phi'(0) <= phi'(t) <= 0.
+// t = 1 is tried first. While phi' < 0.9 phi'(0) the step is too short and is extended; once phi' >
+// 0 somewhere, the two ends bracket the acceptable interval and are closed in on by secant steps
+// mixed with bisection. phi' is continuous, so the interval (B) is met unless phi' never rises, and
+// then f has no minimiser in that direction.
+//
+// Convergence. Let f have a bounded set of minimisers. Then its level sets are bounded.
+// If (A) happens infinitely often, max|g| falls below any tolerance. Otherwise, from some iterate
+// on all steps are (B). As phi' <= 0 on [0,t], f does not increase, and the iterates stay in a
+// bounded level set, on which g is uniformly continuous. As phi' has risen by 0.1 |phi'(0)|, the
+// step t|d| has a length that is bounded below in terms of |phi'(0)|/|d|, and up to where phi' =
+// 0.9 phi'(0) the function falls by at least 0.9 |phi'(0)|/|d| times that length (for a Lipschitz
+// gradient with constant L: by 0.09 (phi'(0)/|d|)^2 / L). f is bounded below, so phi'(0)/|d| -> 0;
+// the cosine of the angle between d and -g is kept above kMinCosine, so |g| -> 0. Since the number
+// of (A) steps needed from any start is finite, the loop ends in either case. Close to a minimiser
+// with positive definite Hessian full steps satisfy (A), which is insensitive to rounding: the last
+// phase is plain Newton, quadratically convergent. Minimisers with singular Hessian, like that of
+// x^p, have full steps which divide the gradient by (1 - 1/(p-1))^(1-p) > 2: also (A).
+//
+// Regularisation. D = max(diag H, mean of diag H); mu = 0 unless the factorisation fails, d is not
+// a good descent direction, or steps come out short. Z is the mean diagonal where a row of H
+// vanishes (all that a variable touches is flat or saturated): there the step is that of gradient
+// descent. A saturated gradient with a small but positive Hessian asks for absurd steps. They are
+// limited to kStepGrowth (1 + max|x|) by choosing mu so that |g| / (mu D) has that size: all the
+// saturated variables then move alike, instead of the worst one alone.
+//
+// No minimiser. If the iterate is kRunaway away from the start, it runs away (in a dozen extensions
+// of one step, where f falls linearly). If f falls like exp(-x) the gradient does reach the
+// tolerance, at no minimiser. It betrays itself in the polishing steps: near a minimiser a step is
+// tiny or divides the gradient by much; here steps stay long and divide the gradient only by e.
+
+namespace tripus::solver::detail {
+namespace {
+
+constexpr double kAccept = 0.5;          // (A): factor of decrease of max|g|
+constexpr double kCurvature = 0.9;       // (B): phi' must rise to this part of phi'(0)
+constexpr double kTarget = 0.3;          // the part of phi'(0) at which secant steps aim
+constexpr double kMinCosine = 1e-8;      // between d and -g
+constexpr double kFirstMu = 1e-12;       // enough where H is singular by rounding only
+constexpr double kMuGrowth = 100;        // on failure
+constexpr double kLargestMu = 1e4;       // beyond it, the scaled gradient
+constexpr double kZeroRow = 1e-13;       // of the mean diagonal: a row that vanishes
+constexpr double kStepGrowth = 4;        // longest step, in units of 1 + max|x|
+constexpr double kRunaway = 1e8;         // in units of 1 + max|x at the start|
+constexpr int kMaxTrials = 60;           // of one line search
+constexpr double kTinyStep = 1e-10;      // in units of 1 + max|x|: rounding rules
+constexpr int kTinySteps = 3;            // so many without halving max|g|: stalled
+constexpr double kForcing = 0.1;         // loosest relative residual of a linear solve
+constexpr double kPolishForcing = 1e-3;  // and that of the last step
+constexpr double kEscapeStep = 1e-3;     // a polishing step longer than this, in 1 + max|x|,
+constexpr double kEscapeFactor = 0.1;    // which leaves this much of max|g|,
+constexpr int kEscapeSteps = 3;          // so often in a row: a gradient that fades at infinity
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// State of one run. Vectors are [n] slices of one allocation.
+class Loop {
+ public:
+  Loop(Run& run, NewtonSystem& system, std::span<double> x)
+      : run_(run), system_(system), result_(x), n_(x.size()), memory_(7 * n_) {
+    double* at = memory_.data();
+    for (std::span<double>* v : {&x_, &g_, &trial_x_, &trial_g_, &d_, &shift_, &best_x_}) {
+      *v = {at, n_};
+      at += n_;
+    }
+    std::copy(x.begin(), x.end(), x_.begin());
+  }
+
+  Summary minimise();
+
+ private:
+  enum class Search { kAccepted, kFailed, kRanAway, kStopped };
+
+  bool evaluate_trial(double t, bool second_derivatives);
+  void accept_trial();
+  void compute_direction(double forcing);
+  bool solve_shifted(double forcing);
+  void set_shift();
+  void limit_step(double forcing);
+  Search search();
+  double next_trial(double t, int trial) const;
+  bool update(double previous);
+  Summary polish();
+  Summary finish(Termination why, const char* message = "");
+  double size() const { return 1 + max_abs(x_); }
+
+  Run& run_;
+  NewtonSystem& system_;
+  std::span<double> result_;
+  std::size_t n_;
+  std::vector<double> memory_;
+  std::span<double> x_, g_, trial_x_, trial_g_, d_, shift_, best_x_;
+  std::span<const double> diagonal_;
+  double gradient_ = 0, trial_gradient_ = 0;  // max|g| at x_ and at trial_x_
+  double best_ = kInfinity;                   // least max|g| of an accepted point
+  bool x_is_best_ = true;                     // else best_x_ holds it
+  double mean_ = 1;                           // of the diagonal of H, > 0
+  double mu_ = 0;
+  double slope_ = 0;                                            // phi'(0)
+  double step_ = 1;                                             // the accepted t
+  double low_ = 0, low_slope_ = 0, high_ = 0, high_slope_ = 0;  // bracket of the line search
+  double runaway_ = 0;
+  int tiny_steps_ = 0;
+};
+
+Summary Loop::minimise() {
+  const double start_size = max_abs(x_);
+  if (!(start_size < kInfinity)) {
+    return run_.finish(Termination::kNumericalFailure, kInfinity, "the start is not finite");
+  }
+  runaway_ = kRunaway * (1 + start_size);
+  if (!run_.evaluate(x_, g_, {.value = nullptr, .second_derivatives = true}, gradient_)) {
+    return run_.finish(Termination::kNumericalFailure, kInfinity,
+                       "the gradient is not defined at the start");
+  }
+  best_ = gradient_;
+  double forcing = kForcing;
+  if (!run_.observe(x_, gradient_)) return finish(run_.termination);
+  while (gradient_ > run_.tolerance()) {
+    const double previous = gradient_;
+    compute_direction(forcing);
+    switch (search()) {
+      case Search::kAccepted:
+        break;
+      case Search::kFailed:
+        return finish(Termination::kStalled, "no acceptable step in floating point");
+      case Search::kRanAway:
+        run_.observe(x_, gradient_);
+        return finish(Termination::kUnbounded, "the iterates run away");
+      case Search::kStopped:
+        return finish(run_.termination);
+    }
+    const bool progress = update(previous);
+    if (!run_.observe(x_, gradient_)) return finish(run_.termination);
+    if (!progress && gradient_ > run_.tolerance()) return finish(Termination::kStalled, "steps are down to rounding");
+    if (max_abs(x_) > runaway_) return finish(Termination::kUnbounded, "the iterates run away");
+    // Eisenstat and Walker, SIAM J. Sci. Comput. 17 (1996), choice 2; never tighter than needed to
+    // bring the gradient to a hundredth of the tolerance.
+    const double ratio = gradient_ / previous;
+    forcing = std::clamp(0.9 * ratio * ratio,
+                         std::min(kForcing, 0.01 * run_.tolerance() / gradient_), kForcing);
+  }
+  return polish();
+}
+
+bool Loop::evaluate_trial(double t, bool second_derivatives) {
+  for (std::size_t i = 0; i < n_; ++i) trial_x_[i] = x_[i] + t * d_[i];
+  return run_.evaluate(trial_x_, trial_g_,
+                       {.value = nullptr, .second_derivatives = second_derivatives},
+                       trial_gradient_);
+}
+
+void Loop::accept_trial() {
+  const bool improves = trial_gradient_ < best_;
+  if (!improves && x_is_best_) std::copy(x_.begin(), x_.end(), best_x_.begin());
+  x_is_best_ = improves;
+  if (improves) best_ = trial_gradient_;
+  std::swap(x_, trial_x_);
+  std::swap(g_, trial_g_);
+  gradient_ = trial_gradient_;
+  ++run_.iterations;
+}
+
+void Loop::compute_direction(double forcing) {
+  diagonal_ = system_.load(run_.problem());
+  double sum = 0;
+  std::size_t count = 0;
+  for (const double h : diagonal_) {
+    if (h > 0) {
+      sum += h;
+      ++count;
+    }
+  }
+  // Flat everywhere: a step of the longest length allowed.
+  mean_ = sum > 0 ? sum / static_cast<double>(count) : gradient_ / (kStepGrowth * size());
+  while (!solve_shifted(forcing)) {
+    if (mu_ > kLargestMu) {
+      for (std::size_t i = 0; i < n_; ++i) d_[i] = -g_[i] / std::max(diagonal_[i], mean_);
+      slope_ = dot(g_.data(), d_.data(), n_);
+      break;
+    }
+    mu_ = std::max(kFirstMu, kMuGrowth * mu_);
+  }
+  limit_step(forcing);
+  run_.linear_iterations = system_.linear_iterations();
+}
+
+void Loop::set_shift() {
+  const double zero_row = kZeroRow * mean_;
+  for (std::size_t i = 0; i < n_; ++i) {
+    const double h = diagonal_[i];
+    shift_[i] = mu_ * std::max(h, mean_) + (h > zero_row ? 0 : mean_);
+  }
+}
+
+bool Loop::solve_shifted(double forcing) {
+  set_shift();
+  if (!system_.solve(run_.problem(), shift_, g_, forcing, d_)) return false;
+  slope_ = dot(g_.data(), d_.data(), n_);
+  const double norms =
+      std::sqrt(dot(g_.data(), g_.data(), n_)) * std::sqrt(dot(d_.data(), d_.data(), n_));
+  return norms < kInfinity && slope_ < 0 && -slope_ >= kMinCosine * norms;
+}
+
+void Loop::limit_step(double forcing) {
+  const double longest = kStepGrowth * size();
+  double length = max_abs(d_);
+  if (length <= longest) return;
+  const double kept = mu_;
+  mu_ = std::max(mu_, gradient_ / (longest * mean_));
+  if (mu_ > kept && solve_shifted(forcing)) length = max_abs(d_);
+  if (length > longest) {
+    const double factor = longest / length;
+    for (double& value : d_) value *= factor;
+    slope_ *= factor;
+  }
+}
+
+Loop::Search Loop::search() {
+  low_ = 0;
+  low_slope_ = slope_;
+  high_ = kInfinity;
+  const double shortest = std::numeric_limits<double>::epsilon() * size() / max_abs(d_);
+  double t = 1;
+  for (int trial = 1; trial <= kMaxTrials; ++trial) {
+    const bool defined = evaluate_trial(t, true);
+    if (run_.out_of_time()) return Search::kStopped;
+    step_ = t;
+    if (defined && trial_gradient_ <= kAccept * best_) {
+      accept_trial();
+      return Search::kAccepted;
+    }
+    const double slope = defined ? dot(trial_g_.data(), d_.data(), n_) : kInfinity;
+    if (slope <= 0 && slope >= kCurvature * slope_) {
+      accept_trial();
+      return Search::kAccepted;
+    }
+    if (slope > 0 || std::isnan(slope)) {
+      high_ = t;
+      high_slope_ = slope;
+    } else {
+      low_ = t;
+      low_slope_ = slope;
+      if (high_ == kInfinity && max_abs(trial_x_) > runaway_) {
+        accept_trial();
+        return Search::kRanAway;
+      }
+    }
+    t = next_trial(t, trial);
+    if (!(t > low_ && t < high_ && high_ - low_ > shortest)) return Search::kFailed;
+  }
+  return Search::kFailed;
+}
+
+double Loop::next_trial(double t, int trial) const {
+  constexpr double kExtend = 4;
+  constexpr double kIntoDomain = 0.25;
+  if (high_ == kInfinity) return kExtend * t;
+  const double width = high_ - low_;
+  if (!(high_slope_ < kInfinity)) return low_ + kIntoDomain * width;
+  if (trial % 3 == 0) return low_ + 0.5 * width;
+  const double part = (kTarget * slope_ - low_slope_) / (high_slope_ - low_slope_);
+  return low_ + std::clamp(part, 0.05, 0.95) * width;
+}
+
+/// After an accepted step: adapts mu. Returns false when rounding rules.
+bool Loop::update(double previous) {
+  const double length = step_ * max_abs(d_);
+  if (gradient_ <= kAccept * previous) {
+    mu_ = std::min(mu_, kFirstMu);
+    tiny_steps_ = 0;
+    return true;
+  }
+  if (step_ >= 1) {
+    mu_ = mu_ > kFirstMu ? 0.1 * mu_ : mu_;
+  } else if (step_ < 0.1) {
+    mu_ = std::max(4 * mu_, 1e-3);
+  }
+  tiny_steps_ = length <= kTinyStep * size() ? tiny_steps_ + 1 : 0;
+  return tiny_steps_ < kTinySteps;
+}
+
+Summary Loop::polish() {
+  for (int escapes = 0; gradient_ > 0 && run_.iterations < run_.max_iterations();) {
+    if (run_.out_of_time()) break;
+    const double allowed = kEscapeStep * size();
+    compute_direction(kPolishForcing);
+    const bool long_step = max_abs(d_) > allowed;
+    if (!evaluate_trial(1, long_step) || !(trial_gradient_ < gradient_)) break;
+    const double previous = gradient_;
+    accept_trial();
+    if (!run_.observe(x_, gradient_)) return finish(run_.termination);
+    if (!long_step || gradient_ <= kEscapeFactor * previous) break;
+    if (++escapes == kEscapeSteps) {
+      return finish(Termination::kUnbounded, "the gradient vanishes only at infinity");
+    }
+  }
+  return finish(Termination::kConverged);
+}
+
+Summary Loop::finish(Termination why, const char* message) {
+  const std::span<const double> best = x_is_best_ ? x_ : best_x_;
+  std::copy(best.begin(), best.end(), result_.begin());
+  return run_.finish(why, best_, message);
+}
+
+}  // namespace
+
+Summary newton_loop(Run& run, NewtonSystem& system, std::span<double> x) {
+  return Loop(run, system, x).minimise();
+}
+
+}  // namespace tripus::solver::detail

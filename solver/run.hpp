@@ -1,0 +1,55 @@
+#pragma once
+
+#include <chrono>
+#include <span>
+#include <string>
+
+#include "solver/method.hpp"
+
+namespace tripus::solver {
+
+/// max|v_i| of v [n]; infinity if an entry is not finite, 0 if n = 0.
+double max_abs(std::span<const double> v);
+
+/// Bookkeeping of one run, for those who write a method or a flow: clock, limits, counts, observer.
+///
+/// It keeps no point: that is the method's affair, which knows where its iterates lie.
+class Run {
+ public:
+  /// Validates options and the length of x (InvalidInput); keeps references to problem and options.
+  Run(Problem& problem, std::span<const double> x, const Options& options,
+      int default_max_iterations);
+
+  /// Problem::evaluate, counted. Sets max_gradient = max|gradient|. Returns false where f is not
+  /// defined and where the gradient is not finite.
+  bool evaluate(std::span<const double> x, std::span<double> gradient,
+                const Problem::Request& request, double& max_gradient);
+
+  /// Passes x to the observer as iterate number `iterations`. Returns false, and keeps the reason
+  /// in `termination`, when the run has to end: asked to stop, out of time, out of iterations.
+  bool observe(std::span<const double> x, double max_gradient, double time = 0);
+
+  /// Whether the time limit has passed; keeps the reason in `termination`.
+  bool out_of_time();
+
+  /// The summary of a run that ends with max|gradient| as given.
+  Summary finish(Termination why, double max_gradient, std::string message = {}) const;
+
+  double seconds() const;
+  double tolerance() const { return options_.tolerance; }
+  int max_iterations() const { return max_iterations_; }
+  Problem& problem() const { return problem_; }
+
+  int iterations = 0;
+  int evaluations = 0;
+  long linear_iterations = 0;
+  Termination termination = Termination::kNumericalFailure;
+
+ private:
+  Problem& problem_;
+  const Options& options_;
+  int max_iterations_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace tripus::solver

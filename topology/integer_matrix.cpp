@@ -1,6 +1,7 @@
 #include "topology/detail/integer_matrix.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -39,19 +40,28 @@ class UnitEliminator {
       : rows_(std::move(rows)), rows_of_(column_count), count_(column_count, 0) {
     for (std::uint32_t r = 0; r < rows_.size(); ++r) {
       for (const auto& entry : rows_[r]) add_to_column(entry.column, r);
-      waiting_.emplace(rows_[r].size(), r);
     }
+    for (std::uint32_t r = 0; r < rows_.size(); ++r) queue_row(r);
   }
 
   /// Eliminates unit pivots until there is none, and returns their number.
   std::size_t run() {
     std::size_t pivots = 0;
-    while (!waiting_.empty()) {
-      const auto [length, r] = waiting_.top();
+    for (std::uint32_t column = 0; column < count_.size(); ++column)
+      if (count_[column] == 1) single_.push_back(column);
+    while (true) {
+      pivots += remove_free_rows();
+      if (waiting_.empty()) break;
+      const auto [queued_cost, r] = waiting_.top();
       waiting_.pop();
-      if (length != rows_[r].size() || length == 0) continue;  // changed since it was queued
       const auto* pivot = cheapest_unit(rows_[r]);
-      if (pivot && eliminate(r, pivot->column)) ++pivots;
+      if (!pivot) continue;
+      const std::size_t cost = fill(r, *pivot);
+      if (cost > queued_cost) {  // it became dearer since it was queued
+        waiting_.emplace(cost, r);
+      } else if (eliminate(r, pivot->column)) {
+        ++pivots;
+      }
     }
     return pivots;
   }
@@ -67,6 +77,57 @@ class UnitEliminator {
     ++count_[column];
   }
 
+  /// Columns that meet one row only: operations among them replace their entries by their greatest
+  /// common divisor and zeros. If that is a unit it is a pivot without any fill, however long the
+  /// row; removing the row leaves others alone in turn. In covers this cascade does nearly all.
+  std::size_t remove_free_rows() {
+    std::size_t removed = 0;
+    while (!single_.empty()) {
+      const std::uint32_t column = single_.back();
+      single_.pop_back();
+      if (count_[column] != 1) continue;
+      const auto r = std::ranges::find_if(
+          rows_of_[column], [&](std::uint32_t row) { return find(rows_[row], column); });
+      if (!merge_private_columns(*r)) continue;
+      drop_row(*r);
+      ++removed;
+    }
+    return removed;
+  }
+
+  /// True if the divisor is a unit.
+  bool merge_private_columns(std::uint32_t r) {
+    using boost::multiprecision::gcd;
+    using std::gcd;
+    SparseRow<Integer>& row = rows_[r];
+    Integer divisor = 0;
+    std::uint32_t kept = 0;
+    for (const auto& entry : row)
+      if (count_[entry.column] == 1) {
+        divisor = gcd(divisor, entry.value);
+        kept = entry.column;
+      }
+    const std::size_t old_size = row.size();
+    std::erase_if(row, [&](const auto& entry) {
+      const bool gone = count_[entry.column] == 1 && entry.column != kept;
+      if (gone) count_[entry.column] = 0;
+      return gone;
+    });
+    std::ranges::lower_bound(row, kept, {}, &Entry<Integer>::column)->value = divisor;
+    if (is_unit(divisor)) return true;
+    if (row.size() != old_size) queue_row(r);
+    return false;
+  }
+
+  void leave_column(std::uint32_t column) {
+    if (--count_[column] == 1) single_.push_back(column);
+  }
+
+  void drop_row(std::uint32_t r) {
+    for (const auto& entry : rows_[r]) leave_column(entry.column);
+    SparseRow<Integer>().swap(rows_[r]);
+  }
+
   /// The unit entry in the emptiest column, which makes the least fill.
   const Entry<Integer>* cheapest_unit(const SparseRow<Integer>& row) const {
     const Entry<Integer>* best = nullptr;
@@ -74,6 +135,14 @@ class UnitEliminator {
       if (is_unit(entry.value) && (!best || count_[entry.column] < count_[best->column]))
         best = &entry;
     return best;
+  }
+
+  /// Markowitz's bound on the entries that the pivot makes.
+  std::size_t fill(std::uint32_t r, const Entry<Integer>& pivot) const {
+    return (rows_[r].size() - 1) * (count_[pivot.column] - 1);
+  }
+  void queue_row(std::uint32_t r) {
+    if (const auto* pivot = cheapest_unit(rows_[r])) waiting_.emplace(fill(r, *pivot), r);
   }
 
   static const Entry<Integer>* find(const SparseRow<Integer>& row, std::uint32_t column) {
@@ -90,8 +159,7 @@ class UnitEliminator {
       const auto* entry = other == r ? nullptr : find(rows_[other], column);
       if (entry && !subtract(other, Integer(entry->value * pivot), pivot_row)) return false;
     }
-    for (const auto& entry : pivot_row) --count_[entry.column];
-    rows_[r].clear();
+    drop_row(r);
     std::vector<std::uint32_t>().swap(rows_of_[column]);
     return true;
   }
@@ -116,17 +184,18 @@ class UnitEliminator {
   void replace(std::uint32_t target, SparseRow<Integer> merged) {
     const SparseRow<Integer>& old = rows_[target];
     for (const auto& entry : old)
-      if (!find(merged, entry.column)) --count_[entry.column];
+      if (!find(merged, entry.column)) leave_column(entry.column);
     for (const auto& entry : merged)
       if (!find(old, entry.column)) add_to_column(entry.column, target);
-    waiting_.emplace(merged.size(), target);
     rows_[target] = std::move(merged);
+    queue_row(target);
   }
 
-  using Waiting = std::pair<std::size_t, std::uint32_t>;  // length when queued, row
+  using Waiting = std::pair<std::size_t, std::uint32_t>;  // fill when queued, row
   std::vector<SparseRow<Integer>> rows_;
   std::vector<std::vector<std::uint32_t>> rows_of_;  // per column, possibly stale
   std::vector<std::uint32_t> count_;                 // per column, exact
+  std::vector<std::uint32_t> single_;                // columns that may have one row only
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting_;
 };
 

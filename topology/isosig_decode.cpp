@@ -161,9 +161,12 @@ class SignatureReader {
 
   void glue(std::size_t place, std::size_t base, std::size_t t, int f, std::size_t other, Perm4 p) {
     const bool itself = other == t && p(f) == f;
-    if (itself || !gluings_.is_open(base + other, p(f)))
+    // Faces before this one have had their action: open ones are meant to stay so.
+    const bool settled = other < t || (other == t && p(f) < f);
+    if (itself || settled || !gluings_.is_open(base + other, p(f)))
       fail(place, "face " + std::to_string(f) + " of tetrahedron " + std::to_string(t) +
-                      " is glued to " + (itself ? "itself" : "a face that is glued already"));
+                      " is glued to " +
+                      (itself ? "itself" : "a face that is glued already or declared open"));
     gluings_.glue(base + t, f, static_cast<TetrahedronIndex>(base + other), p);
   }
 

@@ -66,6 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"zero_width", "-a", "numbers of 0 characters"},
         BadInput{"only_marker", "-", "character 2: the signature ends here"},
         BadInput{"twice_glued", "bkaahi", "is glued to a face that is glued already"},
+        BadInput{"opened_then_glued", "febaaabbaaeafaaa", "glued already or declared open"},
         BadInput{"no_tetrahedra", "a", "no tetrahedra"}));
 
 INSTANTIATE_TEST_SUITE_P(

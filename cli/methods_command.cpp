@@ -7,6 +7,7 @@
 #include "cli/output.hpp"
 #include "energies/energies.hpp"
 #include "integrators/flow.hpp"
+#include "integrators/stepper.hpp"
 #include "solver/method.hpp"
 
 namespace tripus::cli {

@@ -43,12 +43,12 @@ std::vector<double> cone_angles_of(const std::vector<std::string>& assignments,
       used = 0;
     }
     if (equals == std::string::npos || used != equals || assignment.front() == '-') {
-      throw InvalidInput("--cone-angle " + quoted(assignment) +
+      throw InvalidInput("--cone-angle " + tripus::quoted(assignment) +
                          ": write EDGE=ANGLE, such as 0=2pi/3");
     }
     if (edge >= edge_count) {
       throw InvalidInput(fmt::format("--cone-angle {}: there are only the edge classes 0 to {}",
-                                     quoted(assignment), edge_count - 1));
+                                     tripus::quoted(assignment), edge_count - 1));
     }
     angles[edge] = parse_angle(std::string_view(assignment).substr(equals + 1));
   }
@@ -109,10 +109,12 @@ int run(SolveCommandOptions& command) {
     try {
       command.solve.initial_lengths = parse_lengths(read_file(command.lengths_file));
     } catch (const InvalidInput& error) {
-      throw InvalidInput("--initial-lengths " + quoted(command.lengths_file) + ": " + error.what());
+      throw InvalidInput("--initial-lengths " + tripus::quoted(command.lengths_file) + ": " +
+                         error.what());
     }
     if (command.solve.initial_lengths.empty())
-      throw InvalidInput("--initial-lengths " + quoted(command.lengths_file) + " holds no numbers");
+      throw InvalidInput("--initial-lengths " + tripus::quoted(command.lengths_file) +
+                         " holds no numbers");
   }
   structure::find_solve_method(command.solve.method, 1);  // a wrong name is wrong for all inputs
   catch_interrupts();

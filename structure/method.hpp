@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "integrators/flow.hpp"
+#include "integrators/stepper.hpp"
 #include "solver/method.hpp"
 
 namespace tripus::structure {

@@ -37,7 +37,10 @@ struct SolveOptions {
   int max_iterations = 0;                                       ///< 0: the method's default
   double time_limit = std::numeric_limits<double>::infinity();  ///< seconds
   std::vector<double> cone_angles;                              ///< [E] radians; empty for 2 pi
-  std::function<void(const HistoryRow&)> history;     ///< called at every iteration if set
+  /// Called at every iteration if set; costs an evaluation of the energy and the volume each time.
+  std::function<void(const HistoryRow&)> history;
+  /// Called at every iteration if set, with its number and max|gradient|; cheap.
+  std::function<void(int iteration, double max_gradient)> on_iteration;
   const std::atomic<bool>* stop_requested = nullptr;  ///< polled at every iteration
 };
 

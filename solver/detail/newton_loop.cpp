@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/detail/conjugate_gradients.hpp"
 #include "solver/detail/vectors.hpp"
 
 // Newton's method for a convex function of class C1, globalised by its gradient alone.
@@ -60,7 +61,6 @@ constexpr double kMuGrowth = 100;        // on failure
 constexpr double kLargestMu = 1e4;       // beyond it, the scaled gradient
 constexpr double kZeroRow = 1e-13;       // of the mean diagonal: a row that vanishes
 constexpr double kStepGrowth = 4;        // longest step, in units of 1 + max|x|
-constexpr double kRunaway = 1e8;         // in units of 1 + max|x at the start|
 constexpr int kMaxTrials = 60;           // of one line search
 constexpr double kTinyStep = 1e-10;      // in units of 1 + max|x|: rounding rules
 constexpr int kTinySteps = 3;            // so many without halving max|g|: stalled
@@ -70,6 +70,8 @@ constexpr double kEscapeStep = 1e-3;     // a polishing step longer than this, i
 constexpr double kEscapeFactor = 0.1;    // which leaves this much of max|g|,
 constexpr int kEscapeSteps = 3;          // so often in a row: a gradient that fades at infinity
 
+constexpr char kFadesMessage[] = "the gradient vanishes only at infinity";
+constexpr char kRanAwayMessage[] = "the iterates run away";
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// State of one run. Vectors are [n] slices of one allocation.
@@ -86,6 +88,9 @@ class Loop {
   }
 
   Summary minimise();
+
+  /// Polishing steps from x, unseen by the observer. See fades_at_infinity.
+  bool escapes();
 
  private:
   enum class Search { kAccepted, kFailed, kRanAway, kStopped };
@@ -120,6 +125,7 @@ class Loop {
   double low_ = 0, low_slope_ = 0, high_ = 0, high_slope_ = 0;  // bracket of the line search
   double runaway_ = 0;
   int tiny_steps_ = 0;
+  bool observed_ = true;
 };
 
 Summary Loop::minimise() {
@@ -145,14 +151,15 @@ Summary Loop::minimise() {
         return finish(Termination::kStalled, "no acceptable step in floating point");
       case Search::kRanAway:
         run_.observe(x_, gradient_);
-        return finish(Termination::kUnbounded, "the iterates run away");
+        return finish(Termination::kUnbounded, kRanAwayMessage);
       case Search::kStopped:
         return finish(run_.termination);
     }
     const bool progress = update(previous);
     if (!run_.observe(x_, gradient_)) return finish(run_.termination);
-    if (!progress && gradient_ > run_.tolerance()) return finish(Termination::kStalled, "steps are down to rounding");
-    if (max_abs(x_) > runaway_) return finish(Termination::kUnbounded, "the iterates run away");
+    if (!progress && gradient_ > run_.tolerance())
+      return finish(Termination::kStalled, "steps are down to rounding");
+    if (max_abs(x_) > runaway_) return finish(Termination::kUnbounded, kRanAwayMessage);
     // Eisenstat and Walker, SIAM J. Sci. Comput. 17 (1996), choice 2; never tighter than needed to
     // bring the gradient to a hundredth of the tolerance.
     const double ratio = gradient_ / previous;
@@ -308,13 +315,26 @@ Summary Loop::polish() {
     if (!evaluate_trial(1, long_step) || !(trial_gradient_ < gradient_)) break;
     const double previous = gradient_;
     accept_trial();
-    if (!run_.observe(x_, gradient_)) return finish(run_.termination);
+    if (observed_ && !run_.observe(x_, gradient_)) return finish(run_.termination);
     if (!long_step || gradient_ <= kEscapeFactor * previous) break;
     if (++escapes == kEscapeSteps) {
-      return finish(Termination::kUnbounded, "the gradient vanishes only at infinity");
+      return finish(Termination::kUnbounded, kFadesMessage);
     }
   }
   return finish(Termination::kConverged);
+}
+
+bool Loop::escapes() {
+  const int iterations = run_.iterations;
+  const long linear_iterations = run_.linear_iterations;
+  bool fades = false;
+  if (run_.evaluate(x_, g_, {.value = nullptr, .second_derivatives = true}, gradient_)) {
+    observed_ = false;
+    fades = polish().termination == Termination::kUnbounded;
+  }
+  run_.iterations = iterations;
+  run_.linear_iterations = linear_iterations;
+  return fades;
 }
 
 Summary Loop::finish(Termination why, const char* message) {
@@ -330,3 +350,19 @@ Summary newton_loop(Run& run, NewtonSystem& system, std::span<double> x) {
 }
 
 }  // namespace tripus::solver::detail
+
+namespace tripus::solver {
+
+bool fades_at_infinity(Run& run, std::span<const double> x) {
+  detail::ConjugateGradients system(run.problem(), 1);
+  std::vector<double> copy(x.begin(), x.end());
+  return detail::Loop(run, system, copy).escapes();
+}
+
+Summary finish_converged(Run& run, std::span<const double> x, double max_gradient) {
+  return max_gradient > 0 && fades_at_infinity(run, x)
+             ? run.finish(Termination::kUnbounded, max_gradient, detail::kFadesMessage)
+             : run.finish(Termination::kConverged, max_gradient);
+}
+
+}  // namespace tripus::solver

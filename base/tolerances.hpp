@@ -8,4 +8,13 @@ namespace tripus::tolerance {
 /// sums of about 6 to 100 angles of size 1, so rounding alone leaves some 1e-15 to 1e-14.
 inline constexpr double kMaxCurvature = 1e-12;
 
+/// A tetrahedron with an angle within this of pi is not called a true one: the angle is then
+/// pi - O(sqrt(-det G)), and rounding alone moves det G across 0.
+inline constexpr double kFlatAngleMargin = 1e-6;
+
+/// Bound on the estimated distance of the lengths from those of the metric, relative to 1 or the
+/// shortest edge (docs/theory.md (49)). At a metric found to max|K| = 1e-12 the estimate is some
+/// 1e-11; where lengths run off to infinity it is of order 1 however small max|K| becomes.
+inline constexpr double kMaxDistanceToMetric = 1e-2;
+
 }  // namespace tripus::tolerance

@@ -1,6 +1,10 @@
 # Install and export: find_package(tripus) then tripus::<module>.
 include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
 set(TRIPUS_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/tripus")
+if(TARGET tripus)  # the program, cli/
+  install(TARGETS tripus RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+endif()
 install(EXPORT tripusTargets NAMESPACE tripus:: DESTINATION "${TRIPUS_CMAKE_DIR}")
 configure_package_config_file(
   "${PROJECT_SOURCE_DIR}/cmake/tripusConfig.cmake.in" "${PROJECT_BINARY_DIR}/tripusConfig.cmake"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -40,6 +41,20 @@ class Gluings {
     set_one_side(other, p(f), static_cast<TetrahedronIndex>(t), p.inverse());
   }
 
+  void reserve(std::size_t tetrahedron_count) {
+    neighbours_.reserve(4 * tetrahedron_count);
+    perms_.reserve(4 * tetrahedron_count);
+  }
+  /// Grows (new tetrahedra have four open faces) or shrinks (the caller has unglued what goes).
+  void resize(std::size_t tetrahedron_count) {
+    neighbours_.resize(4 * tetrahedron_count, kNoTetrahedron);
+    perms_.resize(4 * tetrahedron_count);
+  }
+  /// Bytes held on the heap.
+  std::size_t memory_bytes() const {
+    return neighbours_.capacity() * sizeof(TetrahedronIndex) + perms_.capacity() * sizeof(Perm4);
+  }
+
   friend bool operator==(const Gluings&, const Gluings&) = default;
 
  private:
@@ -48,5 +63,22 @@ class Gluings {
   std::vector<TetrahedronIndex> neighbours_;  // [T x 4]
   std::vector<Perm4> perms_;                  // [T x 4]
 };
+
+/// Whether open faces are let through by require_consistent.
+enum class OpenFaces { kAllowed, kRefused };
+
+/// Throws InvalidInput, naming tetrahedron and face, for: a gluing to a tetrahedron that does not
+/// exist, a gluing that is not undone from the other side, a face glued to itself, more than
+/// kMaxTetrahedra tetrahedra, and an open face where those are refused.
+void require_consistent(const Gluings& gluings, OpenFaces open_faces);
+
+/// EdgeCorner packs a tetrahedron into 28 bits.
+inline constexpr std::size_t kMaxTetrahedra = std::size_t{1} << 28;
+
+/// The word p(0)p(1)p(2)p(3), as in "1230".
+inline std::array<char, 4> word(Perm4 p) {
+  return {static_cast<char>('0' + p(0)), static_cast<char>('0' + p(1)),
+          static_cast<char>('0' + p(2)), static_cast<char>('0' + p(3))};
+}
 
 }  // namespace tripus::topology

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace tripus::topology {
 
 /// A permutation of {0,1,2,3}: i goes to p(i). Stored as its lexicographic rank among the 24
-/// words p(0)p(1)p(2)p(3), one byte.
+/// words p(0)p(1)p(2)p(3), one byte. Products and inverses are table look-ups.
 class Perm4 {
  public:
   constexpr Perm4() = default;  // the identity has rank 0
@@ -25,14 +26,8 @@ class Perm4 {
   constexpr int operator()(int i) const { return (kWords[rank_] >> (2 * i)) & 3; }
 
   /// (p * q)(i) = p(q(i)).
-  friend constexpr Perm4 operator*(Perm4 p, Perm4 q) {
-    return from_images(p(q(0)), p(q(1)), p(q(2)), p(q(3)));
-  }
-  constexpr Perm4 inverse() const {
-    std::array<int, 4> image{};
-    for (int i = 0; i < 4; ++i) image[static_cast<std::size_t>((*this)(i))] = i;
-    return from_images(image[0], image[1], image[2], image[3]);
-  }
+  friend constexpr Perm4 operator*(Perm4 p, Perm4 q) { return Perm4(kProducts[p.rank_][q.rank_]); }
+  constexpr Perm4 inverse() const { return Perm4(kInverses[rank_]); }
   constexpr bool is_odd() const { return (kOddRanks >> rank_) & 1u; }
 
   friend constexpr bool operator==(Perm4, Perm4) = default;
@@ -48,8 +43,7 @@ class Perm4 {
       for (int b = 0; b < 4; ++b)
         for (int c = 0; c < 4; ++c)
           if (a != b && a != c && b != c)
-            words[rank++] =
-                static_cast<std::uint8_t>(a | b << 2 | c << 4 | (6 - a - b - c) << 6);
+            words[rank++] = static_cast<std::uint8_t>(a | b << 2 | c << 4 | (6 - a - b - c) << 6);
     return words;
   }
   static constexpr std::uint32_t make_odd_ranks() {
@@ -64,13 +58,39 @@ class Perm4 {
     }
     return odd;
   }
+  static constexpr int image(std::uint8_t word, int i) { return word >> (2 * i) & 3; }
+  static constexpr std::array<std::array<std::uint8_t, 24>, 24> make_products() {
+    std::array<std::array<std::uint8_t, 24>, 24> products{};
+    const auto words = make_words();
+    for (std::size_t p = 0; p < 24; ++p)
+      for (std::size_t q = 0; q < 24; ++q) {
+        const auto at = [&](int i) { return image(words[p], image(words[q], i)); };
+        products[p][q] = from_images(at(0), at(1), at(2), at(3)).rank_;
+      }
+    return products;
+  }
+  static constexpr std::array<std::uint8_t, 24> make_inverses() {
+    std::array<std::uint8_t, 24> inverses{};
+    const auto words = make_words();
+    for (std::size_t p = 0; p < 24; ++p) {
+      std::array<int, 4> back{};
+      for (int i = 0; i < 4; ++i) back[static_cast<std::size_t>(image(words[p], i))] = i;
+      inverses[p] = from_images(back[0], back[1], back[2], back[3]).rank_;
+    }
+    return inverses;
+  }
   static const std::array<std::uint8_t, 24> kWords;
+  static const std::array<std::array<std::uint8_t, 24>, 24> kProducts;
+  static const std::array<std::uint8_t, 24> kInverses;
   static const std::uint32_t kOddRanks;
 
   std::uint8_t rank_ = 0;
 };
 
 inline constexpr std::array<std::uint8_t, 24> Perm4::kWords = Perm4::make_words();
+inline constexpr std::array<std::array<std::uint8_t, 24>, 24> Perm4::kProducts =
+    Perm4::make_products();
+inline constexpr std::array<std::uint8_t, 24> Perm4::kInverses = Perm4::make_inverses();
 inline constexpr std::uint32_t Perm4::kOddRanks = Perm4::make_odd_ranks();
 
 }  // namespace tripus::topology

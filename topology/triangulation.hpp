@@ -91,6 +91,10 @@ class Triangulation {
   std::size_t memory_bytes() const;
 
  private:
+  void walk_edges();
+  void walk_vertex_links();
+  void walk_components();
+
   Gluings gluings_;
   std::vector<std::uint32_t> edge_class_;    // [T x 6]
   std::vector<std::uint32_t> vertex_class_;  // [T x 4]

@@ -1,0 +1,207 @@
+#include "energies/co_volume.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include "base/error.hpp"
+#include "geometry/volume.hpp"
+
+namespace tripus::energies {
+namespace {
+
+using geometry::kLanes;
+using geometry::kPackedJacobian;
+
+/// Blocks evaluated in one call of the kernel: their gathered lengths stay in the first cache.
+constexpr std::size_t kChunk = 32;
+
+/// A harmless length for the lanes behind the last tetrahedron: a regular tetrahedron.
+constexpr double kPaddingLength = 1.0;
+
+constexpr double kPi = std::numbers::pi;
+
+}  // namespace
+
+CoVolume::CoVolume(const topology::Triangulation& triangulation,
+                   std::span<const double> cone_angles)
+    : triangulation_(triangulation), kernels_(geometry::batch_kernels()) {
+  const std::size_t edges = triangulation.edge_count();
+  if (cone_angles.empty()) {
+    cone_angles_.assign(edges, 2 * kPi);
+  } else if (cone_angles.size() != edges) {
+    throw InvalidInput("there are " + std::to_string(cone_angles.size()) + " cone angles for " +
+                       std::to_string(edges) + " edge classes; give one for each");
+  } else {
+    cone_angles_.assign(cone_angles.begin(), cone_angles.end());
+  }
+  for (std::size_t e = 0; e < edges; ++e) {
+    if (!std::isfinite(cone_angles_[e]) || cone_angles_[e] <= 0) {
+      throw InvalidInput("cone angle of edge class " + std::to_string(e) + " is " +
+                         std::to_string(cone_angles_[e]) +
+                         "; it must be finite and greater than 0 (radians)");
+    }
+  }
+  theta_.resize(geometry::block_count(triangulation.tetrahedron_count()) * 6 * kLanes);
+}
+
+void CoVolume::gather(std::size_t block, std::span<const double> x, double padding,
+                      double* out) const {
+  const std::size_t first = kLanes * block;
+  const std::size_t lanes = std::min(kLanes, triangulation_.tetrahedron_count() - first);
+  const std::uint32_t* edge = triangulation_.edge_classes().data() + 6 * first;
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    for (std::size_t i = 0; i < 6; ++i) out[i * kLanes + lane] = x[edge[6 * lane + i]];
+  for (std::size_t lane = lanes; lane < kLanes; ++lane)
+    for (std::size_t i = 0; i < 6; ++i) out[i * kLanes + lane] = padding;
+}
+
+void CoVolume::scatter_add(std::size_t block, const double* in, std::span<double> y) const {
+  const std::size_t first = kLanes * block;
+  const std::size_t lanes = std::min(kLanes, triangulation_.tetrahedron_count() - first);
+  const std::uint32_t* edge = triangulation_.edge_classes().data() + 6 * first;
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    for (std::size_t i = 0; i < 6; ++i) y[edge[6 * lane + i]] += in[i * kLanes + lane];
+}
+
+bool CoVolume::evaluate(std::span<const double> x, std::span<double> gradient,
+                        const Request& request) {
+  if (!std::all_of(x.begin(), x.end(), [](double l) { return std::isfinite(l); })) return false;
+  const std::size_t blocks = geometry::block_count(triangulation_.tetrahedron_count());
+  if (request.second_derivatives) jacobian_.resize(blocks * kPackedJacobian * kLanes);
+
+  std::transform(cone_angles_.begin(), cone_angles_.end(), gradient.begin(),
+                 [](double k) { return -k; });
+  flat_count_ = 0;
+  alignas(64) double lengths[kChunk * 6 * kLanes];
+  for (std::size_t begin = 0; begin < blocks; begin += kChunk) {
+    const std::size_t count = std::min(kChunk, blocks - begin);
+    for (std::size_t b = 0; b < count; ++b)
+      gather(begin + b, x, kPaddingLength, lengths + 6 * kLanes * b);
+    double* theta = theta_.data() + 6 * kLanes * begin;
+    double* jacobian =
+        request.second_derivatives ? jacobian_.data() + kPackedJacobian * kLanes * begin : nullptr;
+    flat_count_ += kernels_.angles(count, lengths, theta, jacobian);
+    for (std::size_t b = 0; b < count; ++b)
+      scatter_add(begin + b, theta + 6 * kLanes * b, gradient);
+  }
+  if (request.value != nullptr) *request.value = value_at(x);
+  return true;
+}
+
+const solver::SparsityPattern& CoVolume::hessian_pattern() {
+  if (!pattern_) pattern_.emplace(dimension(), 6, triangulation_.edge_classes());
+  return pattern_->pattern();
+}
+
+void CoVolume::hessian_values(std::span<double> values) const {
+  std::fill(values.begin(), values.end(), 0.0);
+  for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
+    std::size_t q = 0;
+    for (int i = 0; i < 6; ++i) {
+      for (int j = i; j < 6; ++j, ++q) {
+        // Two different corners on one edge class meet in its diagonal entry from both sides.
+        const bool twice =
+            i != j && triangulation_.edge_class(t, i) == triangulation_.edge_class(t, j);
+        const double entry = jacobian_entry(t, q);
+        values[static_cast<std::size_t>(pattern_->slot(t, q))] += twice ? 2 * entry : entry;
+      }
+    }
+  }
+}
+
+void CoVolume::hessian_times(std::span<const double> v, std::span<double> Hv) const {
+  std::fill(Hv.begin(), Hv.end(), 0.0);
+  alignas(64) double in[6 * kLanes], out[6 * kLanes];
+  const std::size_t blocks = geometry::block_count(triangulation_.tetrahedron_count());
+  for (std::size_t b = 0; b < blocks; ++b) {
+    gather(b, v, 0.0, in);
+    kernels_.jacobian_times(jacobian_block(b), in, out);
+    scatter_add(b, out, Hv);
+  }
+}
+
+void CoVolume::hessian_diagonal_blocks(std::size_t block_size, std::span<double> blocks) const {
+  std::fill(blocks.begin(), blocks.end(), 0.0);
+  for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
+    std::size_t q = 0;
+    for (int i = 0; i < 6; ++i) {
+      const std::size_t a = triangulation_.edge_class(t, i);
+      for (int j = i; j < 6; ++j, ++q) {
+        const std::size_t b = triangulation_.edge_class(t, j);
+        if (a / block_size != b / block_size) continue;
+        const double entry = jacobian_entry(t, q);
+        double* block = blocks.data() + (a / block_size) * block_size * block_size;
+        block[(a % block_size) * block_size + b % block_size] += entry;
+        if (i != j) block[(b % block_size) * block_size + a % block_size] += entry;
+      }
+    }
+  }
+}
+
+std::array<double, 6> CoVolume::dihedral_angles(std::size_t t) const {
+  std::array<double, 6> theta;
+  const double* block = theta_.data() + 6 * kLanes * (t / kLanes);
+  for (std::size_t i = 0; i < 6; ++i) theta[i] = block[i * kLanes + t % kLanes];
+  return theta;
+}
+
+std::vector<std::size_t> CoVolume::flat_tetrahedra() const {
+  std::vector<std::size_t> flat;
+  if (flat_count_ == 0) return flat;
+  for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
+    const auto theta = dihedral_angles(t);
+    // The kernel gives a flat tetrahedron exactly these angles.
+    const auto zeros = std::count(theta.begin(), theta.end(), 0.0);
+    const auto straight =
+        std::count_if(theta.begin(), theta.end(), [](double a) { return a > 3.0; });
+    if (zeros == 4 && straight == 2) flat.push_back(t);
+  }
+  return flat;
+}
+
+double CoVolume::volume() const {
+  double sum = 0;
+  for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t)
+    sum += geometry::volume(dihedral_angles(t));
+  return sum;
+}
+
+double CoVolume::convexity_bound() const {
+  if (flat_count_ != 0) return 0;
+  using Matrix = Eigen::Matrix<double, 6, 6>;
+  double largest_inverse = 0;
+  for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
+    Matrix jacobian;
+    Eigen::Index q = 0;
+    for (Eigen::Index i = 0; i < 6; ++i)
+      for (Eigen::Index j = i; j < 6; ++j, ++q)
+        jacobian(i, j) = jacobian(j, i) = jacobian_entry(t, static_cast<std::size_t>(q));
+    const Eigen::LLT<Matrix> factor(jacobian);
+    if (factor.info() != Eigen::Success) return 0;
+    const Matrix inverse = factor.solve(Matrix::Identity());
+    largest_inverse = std::max(largest_inverse, inverse.norm());
+  }
+  std::size_t least_valence = triangulation_.valence(0);
+  for (std::size_t e = 1; e < dimension(); ++e)
+    least_valence = std::min(least_valence, triangulation_.valence(e));
+  return static_cast<double>(least_valence) / largest_inverse;
+}
+
+double CoVolume::value_at(std::span<const double> x) const {
+  double sum = 0;
+  for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
+    const auto theta = dihedral_angles(t);
+    sum += 2 * geometry::volume(theta);
+    for (int i = 0; i < 6; ++i)
+      sum += theta[static_cast<std::size_t>(i)] * x[triangulation_.edge_class(t, i)];
+  }
+  for (std::size_t e = 0; e < x.size(); ++e) sum -= cone_angles_[e] * x[e];
+  return sum;
+}
+
+}  // namespace tripus::energies

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "energies/element_pattern.hpp"
+#include "geometry/batch.hpp"
+#include "solver/problem.hpp"
+#include "topology/triangulation.hpp"
+
+namespace tripus::energies {
+
+/// The co-volume functional of a triangulation in its edge lengths x [E],
+///     H(x) = sum_t cov(x|t) - sum_e k_e x_e,     grad H = -K,
+/// convex and C1 on all of R^E; its critical point is the hyperbolic metric with cone angles k_e.
+/// Smooth and strictly convex where no tetrahedron is flat.
+/// Source: docs/theory.md section 4.
+class CoVolume final : public solver::Problem {
+ public:
+  /// Keeps a reference to the triangulation, which must outlive it.
+  /// cone_angles: [E] radians, > 0 and finite; empty for 2 pi everywhere.
+  /// Throws InvalidInput for a wrong number of cone angles or an angle out of range.
+  explicit CoVolume(const topology::Triangulation& triangulation,
+                    std::span<const double> cone_angles = {});
+
+  std::size_t dimension() const override { return triangulation_.edge_count(); }
+  bool evaluate(std::span<const double> x, std::span<double> gradient,
+                const Request& request) override;
+  const solver::SparsityPattern& hessian_pattern() override;
+  void hessian_values(std::span<double> values) const override;
+  void hessian_times(std::span<const double> v, std::span<double> Hv) const override;
+  void hessian_diagonal_blocks(std::size_t block_size, std::span<double> blocks) const override;
+
+  std::span<const double> cone_angles() const { return cone_angles_; }
+
+  // What the latest evaluation found.
+
+  /// Dihedral angles [6] of tetrahedron t.
+  std::array<double, 6> dihedral_angles(std::size_t t) const;
+  /// Number of flat tetrahedra, and which they are.
+  std::size_t flat_count() const { return flat_count_; }
+  std::vector<std::size_t> flat_tetrahedra() const;
+  /// Sum of the volumes of the tetrahedra.
+  double volume() const;
+  /// A lower bound of the least eigenvalue of the Hessian, from the Jacobians of the latest
+  /// evaluation with second derivatives: min_e valence * min_t 1 / |J_t^-1| (Frobenius norm);
+  /// 0 where a tetrahedron is flat. Source: docs/theory.md (40).
+  double convexity_bound() const;
+  /// H at x, from the angles of the latest evaluation, which must have been at x.
+  double value_at(std::span<const double> x) const;
+
+ private:
+  const double* jacobian_block(std::size_t b) const {
+    return jacobian_.data() + geometry::kPackedJacobian * geometry::kLanes * b;
+  }
+  /// Entry q of the packed Jacobian of tetrahedron t.
+  double jacobian_entry(std::size_t t, std::size_t q) const {
+    return jacobian_block(t / geometry::kLanes)[q * geometry::kLanes + t % geometry::kLanes];
+  }
+  void gather(std::size_t block, std::span<const double> x, double padding, double* out) const;
+  void scatter_add(std::size_t block, const double* in, std::span<double> y) const;
+
+  const topology::Triangulation& triangulation_;
+  const geometry::BatchKernels& kernels_;
+  std::vector<double> cone_angles_;  // [E]
+  std::vector<double> theta_;        // [T/8][6][8]
+  std::vector<double> jacobian_;     // [T/8][21][8], allocated at the first request
+  std::size_t flat_count_ = 0;
+  std::optional<ElementPattern> pattern_;
+};
+
+}  // namespace tripus::energies

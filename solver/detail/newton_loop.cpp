@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/detail/conjugate_gradients.hpp"
+#include "solver/detail/regularised.hpp"
 #include "solver/detail/vectors.hpp"
 
 // Newton's method for a convex function of class C1, globalised by its gradient alone.
@@ -55,12 +56,6 @@ namespace {
 constexpr double kAccept = 0.5;          // (A): factor of decrease of max|g|
 constexpr double kCurvature = 0.9;       // (B): phi' must rise to this part of phi'(0)
 constexpr double kTarget = 0.3;          // the part of phi'(0) at which secant steps aim
-constexpr double kMinCosine = 1e-8;      // between d and -g
-constexpr double kFirstMu = 1e-12;       // enough where H is singular by rounding only
-constexpr double kMuGrowth = 100;        // on failure
-constexpr double kLargestMu = 1e4;       // beyond it, the scaled gradient
-constexpr double kZeroRow = 1e-13;       // of the mean diagonal: a row that vanishes
-constexpr double kStepGrowth = 4;        // longest step, in units of 1 + max|x|
 constexpr int kMaxTrials = 60;           // of one line search
 constexpr double kTinyStep = 1e-10;      // in units of 1 + max|x|: rounding rules
 constexpr int kTinySteps = 3;            // so many without halving max|g|: stalled
@@ -78,9 +73,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 class Loop {
  public:
   Loop(Run& run, NewtonSystem& system, std::span<double> x)
-      : run_(run), system_(system), result_(x), n_(x.size()), memory_(7 * n_) {
+      : run_(run), system_(system, x.size()), result_(x), n_(x.size()), memory_(6 * n_) {
     double* at = memory_.data();
-    for (std::span<double>* v : {&x_, &g_, &trial_x_, &trial_g_, &d_, &shift_, &best_x_}) {
+    for (std::span<double>* v : {&x_, &g_, &trial_x_, &trial_g_, &d_, &best_x_}) {
       *v = {at, n_};
       at += n_;
     }
@@ -98,9 +93,6 @@ class Loop {
   bool evaluate_trial(double t, bool second_derivatives);
   void accept_trial();
   void compute_direction(double forcing);
-  bool solve_shifted(double forcing);
-  void set_shift();
-  void limit_step(double forcing);
   Search search();
   double next_trial(double t, int trial) const;
   bool update(double previous);
@@ -109,17 +101,14 @@ class Loop {
   double size() const { return 1 + max_abs(x_); }
 
   Run& run_;
-  NewtonSystem& system_;
+  RegularisedSystem system_;
   std::span<double> result_;
   std::size_t n_;
   std::vector<double> memory_;
-  std::span<double> x_, g_, trial_x_, trial_g_, d_, shift_, best_x_;
-  std::span<const double> diagonal_;
-  double gradient_ = 0, trial_gradient_ = 0;  // max|g| at x_ and at trial_x_
-  double best_ = kInfinity;                   // least max|g| of an accepted point
-  bool x_is_best_ = true;                     // else best_x_ holds it
-  double mean_ = 1;                           // of the diagonal of H, > 0
-  double mu_ = 0;
+  std::span<double> x_, g_, trial_x_, trial_g_, d_, best_x_;
+  double gradient_ = 0, trial_gradient_ = 0;                    // max|g| at x_ and at trial_x_
+  double best_ = kInfinity;                                     // least max|g| of an accepted point
+  bool x_is_best_ = true;                                       // else best_x_ holds it
   double slope_ = 0;                                            // phi'(0)
   double step_ = 1;                                             // the accepted t
   double low_ = 0, low_slope_ = 0, high_ = 0, high_slope_ = 0;  // bracket of the line search
@@ -188,58 +177,8 @@ void Loop::accept_trial() {
 }
 
 void Loop::compute_direction(double forcing) {
-  diagonal_ = system_.load(run_.problem());
-  double sum = 0;
-  std::size_t count = 0;
-  for (const double h : diagonal_) {
-    if (h > 0) {
-      sum += h;
-      ++count;
-    }
-  }
-  // Flat everywhere: a step of the longest length allowed.
-  mean_ = sum > 0 ? sum / static_cast<double>(count) : gradient_ / (kStepGrowth * size());
-  while (!solve_shifted(forcing)) {
-    if (mu_ > kLargestMu) {
-      for (std::size_t i = 0; i < n_; ++i) d_[i] = -g_[i] / std::max(diagonal_[i], mean_);
-      slope_ = dot(g_.data(), d_.data(), n_);
-      break;
-    }
-    mu_ = std::max(kFirstMu, kMuGrowth * mu_);
-  }
-  limit_step(forcing);
+  slope_ = system_.compute(run_.problem(), g_, gradient_, kStepGrowth * size(), forcing, d_);
   run_.linear_iterations = system_.linear_iterations();
-}
-
-void Loop::set_shift() {
-  const double zero_row = kZeroRow * mean_;
-  for (std::size_t i = 0; i < n_; ++i) {
-    const double h = diagonal_[i];
-    shift_[i] = mu_ * std::max(h, mean_) + (h > zero_row ? 0 : mean_);
-  }
-}
-
-bool Loop::solve_shifted(double forcing) {
-  set_shift();
-  if (!system_.solve(run_.problem(), shift_, g_, forcing, d_)) return false;
-  slope_ = dot(g_.data(), d_.data(), n_);
-  const double norms =
-      std::sqrt(dot(g_.data(), g_.data(), n_)) * std::sqrt(dot(d_.data(), d_.data(), n_));
-  return norms < kInfinity && slope_ < 0 && -slope_ >= kMinCosine * norms;
-}
-
-void Loop::limit_step(double forcing) {
-  const double longest = kStepGrowth * size();
-  double length = max_abs(d_);
-  if (length <= longest) return;
-  const double kept = mu_;
-  mu_ = std::max(mu_, gradient_ / (longest * mean_));
-  if (mu_ > kept && solve_shifted(forcing)) length = max_abs(d_);
-  if (length > longest) {
-    const double factor = longest / length;
-    for (double& value : d_) value *= factor;
-    slope_ *= factor;
-  }
 }
 
 Loop::Search Loop::search() {
@@ -289,20 +228,12 @@ double Loop::next_trial(double t, int trial) const {
   return low_ + std::clamp(part, 0.05, 0.95) * width;
 }
 
-/// After an accepted step: adapts mu. Returns false when rounding rules.
+/// After an accepted step. Returns false when rounding rules.
 bool Loop::update(double previous) {
-  const double length = step_ * max_abs(d_);
-  if (gradient_ <= kAccept * previous) {
-    mu_ = std::min(mu_, kFirstMu);
-    tiny_steps_ = 0;
-    return true;
-  }
-  if (step_ >= 1) {
-    mu_ = mu_ > kFirstMu ? 0.1 * mu_ : mu_;
-  } else if (step_ < 0.1) {
-    mu_ = std::max(4 * mu_, 1e-3);
-  }
-  tiny_steps_ = length <= kTinyStep * size() ? tiny_steps_ + 1 : 0;
+  const bool good = gradient_ <= kAccept * previous;
+  system_.adapt(good, step_);
+  const bool tiny = step_ * max_abs(d_) <= kTinyStep * size();
+  tiny_steps_ = tiny && !good ? tiny_steps_ + 1 : 0;
   return tiny_steps_ < kTinySteps;
 }
 

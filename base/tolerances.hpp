@@ -17,4 +17,8 @@ inline constexpr double kFlatAngleMargin = 1e-6;
 /// 1e-11; where lengths run off to infinity it is of order 1 however small max|K| becomes.
 inline constexpr double kMaxDistanceToMetric = 1e-2;
 
+/// An angle structure whose margin (radians) is below this is not used as a starting point: the
+/// linear programme is solved in floating point with feasibility tolerances of 1e-7.
+inline constexpr double kAngleMargin = 1e-6;
+
 }  // namespace tripus::tolerance

@@ -1,24 +1,16 @@
-#include <cctype>
-#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
 #include "topology/detail/isosig_alphabet.hpp"
+#include "topology/detail/text.hpp"
 #include "topology/isosig.hpp"
 
 namespace tripus::topology {
 namespace {
 
 using detail::FaceAction;
-
-bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 /// Reads one component after another; every message carries the position of the character.
 class SignatureReader {
@@ -169,9 +161,12 @@ class SignatureReader {
 
   void glue(std::size_t place, std::size_t base, std::size_t t, int f, std::size_t other, Perm4 p) {
     const bool itself = other == t && p(f) == f;
-    if (itself || !gluings_.is_open(base + other, p(f)))
+    // Faces before this one have had their action: open ones are meant to stay so.
+    const bool settled = other < t || (other == t && p(f) < f);
+    if (itself || settled || !gluings_.is_open(base + other, p(f)))
       fail(place, "face " + std::to_string(f) + " of tetrahedron " + std::to_string(t) +
-                      " is glued to " + (itself ? "itself" : "a face that is glued already"));
+                      " is glued to " +
+                      (itself ? "itself" : "a face that is glued already or declared open"));
     gluings_.glue(base + t, f, static_cast<TetrahedronIndex>(base + other), p);
   }
 
@@ -185,10 +180,12 @@ class SignatureReader {
 
 }  // namespace
 
-Gluings decode_isosig(std::string_view text) { return SignatureReader(trimmed(text)).read(); }
+Gluings decode_isosig(std::string_view text) {
+  return SignatureReader(detail::trimmed(text)).read();
+}
 
 bool looks_like_isosig(std::string_view text) {
-  text = trimmed(text);
+  text = detail::trimmed(text);
   if (text.empty()) return false;
   for (const char c : text)
     if (detail::signature_value(c) < 0) return false;

@@ -105,7 +105,7 @@ TEST(ExtendedAngles, ALengthBelowZeroCountsAsZeroAndHasAngleZero) {
 
 TEST(LengthsFromAngles, RefusesAnglesOutsideTheOpenPolytope) {
   std::array<double, 6> l{7, 7, 7, 7, 7, 7};
-  const double third = kPi / 3;
+  const double third = 1.0471975511965979;  // the double just above pi/3
   for (const std::array<double, 6>& theta :
        {std::array<double, 6>{third, third, third, third, third, third},
         std::array<double, 6>{0, 0.1, 0.1, 0.1, 0.1, 0.1},

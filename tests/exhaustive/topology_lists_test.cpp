@@ -1,11 +1,12 @@
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <fstream>
 #include <numeric>
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
+
+#include "topology/homology.hpp"
 #include "topology/isosig.hpp"
 #include "topology/triangulation.hpp"
 
@@ -63,19 +64,39 @@ INSTANTIATE_TEST_SUITE_P(Data, Lists,
                          testing::Values("triangulations-2.txt", "triangulations-3.txt",
                                          "triangulations-4.txt", "triangulations-cusped.txt"));
 
-TEST(ManifoldTable, SignaturesRoundTrip) {
+std::vector<std::string> fields(const std::string& line) {
+  std::vector<std::string> found(1);
+  for (const char c : line) {
+    if (c == '\t')
+      found.emplace_back();
+    else
+      found.back() += c;
+  }
+  return found;
+}
+
+// Columns: n_tets boundary volume H1 kojima isosig canonical_isosig ...
+TEST(ManifoldTable, SignaturesRoundTripAndHomologyIsAsListed) {
+  std::size_t count = 0;
   for (const std::string& line : signatures("manifolds-2-3.tsv")) {
     if (line.starts_with("n_tets")) continue;
-    std::vector<std::string> fields(1);
-    for (const char c : line) {
-      if (c == '\t')
-        fields.emplace_back();
-      else
-        fields.back() += c;
-    }
-    EXPECT_EQ(isosig(decode_isosig(fields.at(5))), fields.at(5));
-    const std::string canonical = fields.at(6);
-    EXPECT_EQ(isosig(decode_isosig(canonical)), canonical);
+    SCOPED_TRACE(line);
+    const auto row = fields(line);
+    for (const std::size_t column : {5u, 6u})
+      EXPECT_EQ(isosig(decode_isosig(row.at(column))), row.at(column));
+    EXPECT_EQ(to_string(first_homology(Triangulation(decode_isosig(row.at(5))))), row.at(3));
+    ++count;
+  }
+  EXPECT_EQ(count, 159u);
+}
+
+// Columns: isosig boundary edge_valences angle_margin H1
+TEST(NongeometricTable, HomologyIsAsListed) {
+  for (const std::string& line : signatures("nongeometric-3.tsv")) {
+    if (line.starts_with("isosig")) continue;
+    const auto row = fields(line);
+    EXPECT_EQ(to_string(first_homology(Triangulation(decode_isosig(row.at(0))))), row.at(4))
+        << line;
   }
 }
 

@@ -1,11 +1,10 @@
-#include "topology/isosig.hpp"
-
-#include <gtest/gtest.h>
-
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "base/error.hpp"
+#include "topology/isosig.hpp"
 #include "topology/triangulation.hpp"
 
 namespace tripus::topology {

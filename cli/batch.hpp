@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace tripus::cli {
+
+/// The answer to one line of a batch.
+struct Answer {
+  std::string text;     ///< for standard output, without the line end; may be empty
+  std::string message;  ///< for standard error; may be empty
+};
+
+struct BatchOptions {
+  std::string file;      ///< one INPUT a line, `-` for standard input
+  unsigned threads = 0;  ///< 0: all cores
+  bool quiet = false;
+};
+
+/// Answers every line, on all threads, and writes the answers in the order of the input.
+/// `answer` must not throw and must be safe to call from several threads.
+/// Returns the exit status: success when the run finished, no answer when it was interrupted; then
+/// the answers so far are out.
+/// Throws InvalidInput if the file cannot be read.
+int run_batch(const BatchOptions& options,
+              const std::function<Answer(const std::string& input)>& answer);
+
+}  // namespace tripus::cli

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace tripus::cli {
+
+/// What every verb that takes an INPUT understands.
+struct CommonOptions {
+  std::string input;
+  std::string batch;  ///< file, empty without --batch
+  unsigned threads = 0;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// Adds INPUT and the common options to a verb.
+void add_common_options(CLI::App& verb, CommonOptions& options);
+
+/// A verb, ready to run once the command line is parsed; returns the exit status.
+using Command = std::function<int()>;
+
+// Each adds its verb to the program and, when the verb is chosen, sets `chosen`.
+// One verb, one file.
+void add_info(CLI::App& program, Command& chosen);
+void add_solve(CLI::App& program, Command& chosen);
+void add_methods(CLI::App& program, Command& chosen);
+
+}  // namespace tripus::cli

@@ -1,0 +1,96 @@
+#include "cli/describe.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/ranges.h>
+
+#include "cli/input.hpp"
+#include "topology/isosig.hpp"
+
+namespace tripus::cli {
+namespace {
+
+/// Faces visited before the search for the signature is given up: some tenths of a second.
+constexpr std::size_t kSignatureWorkLimit = 20'000'000;
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+}  // namespace
+
+Subject make_subject(std::string input, std::string name, topology::Gluings gluings) {
+  std::optional<std::string> isosig;
+  topology::Triangulation triangulation(std::move(gluings));
+  isosig = topology::isosig(triangulation.gluings(), kSignatureWorkLimit);
+  return {std::move(input), std::move(name), std::move(triangulation), std::move(isosig)};
+}
+
+Subject load_subject(const std::string& input) {
+  topology::NamedGluings loaded = load_input(input);
+  return make_subject(input, std::move(loaded.name), std::move(loaded.gluings));
+}
+
+std::string_view link_kind(const topology::VertexLink& link) {
+  if (link.euler_characteristic == 2) return "finite";
+  if (!link.orientable) return "unsupported";
+  return link.euler_characteristic == 0 ? "cusp" : "geodesic";
+}
+
+void append_subject(JsonText& out, const Subject& subject) {
+  const topology::Triangulation& m = subject.triangulation;
+  if (!subject.name.empty()) {
+    append(out, ", \"name\": ");
+    append_string(out, subject.name);
+  }
+  append(out, ", \"isosig\": ");
+  if (subject.isosig) {
+    append_string(out, *subject.isosig);
+  } else {
+    append(out, "null");
+  }
+  auto to = std::back_inserter(out);
+  fmt::format_to(to, ", \"tetrahedron_count\": {}, \"edge_count\": {}, \"orientable\": {}",
+                 m.tetrahedron_count(), m.edge_count(), m.is_orientable());
+  append(out, ", \"edge_valences\": [");
+  for (std::size_t e = 0; e < m.edge_count(); ++e)
+    fmt::format_to(to, "{}{}", e == 0 ? "" : ", ", m.valence(e));
+  out.push_back(']');
+}
+
+void append_edge_classes(JsonText& out, const topology::Triangulation& triangulation) {
+  append(out, "\"edge_classes\": [");
+  auto to = std::back_inserter(out);
+  for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t) {
+    const auto c = triangulation.edge_classes().subspan(6 * t, 6);
+    fmt::format_to(to, "{}[{}, {}, {}, {}, {}, {}]", t == 0 ? "" : ", ", c[0], c[1], c[2], c[3],
+                   c[4], c[5]);
+  }
+  out.push_back(']');
+}
+
+std::string shortened(const std::vector<std::string>& items, std::size_t limit) {
+  if (items.size() <= limit) return fmt::format("{}", fmt::join(items, ", "));
+  return fmt::format("{}, ... ({} in all)",
+                     fmt::join(items.begin(), items.begin() + std::ptrdiff_t(limit), ", "),
+                     items.size());
+}
+
+std::string one_line(const topology::Triangulation& m) {
+  std::map<std::string, std::size_t> links;
+  for (std::size_t v = 0; v < m.vertex_count(); ++v) {
+    const auto& link = m.link(v);
+    const std::string_view kind = link_kind(link);
+    ++links[kind == "geodesic" ? fmt::format("genus {}", link.genus()) : std::string(kind)];
+  }
+  std::vector<std::string> boundary;
+  for (const auto& [name, count] : links)
+    boundary.push_back(count == 1 ? name : fmt::format("{} x {}", count, name));
+  return fmt::format(
+      "{}, {}, {}; vertex links: {}", counted(m.tetrahedron_count(), "tetrahedron", "tetrahedra"),
+      counted(m.edge_count(), "edge class", "edge classes"),
+      m.is_orientable() ? "orientable" : "non-orientable", fmt::join(boundary, ", "));
+}
+
+}  // namespace tripus::cli

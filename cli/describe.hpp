@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/json.hpp"
+#include "structure/report.hpp"
+#include "topology/triangulation.hpp"
+
+namespace tripus::cli {
+
+/// A triangulation as the program received it.
+struct Subject {
+  std::string input;  ///< as typed
+  std::string name;   ///< from the file, may be empty
+  topology::Triangulation triangulation;
+  std::optional<std::string> isosig;  ///< nothing where it would take too long
+};
+
+/// Loads an INPUT and computes its signature.
+Subject load_subject(const std::string& input);
+/// The same for gluings that are already there.
+Subject make_subject(std::string input, std::string name, topology::Gluings gluings);
+
+/// The kind of a vertex link in a word: geodesic, cusp, finite, or unsupported.
+std::string_view link_kind(const topology::VertexLink& link);
+
+/// The keys that `info` and `solve` share: name, isosig, counts, orientable, edge_valences.
+void append_subject(JsonText& out, const Subject& subject);
+
+/// "edge_classes": [[6] per tetrahedron].
+void append_edge_classes(JsonText& out, const topology::Triangulation& triangulation);
+
+/// One line for people: "2 tetrahedra, 1 edge class (valence 12), orientable, boundary of genus 2".
+std::string one_line(const topology::Triangulation& triangulation);
+
+/// A list of numbers for people, shortened in the middle of the long ones.
+std::string shortened(const std::vector<std::string>& items, std::size_t limit = 12);
+
+}  // namespace tripus::cli

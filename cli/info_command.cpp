@@ -1,0 +1,103 @@
+// tripus info: what a triangulation is.
+#include <fmt/format.h>
+
+#include "cli/answer.hpp"
+#include "cli/commands.hpp"
+#include "cli/describe.hpp"
+#include "topology/homology.hpp"
+#include "topology/requirements.hpp"
+
+namespace tripus::cli {
+namespace {
+
+/// Why `solve` would refuse it; empty if it would not.
+std::string objection(const topology::Triangulation& triangulation) {
+  try {
+    topology::require_solvable(triangulation);
+    return {};
+  } catch (const InvalidInput& error) {
+    return error.what();
+  }
+}
+
+void append_vertices(JsonText& out, const topology::Triangulation& m) {
+  append(out, ", \"vertices\": [");
+  for (std::size_t v = 0; v < m.vertex_count(); ++v) {
+    const topology::VertexLink& link = m.link(v);
+    auto to = std::back_inserter(out);
+    fmt::format_to(to, "{}{{\"link_euler_characteristic\": {}, ", v == 0 ? "" : ", ",
+                   link.euler_characteristic);
+    if (link.orientable) fmt::format_to(to, "\"genus\": {}, ", link.genus());
+    fmt::format_to(to, "\"link_orientable\": {}, \"kind\": \"{}\", \"triangle_count\": {}}}",
+                   link.orientable, link_kind(link), link.triangle_count);
+  }
+  out.push_back(']');
+}
+
+std::string as_json(const Subject& subject) {
+  const topology::Triangulation& m = subject.triangulation;
+  JsonText out;
+  append_header(out, subject.input);
+  append_subject(out, subject);
+  fmt::format_to(std::back_inserter(out), ", \"vertex_count\": {}, \"component_count\": {}",
+                 m.vertex_count(), m.component_count());
+  append_vertices(out, m);
+  append(out, ", \"H1\": ");
+  append_string(out, topology::to_string(topology::first_homology(m)));
+  append(out, ", ");
+  append_edge_classes(out, m);
+  const std::string why_not = objection(m);
+  append(out, ", \"solvable\": ");
+  append(out, why_not.empty() ? "true" : "false");
+  append(out, ", \"message\": ");
+  append_string(out, why_not.empty() ? one_line(m) + "." : why_not);
+  out.push_back('}');
+  return fmt::to_string(out);
+}
+
+std::string as_text(const Subject& subject) {
+  const topology::Triangulation& m = subject.triangulation;
+  std::string text = fmt::format("{}{}\n", subject.input,
+                                 subject.name.empty() ? "" : fmt::format(" ({})", subject.name));
+  const auto line = [&](std::string_view label, const std::string& value) {
+    text += fmt::format("  {:<14}{}\n", label, value);
+  };
+  line("signature", subject.isosig.value_or("not computed: it would take too long"));
+  line("tetrahedra", std::to_string(m.tetrahedron_count()));
+  std::vector<std::string> valences;
+  for (std::size_t e = 0; e < m.edge_count(); ++e) valences.push_back(std::to_string(m.valence(e)));
+  line("edge classes", fmt::format("{}, of valence {}", m.edge_count(), shortened(valences)));
+  std::vector<std::string> links;
+  for (std::size_t v = 0; v < m.vertex_count(); ++v) {
+    const auto& link = m.link(v);
+    links.push_back(link.orientable ? fmt::format("genus {} ({})", link.genus(), link_kind(link))
+                                    : fmt::format("Euler characteristic {}, non-orientable ({})",
+                                                  link.euler_characteristic, link_kind(link)));
+  }
+  line("vertex links", shortened(links));
+  line("orientable", m.is_orientable() ? "yes" : "no");
+  if (!m.is_connected()) line("components", std::to_string(m.component_count()));
+  line("H1", topology::to_string(topology::first_homology(m)));
+  const std::string why_not = objection(m);
+  if (!why_not.empty()) line("not solvable", why_not);
+  return text;
+}
+
+}  // namespace
+
+void add_info(CLI::App& program, Command& chosen) {
+  CLI::App* verb = program.add_subcommand(
+      "info", "what it is: tetrahedra, edge classes and valences, vertex links, H1, signature");
+  auto options = std::make_shared<CommonOptions>();
+  add_common_options(*verb, *options);
+  verb->final_callback([options, &chosen] {
+    chosen = [options] {
+      return answer_inputs(*options, [options](const std::string& input) {
+        const Subject subject = load_subject(input);
+        return Outcome{options->json ? as_json(subject) : as_text(subject), kSuccess};
+      });
+    };
+  });
+}
+
+}  // namespace tripus::cli

@@ -1,0 +1,110 @@
+#include "cli/report_text.hpp"
+
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace tripus::cli {
+namespace {
+
+using structure::Report;
+using structure::VertexReport;
+
+void append_number_key(JsonText& out, std::string_view key, double value) {
+  fmt::format_to(std::back_inserter(out), ", \"{}\": ", key);
+  append_number(out, value);
+}
+
+void append_vertex(JsonText& out, const VertexReport& vertex) {
+  fmt::format_to(std::back_inserter(out),
+                 "{{\"link_euler_characteristic\": {}, \"genus\": {}, \"kind\": \"{}\"",
+                 vertex.link_euler_characteristic, vertex.genus, vertex.kind);
+  append_number_key(out, "area", vertex.area);
+  out.push_back('}');
+}
+
+/// The first rows of a long table, and a line that says how many there are.
+constexpr std::size_t kRowsShown = 20;
+
+void append_edge_table(std::string& text, const Subject& subject, const Report& report) {
+  text += "  edge class  valence  length\n";
+  for (std::size_t e = 0; e < report.edge_lengths.size(); ++e) {
+    if (e == kRowsShown) {
+      text +=
+          fmt::format("  ... ({} in all; --json prints every one)\n", report.edge_lengths.size());
+      return;
+    }
+    text += fmt::format("  {:>10}  {:>7}  {}\n", e, subject.triangulation.valence(e),
+                        report.edge_lengths[e]);
+  }
+}
+
+void append_angle_table(std::string& text, const Report& report) {
+  text += "  tetrahedron  dihedral angles at 01 02 03 12 13 23, in units of pi\n";
+  for (std::size_t t = 0; t < report.dihedral_angles.size(); ++t) {
+    if (t == kRowsShown) {
+      text += fmt::format("  ... ({} in all; --json prints every one, in radians)\n",
+                          report.dihedral_angles.size());
+      return;
+    }
+    text += fmt::format("  {:>11} ", t);
+    for (const double angle : report.dihedral_angles[t])
+      text += fmt::format(" {:.10f}", angle / std::numbers::pi);
+    text += '\n';
+  }
+}
+
+}  // namespace
+
+std::string report_as_json(const Subject& subject, const Report& report) {
+  JsonText out;
+  append_header(out, subject.input);
+  append_subject(out, subject);
+  append(out, ", \"vertices\": ");
+  append_array(out, report.vertices, append_vertex);
+  fmt::format_to(std::back_inserter(out),
+                 ", \"outcome\": \"{}\", \"method\": \"{}\", \"iterations\": {}, "
+                 "\"evaluations\": {}",
+                 structure::to_string(report.outcome), report.method, report.iterations,
+                 report.evaluations);
+  append_number_key(out, "seconds", report.seconds);
+  append_number_key(out, "max_curvature", report.max_curvature);
+  append_number_key(out, "volume", report.volume);
+  append(out, ", \"edge_lengths\": ");
+  append_numbers(out, report.edge_lengths);
+  append(out, ", \"dihedral_angles\": ");
+  append_array(out, report.dihedral_angles,
+               [](JsonText& to, const auto& angles) { append_numbers(to, angles); });
+  append(out, ", ");
+  append_edge_classes(out, subject.triangulation);
+  append(out, ", \"flat_tetrahedra\": ");
+  append_array(out, report.flat_tetrahedra, [](JsonText& to, std::size_t t) {
+    fmt::format_to(std::back_inserter(to), "{}", t);
+  });
+  append(out, ", \"certificate\": null, \"message\": ");
+  append_string(out, report.message);
+  out.push_back('}');
+  return fmt::to_string(out);
+}
+
+std::string report_as_text(const Subject& subject, const Report& report) {
+  std::string text = fmt::format("{}: {}\n  {}\n", subject.input,
+                                 structure::to_string(report.outcome), report.message);
+  const auto line = [&](std::string_view label, const std::string& value) {
+    text += fmt::format("  {:<16}{}\n", label, value);
+  };
+  line("triangulation", one_line(subject.triangulation));
+  line("volume", fmt::format("{}", report.volume));
+  for (const VertexReport& vertex : report.vertices) {
+    line("boundary",
+         fmt::format("geodesic surface of genus {}, area {}", vertex.genus, vertex.area));
+  }
+  line("largest |K|", fmt::format("{:.3g}", report.max_curvature));
+  line("found by", fmt::format("{}: {} iterations, {} evaluations, {:.3g} s", report.method,
+                               report.iterations, report.evaluations, report.seconds));
+  append_edge_table(text, subject, report);
+  append_angle_table(text, report);
+  return text;
+}
+
+}  // namespace tripus::cli

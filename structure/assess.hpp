@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+
+#include "energies/co_volume.hpp"
+#include "solver/method.hpp"
+#include "structure/report.hpp"
+#include "topology/triangulation.hpp"
+
+namespace tripus::structure {
+
+/// Judges lengths x [E] by the geometry they give and by nothing else: fills everything of the
+/// report but the run's own account (method, counts, seconds), which comes from `summary`.
+///
+/// "geometric" needs all of: every length positive, every tetrahedron a true truncated one with a
+/// margin above rounding, max|K| <= tolerance, and a nearby critical point: max|K| is also small
+/// where lengths run off to infinity, so the distance estimate of docs/theory.md (49) must hold.
+Report assess(const topology::Triangulation& triangulation, energies::CoVolume& energy,
+              std::span<const double> x, double tolerance, const solver::Summary& summary);
+
+}  // namespace tripus::structure

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/method.hpp"
+
+namespace tripus::structure {
+
+/// What was found about the triangulation. It is separate from why the iteration stopped
+/// (solver::Termination).
+enum class Outcome {
+  kGeometric,   ///< every tetrahedron is a true truncated one and max|K| <= tolerance
+  kUnresolved,  ///< stopped by a limit; the message says which, and what is known
+};
+std::string_view to_string(Outcome outcome);
+
+/// One vertex class.
+struct VertexReport {
+  int link_euler_characteristic = 0;
+  int genus = 0;
+  std::string_view kind = "geodesic";  ///< a geodesic boundary component
+  double area = 0;                     ///< of the component, from the dihedral angles
+};
+
+/// The answer to "which metric does this triangulation carry?". The numbers are those of the last
+/// iterate, also where the outcome is not geometric; they are always finite.
+struct Report {
+  Outcome outcome = Outcome::kUnresolved;
+  solver::Termination termination = solver::Termination::kNumericalFailure;
+  std::string method;
+  int iterations = 0;
+  int evaluations = 0;
+  long linear_iterations = 0;  ///< conjugate-gradient steps, where the method has any
+  double seconds = 0;
+
+  double max_curvature = 0;  ///< max|K_e|
+  double volume = 0;
+  std::vector<double> edge_lengths;                    ///< [E]
+  std::vector<std::array<double, 6>> dihedral_angles;  ///< [T]
+  std::vector<VertexReport> vertices;                  ///< [V]
+  std::vector<std::size_t> flat_tetrahedra;
+  std::string message;  ///< one sentence for a person
+};
+
+}  // namespace tripus::structure

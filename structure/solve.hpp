@@ -1,0 +1,52 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "base/tolerances.hpp"
+#include "structure/report.hpp"
+#include "topology/triangulation.hpp"
+
+namespace tripus::structure {
+
+/// One line of a run's history.
+struct HistoryRow {
+  int iteration = 0;
+  int evaluations = 0;
+  double seconds = 0;
+  double max_curvature = 0;  ///< max|K|
+  double energy = 0;         ///< H, the co-volume functional
+  double volume = 0;
+  double shortest_edge = 0;
+  double longest_edge = 0;
+};
+
+struct SolveOptions {
+  /// A name from method_names(); "auto" is Newton, by a direct factorisation for small
+  /// triangulations and by conjugate gradients for large ones.
+  std::string method = "auto";
+  /// Lengths to start from [E], finite and > 0; empty for `initial_length` everywhere.
+  std::vector<double> initial_lengths;
+  /// One length for all edges, > 0; 0 for the length at which the mean edge curvature vanishes if
+  /// all tetrahedra are regular.
+  double initial_length = 0;
+  double tolerance = tolerance::kMaxCurvature;                  ///< on max|K|; > 0
+  int max_iterations = 0;                                       ///< 0: the method's default
+  double time_limit = std::numeric_limits<double>::infinity();  ///< seconds
+  std::vector<double> cone_angles;                              ///< [E] radians; empty for 2 pi
+  /// Called at every iteration if set; costs an evaluation of the energy and the volume each time.
+  std::function<void(const HistoryRow&)> history;
+  /// Called at every iteration if set, with its number and max|gradient|; cheap.
+  std::function<void(int iteration, double max_gradient)> on_iteration;
+  const std::atomic<bool>* stop_requested = nullptr;  ///< polled at every iteration
+};
+
+/// Finds the hyperbolic metric with totally geodesic boundary.
+/// Throws InvalidInput for a triangulation outside the domain (see topology::require_solvable) and
+/// for options out of range. A triangulation that carries no metric is an answer, not an error.
+Report solve(const topology::Triangulation& triangulation, const SolveOptions& options = {});
+
+}  // namespace tripus::structure

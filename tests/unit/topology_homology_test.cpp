@@ -1,0 +1,119 @@
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "topology/cyclic_cover.hpp"
+#include "topology/detail/integer_matrix.hpp"
+#include "topology/dual_graph.hpp"
+#include "topology/homology.hpp"
+#include "topology/isosig.hpp"
+
+namespace tripus::topology {
+namespace {
+
+std::string h1(const std::string& signature) {
+  return to_string(first_homology(Triangulation(decode_isosig(signature))));
+}
+
+// `Triangulation3.homology()` of Regina 7.3 for its own examples.
+TEST(Homology, OfKnownManifolds) {
+  EXPECT_EQ(h1("cPcbbbihq"), "2 Z");           // the tripus
+  EXPECT_EQ(h1("cPcbbbiht"), "Z");             // figure eight knot complement
+  EXPECT_EQ(h1("bkaagj"), "0");                // a 3-sphere
+  EXPECT_EQ(h1("cPcbbbihqcPcbbbiht"), "3 Z");  // a disjoint union adds
+}
+
+TEST(AbelianGroup, IsWrittenAsReginaWritesIt) {
+  EXPECT_EQ(to_string({}), "0");
+  EXPECT_EQ(to_string({1, {}}), "Z");
+  EXPECT_EQ(to_string({2, {"3"}}), "2 Z + Z_3");
+  EXPECT_EQ(to_string({0, {"2", "2", "6"}}), "2 Z_2 + Z_6");
+}
+
+// diag(2, 3) is equivalent to diag(1, 6); big entries must not overflow.
+TEST(SmithForm, MakesFactorsDivideOneAnother) {
+  const auto form = detail::smith_form({{{0, 2}}, {{1, 3}}, {}}, 4);
+  EXPECT_EQ(form.rank, 2u);
+  ASSERT_EQ(form.factors.size(), 1u);
+  EXPECT_EQ(form.factors[0], 6);
+}
+
+TEST(SmithForm, NumbersOutgrowSixtyFourBits) {
+  // x_{i+1} = 10^6 x_i for six steps, and 7 x_6 = 0 beside 10^6 x_6 = x_0.
+  constexpr std::int64_t kStep = 1000000;
+  std::vector<detail::SparseRow<std::int64_t>> rows;
+  for (std::uint32_t i = 0; i < 6; ++i) rows.push_back({{i, kStep}, {i + 1, -1}});
+  rows.push_back({{0, -1}, {6, kStep}});
+  const auto form = detail::smith_form(rows, 7);
+  EXPECT_EQ(form.rank, 7u);
+  ASSERT_EQ(form.factors.size(), 1u);  // determinant 10^42 - 1
+  EXPECT_EQ(form.factors[0].str(), std::string(42, '9'));
+}
+
+TEST(DualGraph, SpanningForestHasAParentForAllButOne) {
+  const Gluings gluings = decode_isosig("eLAkbccdddprdkcPcbbbihq");
+  const SpanningForest forest = spanning_forest(gluings);
+  EXPECT_EQ(forest.component_count, 2u);
+  EXPECT_FALSE(is_connected(gluings));
+  EXPECT_EQ(forest.order.size(), 6u);
+  std::size_t roots = 0;
+  for (std::size_t t = 0; t < 6; ++t) {
+    if (forest.parent[t] == kNoTetrahedron)
+      ++roots;
+    else
+      EXPECT_EQ(gluings.neighbour(forest.parent[t], forest.face[t]), t);
+  }
+  EXPECT_EQ(roots, 2u);
+}
+
+// Law C1: covers multiply everything that is local and keep the valences.
+TEST(CyclicCover, MultipliesCellsAndKeepsValences) {
+  const Triangulation base(decode_isosig("cPcbbbihq"));
+  const auto shifts = primitive_class(base);
+  ASSERT_TRUE(shifts);
+  for (const std::size_t degree : {1u, 2u, 3u, 10u, 101u}) {
+    const Triangulation cover(cyclic_cover(base.gluings(), *shifts, degree));
+    EXPECT_TRUE(cover.is_connected());
+    EXPECT_TRUE(cover.is_orientable());
+    EXPECT_EQ(cover.tetrahedron_count(), 2 * degree);
+    ASSERT_EQ(cover.edge_count(), degree);
+    for (std::size_t e = 0; e < degree; ++e) EXPECT_EQ(cover.valence(e), 12u);
+    int euler_characteristic = 0;
+    for (std::size_t v = 0; v < cover.vertex_count(); ++v)
+      euler_characteristic += cover.link(v).euler_characteristic;
+    EXPECT_EQ(euler_characteristic, -2 * static_cast<int>(degree));
+  }
+  EXPECT_EQ(isosig(cyclic_cover(base.gluings(), *shifts, 1)), "cPcbbbihq");
+}
+
+TEST(CyclicCover, RefusesBranchingAndMismatches) {
+  const Triangulation base(decode_isosig("cPcbbbihq"));
+  auto shifts = *primitive_class(base);
+  EXPECT_THROW((void)cyclic_cover(base.gluings(), shifts, 0), InvalidInput);
+  shifts[0] += 1;
+  EXPECT_THROW((void)cyclic_cover(base.gluings(), shifts, 5), InvalidInput);
+  shifts.pop_back();
+  EXPECT_THROW((void)cyclic_cover(base.gluings(), shifts, 5), InvalidInput);
+  EXPECT_EQ(primitive_class(Triangulation(decode_isosig("bkaagj"))), std::nullopt);
+}
+
+// Symmetric triangulations are the hard case for signatures: 2 d frames give the same string.
+TEST(CyclicCover, SignatureOfALargeCoverIsFast) {
+  const Triangulation base(decode_isosig("cPcbbbihq"));
+  const Gluings cover = cyclic_cover(base.gluings(), *primitive_class(base), 2000);
+  const auto signature = isosig(random_relabelling(cover, 11), 100'000'000);
+  ASSERT_TRUE(signature);
+  EXPECT_EQ(isosig(decode_isosig(*signature)), *signature);
+  EXPECT_TRUE(is_isomorphic(decode_isosig(*signature), cover));
+}
+
+TEST(Triangulation, HoldsLessThan150BytesATetrahedron) {
+  const Triangulation base(decode_isosig("cPcbbbihq"));
+  const Triangulation cover(cyclic_cover(base.gluings(), *primitive_class(base), 500'000));
+  EXPECT_EQ(cover.tetrahedron_count(), 1'000'000u);
+  EXPECT_LT(cover.memory_bytes(), 150u * cover.tetrahedron_count());
+}
+
+}  // namespace
+}  // namespace tripus::topology

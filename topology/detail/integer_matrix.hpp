@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+namespace tripus::topology::detail {
+
+using BigInteger = boost::multiprecision::cpp_int;
+
+template <class Integer>
+struct Entry {
+  std::uint32_t column;
+  Integer value;  // not 0
+};
+
+/// A sparse row, columns ascending.
+template <class Integer>
+using SparseRow = std::vector<Entry<Integer>>;
+
+/// What is known of a matrix after its diagonalisation over the integers.
+struct SmithForm {
+  std::size_t rank = 0;
+  std::vector<BigInteger> factors;  ///< the diagonal entries > 1, each dividing the next
+};
+
+/// The Smith normal form of a sparse integer matrix. Any size of number; no overflow.
+SmithForm smith_form(std::vector<SparseRow<std::int64_t>> rows, std::size_t column_count);
+
+}  // namespace tripus::topology::detail

@@ -1,0 +1,63 @@
+#include "topology/homology.hpp"
+
+#include <algorithm>
+
+#include "topology/detail/integer_matrix.hpp"
+#include "topology/detail/relators.hpp"
+
+namespace tripus::topology {
+namespace {
+
+detail::SparseRow<std::int64_t> relator(const Triangulation& triangulation, std::size_t e,
+                                        const detail::FaceGenerators& generators) {
+  detail::SparseRow<std::int64_t> row;
+  detail::walk_around_edge(triangulation, e, [&](std::size_t slot) {
+    const std::int32_t code = generators.code(slot);
+    if (code != 0)
+      row.push_back({static_cast<std::uint32_t>(code > 0 ? code : -code) - 1, code > 0 ? 1 : -1});
+  });
+  std::ranges::sort(row, {}, &detail::Entry<std::int64_t>::column);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < row.size();) {
+    auto sum = row[i++];
+    for (; i < row.size() && row[i].column == sum.column; ++i) sum.value += row[i].value;
+    if (sum.value != 0) row[kept++] = sum;
+  }
+  row.resize(kept);
+  return row;
+}
+
+}  // namespace
+
+std::string to_string(const AbelianGroup& group) {
+  std::string out;
+  const auto add = [&out](std::size_t times, const std::string& factor) {
+    if (times == 0) return;
+    if (!out.empty()) out += " + ";
+    if (times > 1) out += std::to_string(times) + " ";
+    out += factor;
+  };
+  add(group.rank, "Z");
+  const auto& factors = group.invariant_factors;
+  for (std::size_t i = 0; i < factors.size();) {
+    const std::size_t first = i;
+    while (i < factors.size() && factors[i] == factors[first]) ++i;
+    add(i - first, "Z_" + factors[first]);
+  }
+  return out.empty() ? "0" : out;
+}
+
+AbelianGroup first_homology(const Triangulation& triangulation) {
+  const detail::FaceGenerators generators(triangulation.gluings());
+  std::vector<detail::SparseRow<std::int64_t>> rows;
+  rows.reserve(triangulation.edge_count());
+  for (std::size_t e = 0; e < triangulation.edge_count(); ++e)
+    rows.push_back(relator(triangulation, e, generators));
+  const detail::SmithForm form = detail::smith_form(std::move(rows), generators.count());
+  AbelianGroup group;
+  group.rank = generators.count() - form.rank;
+  for (const auto& factor : form.factors) group.invariant_factors.push_back(factor.str());
+  return group;
+}
+
+}  // namespace tripus::topology

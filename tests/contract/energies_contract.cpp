@@ -83,7 +83,9 @@ TEST_P(EnergyContract, GradientIsTheDerivativeOfTheValueAndIsNotZero) {
     EXPECT_LT(derivative.error, 1e-6);
     double largest = 0;
     for (const double g : gradient) largest = std::max(largest, std::fabs(g));
-    if (x.size() > 1) EXPECT_GT(largest, 1e-3);
+    if (sample.lengths.size() > 1) {  // one length for all corners is the metric in angles
+      EXPECT_GT(largest, 1e-3);
+    }
   }
 }
 
@@ -185,7 +187,8 @@ TEST_P(EnergyContract, RelabellingChangesNoValue) {
         sample.triangulation->gluings(), 5 + static_cast<unsigned>(n)));
     double value[2] = {};
     int k = 0;
-    for (const auto* triangulation : {sample.triangulation.get(), &shuffled}) {
+    for (const topology::Triangulation* triangulation :
+         {static_cast<const topology::Triangulation*>(sample.triangulation.get()), &shuffled}) {
       std::vector<double> x;
       const auto energy = GetParam().at_lengths(*triangulation, uniform, x);
       std::vector<double> gradient(x.size());
@@ -195,13 +198,15 @@ TEST_P(EnergyContract, RelabellingChangesNoValue) {
   }
 }
 
+std::string energy_test_name(const ::testing::TestParamInfo<Energy>& parameter) {
+  std::string name(parameter.param.name);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
 INSTANTIATE_TEST_SUITE_P(All, EnergyContract,
                          ::testing::ValuesIn(energies().begin(), energies().end()),
-                         [](const auto& info) {
-                           std::string name(info.param.name);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         energy_test_name);
 
 // The extended co-volume is convex and C1 on all of R^E: along random lines, through flat
 // tetrahedra and lengths <= 0, the gradient is monotone and the value is its integral.

@@ -46,11 +46,11 @@ int main() {
   Example problem;
   const tripus::solver::Method* newton = tripus::solver::find_method("newton");
   double x = 0;
-  const bool minimised = report("newton", newton->minimise(problem, {&x, 1}, {}), x);
+  tripus::solver::Summary summary = newton->minimise(problem, {&x, 1}, {});
+  const bool minimised = report("newton", summary, x);
 
   const auto flow = tripus::integrators::parse_flow_method("flow:curvature/dopri5");
   x = 0;
-  const auto summary =
-      tripus::integrators::integrate(problem, *flow->first, *flow->second, {&x, 1}, {});
+  summary = tripus::integrators::integrate(problem, *flow->first, *flow->second, {&x, 1}, {});
   return minimised && report("flow", summary, x) ? 0 : 1;
 }

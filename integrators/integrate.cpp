@@ -278,10 +278,10 @@ Summary Integration::follow() {
       return finish(run_.termination, stalled ? "no step decreases the gradient" : "");
     }
     if (!run_.observe(x_, gradient_, time_)) return finish(run_.termination);
-    if (max_abs(x_) > runaway) return finish(Termination::kUnbounded, "the flow runs away");
     if (!automatic() && gradient_ > kInstability * first_) {
       return finish(Termination::kNumericalFailure, "unstable: the given step is too long");
     }
+    if (max_abs(x_) > runaway) return finish(Termination::kUnbounded, "the flow runs away");
     if (idle()) return finish(Termination::kStalled, "the gradient does not decrease any more");
   }
   std::copy(x_.begin(), x_.end(), result_.begin());

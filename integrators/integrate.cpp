@@ -25,9 +25,11 @@
 // Steps may be far shorter than the rounding of x. So what odeint sees is the displacement from the
 // latest x, which starts at what rounding has left over of the previous step.
 //
-// Where the exact flow has decreasing |g| (Field::contractive), a step which raises it well above
-// its least value so far is rejected: this catches a stability limit that the power iteration has
-// underestimated, and leaves rounding alone.
+// What a fixed step may do beyond its stability limit, where the power iteration has underestimated
+// that, is caught by two signs, up to what rounding of x does to g. The flows all go downhill: a
+// step at whose end the slope along it is nearly as steep the other way has crossed a valley. And
+// where the exact flow has decreasing |g| (Field::contractive), so has a stable step. The adaptive
+// stepper has its error estimate, and only a coarser form of the second test.
 
 namespace tripus::integrators {
 namespace {
@@ -43,8 +45,10 @@ constexpr double kFraction = 0.8;           // of the stability limit
 constexpr int kRefresh = 50;                // steps between estimates of the Jacobian's norm
 constexpr int kFirstPower = 30;             // power iterations at the start,
 constexpr int kPower = 5;                   // and at a refresh
-constexpr double kContractiveGrowth = 1.5;  // of |g| over its least so far, in a contractive flow
-constexpr double kGrowth = 2;               // of |g| in a step, in the others
+constexpr double kContractiveGrowth = 1.5;  // of |g| over its least so far, adaptive steppers
+constexpr double kUphill = 0.9;       // slope at the end of a step, in units of that at its start
+constexpr double kNoise = 1e-14;      // of x, relative: what it does to g is no increase of |g|
+constexpr double kGrowth = 2;         // of |g| in a step, in the others
 constexpr double kRounding = 1e-15;   // error of a step in units of 1 + max|x|, not to be bettered
 constexpr double kInstability = 1e6;  // of max|g| over its start: a given step was too long
 constexpr int kPatience = 5;          // rejections for the error: then there is a kink here
@@ -96,6 +100,9 @@ class Integration {
   bool advance();
   void refresh(int iterations);
   double choose_step();
+  double noise() const;
+  double largest_gradient() const;
+  bool overshoots() const;
   Verdict judge();
   void accept();
   bool idle();
@@ -169,6 +176,26 @@ double Integration::choose_step() {
   return std::min(safety_ * std::min(stable, far), kLongest);
 }
 
+/// What rounding of x does to |g|.
+double Integration::noise() const { return kNoise * (1 + max_abs(x_)) * stiffness_; }
+
+/// The largest |g| that a trial may end with.
+double Integration::largest_gradient() const {
+  if (!field_.contractive()) return kGrowth * norm(g_);
+  return stepper_.adaptive ? kContractiveGrowth * least_norm_ : norm(g_) + noise();
+}
+
+/// Whether the trial has jumped over a valley, or onto a plain where the flow stands still.
+bool Integration::overshoots() const {
+  if (max_abs(new_v_) < kStandstill && new_gradient_ > run_.tolerance()) return true;
+  // Less than half of Euler's step: some stages have jumped over the valley.
+  if (limited_ && (dot(new_g_, v_) > 0 || dot(displacement_, v_) < 0.5 * dt_ * dot(v_, v_)))
+    return true;
+  if (stepper_.adaptive) return false;
+  const double slope = std::abs(dot(g_, displacement_));
+  return dot(new_g_, displacement_) > kUphill * slope + noise() * norm(displacement_);
+}
+
 /// After a trial step of length dt_.
 Integration::Verdict Integration::judge() {
   if (run_.out_of_time()) return Verdict::kStopped;
@@ -198,11 +225,7 @@ Integration::Verdict Integration::judge() {
       return Verdict::kRejected;
     }
   }
-  const double bound = field_.contractive() ? kContractiveGrowth * least_norm_ : kGrowth * norm(g_);
-  // Less than half of Euler's step: some stages have jumped over the valley.
-  const bool overshoots =
-      limited_ && (dot(new_g_, v_) > 0 || dot(displacement_, v_) < 0.5 * dt_ * dot(v_, v_));
-  if (overshoots || !(norm(new_g_) <= bound)) {
+  if (overshoots() || !(norm(new_g_) <= largest_gradient())) {
     safety_ *= 0.5;
     dt_ *= 0.5;
     next_dt_ = dt_;

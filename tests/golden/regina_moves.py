@@ -1,0 +1,204 @@
+"""Writes data/moves-golden.tsv: what Regina says about moves, legal and illegal.
+
+    regina-python tests/golden/regina_moves.py > data/moves-golden.tsv     (at the root)
+
+Columns: signature, move (as tripus::topology::to_string writes it), signature of the result or "-"
+where Regina refuses the move. Places are in the labels of Regina's fromIsoSig.
+"""
+import random
+from pathlib import Path
+
+import regina
+
+EDGE_ENDS = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)]
+ROWS_A_KIND = {True: 40, False: 20}  # legal, illegal
+DATA = Path("data")
+
+
+def corners(tri, t, edge, side=0):
+    """(tetrahedron, a, b, leaving face, entered face) around an edge."""
+    a, b = EDGE_ENDS[edge]
+    c, d = EDGE_ENDS[5 - edge]
+    if side:
+        c, d = d, c
+    start = (t, a, b)
+    found = []
+    while True:
+        found.append((t, a, b, c, d))
+        tet = tri.tetrahedron(t)
+        p = tet.adjacentGluing(c)
+        t, a, b, c, d = tet.adjacentTetrahedron(c).index(), p[a], p[b], p[d], p[c]
+        if (t, a, b) == start:
+            return found
+
+
+def trials(tri):
+    """(kind, move, function that makes it on a copy)."""
+    n = tri.size()
+    for t in range(n):
+        yield "1-4", f"1-4 at tetrahedron {t}", lambda x, t=t: x.pachner(x.tetrahedron(t))
+        for f in range(4):
+            yield "2-3", f"2-3 at face {f} of tetrahedron {t}", (
+                lambda x, t=t, f=f: x.pachner(x.tetrahedron(t).triangle(f)))
+            yield "4-1", f"4-1 at vertex {f} of tetrahedron {t}", (
+                lambda x, t=t, f=f: x.pachner(x.tetrahedron(t).vertex(f)))
+            yield "2-0v", f"2-0 at vertex {f} of tetrahedron {t}", (
+                lambda x, t=t, f=f: x.twoZeroMove(x.tetrahedron(t).vertex(f)))
+        for e, (a, b) in enumerate(EDGE_ENDS):
+            where = f"at edge {a}{b} of tetrahedron {t}"
+            yield "3-2", f"3-2 {where}", lambda x, t=t, e=e: x.pachner(edge_of(x, t, e))
+            yield "2-0e", f"2-0 {where}", lambda x, t=t, e=e: x.twoZeroMove(edge_of(x, t, e))
+            walk = corners(tri, t, e)
+            edge = edge_of(tri, t, e)
+            ring = [c[0] for c in walk]
+            if edge.degree() == 4 and len(set(ring)) == 4 or edge.degree() == 5:
+                # Regina's axis 0 has corners 0, 1 on one side and 2, 3 on the other.
+                order = [edge.embedding(i).tetrahedron().index() for i in range(4)]
+                for axis in (0, 1):
+                    halves = {frozenset(ring[axis:axis + 2])}
+                    regina_axis = 0 if frozenset(order[0:2]) in halves or \
+                        frozenset(order[2:4]) in halves else 1
+                    yield "4-4", f"4-4 {where}, axis {axis}", (
+                        lambda x, t=t, e=e, k=regina_axis: x.fourFourMove(edge_of(x, t, e), k))
+            if edge.degree() <= 2:
+                for end in (0, 1):
+                    vertices = edge.embedding(0).vertices()
+                    front = edge.embedding(0)
+                    if edge.degree() == 1 and front.tetrahedron().index() == t:
+                        regina_end = 0 if vertices[0] == EDGE_ENDS[e][end] else 1
+                    elif edge.degree() == 1:
+                        continue
+                    else:
+                        regina_end = end
+                    yield "2-1", f"2-1 {where}, end {end}", (
+                        lambda x, t=t, e=e, k=regina_end: x.twoOneMove(edge_of(x, t, e), k))
+            # 0-2 at two different triangles, where the order of copies is no question.
+            for side in (0, 1):
+                walk = corners(tri, t, e, side)
+                steps = random.randrange(len(walk) + 1)
+                move = f"0-2 {where}, side {side}, steps {steps}"
+                if steps == len(walk):
+                    yield "0-2", move, lambda x: False
+                    continue
+                (t0, a0, b0, c0, d0), (t1, a1, b1, c1, d1) = walk[0], walk[steps]
+                if steps and tri.tetrahedron(t0).triangle(c0) == tri.tetrahedron(t1).triangle(c1):
+                    continue
+                yield "0-2", move, (
+                    lambda x, u=walk[0], v=walk[steps]: zero_two(x, u, v))
+
+
+def edge_of(tri, t, e):
+    return tri.tetrahedron(t).edge(*EDGE_ENDS[e])
+
+
+def zero_two(tri, first, second):
+    """Regina numbers triangle i of an edge as the one opposite vertices()[3] of embedding i... """
+    t0, a0, b0, c0, _ = first
+    t1, a1, b1, c1, _ = second
+    edge = tri.tetrahedron(t0).edge(a0, b0)
+    def number(t, a, b, c):
+        face = tri.tetrahedron(t).triangle(c)
+        p = tri.tetrahedron(t).adjacentGluing(c)
+        u = tri.tetrahedron(t).adjacentTetrahedron(c).index()
+        sides = {(t, frozenset((a, b)), c), (u, frozenset((p[a], p[b])), p[c])}
+        for i in range(edge.degree()):
+            emb = edge.embedding(i)
+            v = emb.vertices()
+            if (emb.tetrahedron().index(), frozenset((v[0], v[1])), v[3]) in sides:
+                return i
+        raise RuntimeError("no number")
+    return tri.zeroTwoMove(edge, number(t0, a0, b0, c0), number(t1, a1, b1, c1))
+
+
+def sources():
+    found = []
+    for name in ("triangulations-2.txt", "triangulations-3.txt", "triangulations-cusped.txt"):
+        found += [s for s in (DATA / name).read_text().split("\n") if s and s[0] != "#"]
+    four = [s for s in (DATA / "triangulations-4.txt").read_text().split("\n") if s and s[0] != "#"]
+    found += random.sample(four, 100)
+    # Closed and non-orientable ones, and small ones where moves are refused for want of room.
+    closed = ["bkaagj", "bkaaid", "cMcabbgqs", "cPcbbbiht", "cPcbbbadu", "cMcabbjaj", "cPcbbbdxm"]
+    for base in closed:
+        try:
+            if regina.Triangulation3.fromIsoSig(base):
+                found.append(base)
+        except regina.InvalidArgument:
+            pass
+    for tri in (regina.Example3.threeSphere(), regina.Example3.rp2xs1(), regina.Example3.s2xs1(),
+                regina.Example3.simplicialSphere(), regina.Example3.lens(5, 2),
+                regina.Example3.gieseking(), regina.Example3.figureEight(),
+                regina.Example3.poincare(), regina.Example3.sphereBundle()
+                if hasattr(regina.Example3, "sphereBundle") else regina.Example3.lens(3, 1)):
+        found.append(tri.isoSig())
+    return found
+
+
+def shaken(tri):
+    """A few random moves, so that edges of every small valence and finite vertices turn up."""
+    for _ in range(random.randrange(6)):
+        copy = regina.Triangulation3(tri)
+        choice = random.randrange(5)
+        t = copy.tetrahedron(random.randrange(copy.size()))
+        if choice == 0:
+            copy.pachner(t) if random.random() < 0.4 else copy.pachner(t.triangle(random.randrange(4)))
+        elif choice == 1:
+            copy.pachner(t.triangle(random.randrange(4)))
+        else:
+            edge = t.edge(random.randrange(6))
+            if edge.degree() == 3 and choice == 2:
+                copy.pachner(edge)
+            elif choice == 3:
+                copy.zeroTwoMove(edge, random.randrange(edge.degree()), random.randrange(edge.degree()))
+            elif edge.degree() <= 2:
+                copy.twoZeroMove(edge)
+        if copy.size() <= 9 and copy.isValid() and not copy.isEmpty():
+            tri = copy
+    return tri
+
+
+def main():
+    random.seed(20240611)
+    counts = {}
+    print("# Moves on triangulations as Regina", regina.versionString(),
+          "makes them (https://regina-normal.github.io); by tests/golden/regina_moves.py")
+    print("# result: signature after the move, - where Regina refuses it")
+    print("isosig\tmove\tresult")
+    pool = sources()
+    seen = set()
+    for _ in range(6000):
+        tri = regina.Triangulation3.fromIsoSig(random.choice(pool))
+        tri = regina.Triangulation3.fromIsoSig(shaken(tri).isoSig())
+        rows = list(trials(tri))
+        random.shuffle(rows)
+        for kind, move, act in rows:
+            copy = regina.Triangulation3(tri)
+            legal = act(copy)
+            if legal and copy.isEmpty():
+                raise RuntimeError(move)
+            key = (kind, bool(legal))
+            if counts.get(key, 0) >= ROWS_A_KIND[bool(legal)] or (tri.isoSig(), kind) in seen:
+                continue
+            if not legal and random.random() < 0.8 and not interesting(tri, kind, move):
+                continue
+            seen.add((tri.isoSig(), kind))
+            counts[key] = counts.get(key, 0) + 1
+            print(tri.isoSig(), move, copy.isoSig() if legal else "-", sep="\t")
+
+
+def interesting(tri, kind, move):
+    """Refused for another reason than the valence."""
+    if kind == "2-3" or kind == "0-2":
+        return True
+    words = move.replace(",", "").split()
+    if kind in ("4-1", "2-0v"):
+        vertex = tri.tetrahedron(int(words[6])).vertex(int(words[3]))
+        return vertex.degree() == (4 if kind == "4-1" else 2)
+    if kind == "1-4":
+        return True
+    ends = (int(words[3][0]), int(words[3][1]))
+    edge = tri.tetrahedron(int(words[6])).edge(*ends)
+    return edge.degree() == {"3-2": 3, "4-4": 4, "2-0e": 2, "2-1": 1}[kind]
+
+
+if __name__ == "__main__":
+    main()

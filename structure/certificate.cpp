@@ -21,9 +21,9 @@ std::string_view to_string(Certificate::Kind kind) {
 }
 
 std::string to_json(const Certificate& certificate) {
-  std::string out = "{\"kind\": \"";
+  std::string out = R"({"kind": ")";
   out += to_string(certificate.kind);
-  out += "\", \"edge\": ";
+  out += R"(", "edge": )";
   append_integers(out, certificate.edge);
   out += ", \"vertex\": [";
   for (std::size_t t = 0; t < certificate.vertex.size(); ++t) {

@@ -57,6 +57,7 @@ int run(int argc, char** argv) {
   Command command;
   add_info(program, command);
   add_solve(program, command);
+  add_check(program, command);
   add_methods(program, command);
   try {
     program.parse(argc, argv);

@@ -25,6 +25,22 @@ constexpr double kPaddingLength = 1.0;
 
 constexpr double kPi = std::numbers::pi;
 
+/// A sum that carries its rounding errors along (Neumaier): totals over a million tetrahedra keep
+/// their digits.
+class Sum {
+ public:
+  void add(double x) {
+    const double total = sum_ + x;
+    lost_ += std::fabs(sum_) >= std::fabs(x) ? (sum_ - total) + x : (x - total) + sum_;
+    sum_ = total;
+  }
+  double value() const { return sum_ + lost_; }
+
+ private:
+  double sum_ = 0;
+  double lost_ = 0;
+};
+
 }  // namespace
 
 CoVolume::CoVolume(const topology::Triangulation& triangulation,
@@ -165,10 +181,10 @@ std::vector<std::size_t> CoVolume::flat_tetrahedra() const {
 }
 
 double CoVolume::volume() const {
-  double sum = 0;
+  Sum sum;
   for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t)
-    sum += geometry::volume(dihedral_angles(t));
-  return sum;
+    sum.add(geometry::volume(dihedral_angles(t)));
+  return sum.value();
 }
 
 double CoVolume::convexity_bound() const {
@@ -193,15 +209,15 @@ double CoVolume::convexity_bound() const {
 }
 
 double CoVolume::value_at(std::span<const double> x) const {
-  double sum = 0;
+  Sum sum;
   for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
     const auto theta = dihedral_angles(t);
-    sum += 2 * geometry::volume(theta);
+    sum.add(2 * geometry::volume(theta));
     for (int i = 0; i < 6; ++i)
-      sum += theta[static_cast<std::size_t>(i)] * x[triangulation_.edge_class(t, i)];
+      sum.add(theta[static_cast<std::size_t>(i)] * x[triangulation_.edge_class(t, i)]);
   }
-  for (std::size_t e = 0; e < x.size(); ++e) sum -= cone_angles_[e] * x[e];
-  return sum;
+  for (std::size_t e = 0; e < x.size(); ++e) sum.add(-cone_angles_[e] * x[e]);
+  return sum.value();
 }
 
 }  // namespace tripus::energies

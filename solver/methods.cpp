@@ -15,6 +15,13 @@ constexpr Method kMethods[] = {
      detail::newton_cg},
     {"newton-cg-block", "the same with a block-Jacobi preconditioner, 8 variables a block", true,
      detail::newton_cg_block},
+    {"ceres-lbfgs", "limited-memory BFGS (Ceres)", false, detail::ceres_lbfgs},
+    {"ceres-bfgs", "BFGS with a dense matrix, up to 1000 variables (Ceres)", false,
+     detail::ceres_bfgs},
+    {"ceres-cg", "nonlinear conjugate gradients, Polak-Ribiere (Ceres)", false, detail::ceres_cg},
+    {"ceres-steepest-descent", "steepest descent with a Wolfe line search (Ceres)", false,
+     detail::ceres_steepest_descent},
+    {"ceres-lm", "Levenberg-Marquardt on gradient = 0 (Ceres)", true, detail::ceres_lm},
 };
 
 }  // namespace

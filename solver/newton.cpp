@@ -1,4 +1,5 @@
-#include "base/error.hpp"
+#include <limits>
+
 #include "solver/detail/direct_systems.hpp"
 #include "solver/detail/methods.hpp"
 
@@ -6,25 +7,25 @@ namespace tripus::solver::detail {
 namespace {
 
 constexpr int kMaxIterations = 500;
-
-/// Up to here a dense factorisation beats the bookkeeping of a sparse one.
-constexpr std::size_t kDense = 64;
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
 Summary newton(Problem& problem, std::span<double> x, const Options& options) {
   Run run(problem, x, options, kMaxIterations);
-  if (x.size() <= kDense) {
+  if (x.size() <= kDenseDimension) {
     DenseSystem system(problem);
     return newton_loop(run, system, x);
   }
-  SparseSystem system(problem);
-  Summary summary = newton_loop(run, system, x);
-  if (system.out_of_memory() && summary.termination != Termination::kConverged) {
-    summary.termination = Termination::kNumericalFailure;
-    summary.message = "the Cholesky factor does not fit into memory; use newton-cg";
+  const char* too_large = "the Cholesky factor does not fit into memory; use newton-cg";
+  if (problem.hessian_pattern().row.size() >= SparseSystem::kMaxEntries) {
+    return run.finish(Termination::kNumericalFailure, kUnknown, too_large);
   }
-  return summary;
+  SparseSystem system(problem);
+  if (system.out_of_memory()) {
+    return run.finish(Termination::kNumericalFailure, kUnknown, too_large);
+  }
+  return newton_loop(run, system, x);
 }
 
 }  // namespace tripus::solver::detail

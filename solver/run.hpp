@@ -11,6 +11,10 @@ namespace tripus::solver {
 /// max|v_i| of v [n]; infinity if an entry is not finite, 0 if n = 0.
 double max_abs(std::span<const double> v);
 
+/// An iterate farther out than this, in units of 1 + max|x at the start|, runs away: a dozen orders
+/// of magnitude remain below it for every sensible minimiser, and a dozen extensions by 4 reach it.
+inline constexpr double kRunaway = 1e8;
+
 /// Bookkeeping of one run, for those who write a method or a flow: clock, limits, counts, observer.
 ///
 /// It keeps no point: that is the method's affair, which knows where its iterates lie.
@@ -51,5 +55,14 @@ class Run {
   int max_iterations_;
   std::chrono::steady_clock::time_point start_;
 };
+
+/// Whether the gradient near x, where max|g| <= tolerance, fades without coming to a minimiser,
+/// like that of exp(-x): Newton steps from there stay long and divide max|g| by little. Costs one
+/// Newton step where there is a minimiser; counts evaluations in `run`. Methods that do not use
+/// second derivatives otherwise ask it before they claim convergence.
+bool fades_at_infinity(Run& run, std::span<const double> x);
+
+/// `run.finish(kConverged)`, or kUnbounded where the gradient fades at infinity.
+Summary finish_converged(Run& run, std::span<const double> x, double max_gradient);
 
 }  // namespace tripus::solver

@@ -27,6 +27,21 @@ detail::SparseRow<std::int64_t> relator(const Triangulation& triangulation, std:
   return row;
 }
 
+/// Edge classes as a breadth-first search meets them: neighbours in space become neighbours in the
+/// matrix, whatever the labels, and that keeps numbers short when its last rows are reduced.
+std::vector<std::size_t> edges_by_distance(const Triangulation& triangulation) {
+  std::vector<std::size_t> order;
+  order.reserve(triangulation.edge_count());
+  std::vector<bool> met(triangulation.edge_count(), false);
+  for (const TetrahedronIndex t : spanning_forest(triangulation.gluings()).order)
+    for (int e = 0; e < 6; ++e) {
+      const std::size_t index = triangulation.edge_class(t, e);
+      if (!met[index]) order.push_back(index);
+      met[index] = true;
+    }
+  return order;
+}
+
 }  // namespace
 
 std::string to_string(const AbelianGroup& group) {
@@ -51,7 +66,7 @@ AbelianGroup first_homology(const Triangulation& triangulation) {
   const detail::FaceGenerators generators(triangulation.gluings());
   std::vector<detail::SparseRow<std::int64_t>> rows;
   rows.reserve(triangulation.edge_count());
-  for (std::size_t e = 0; e < triangulation.edge_count(); ++e)
+  for (const std::size_t e : edges_by_distance(triangulation))
     rows.push_back(relator(triangulation, e, generators));
   const detail::SmithForm form = detail::smith_form(std::move(rows), generators.count());
   AbelianGroup group;

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <queue>
+#include <tuple>
 #include <utility>
 
 // Three stages. First, pivots +-1 are eliminated on sparse rows of 64-bit integers, with every
-// product checked: a pivot whose elimination would overflow is put aside. Then the same on big
-// integers, which have no such pivots. Last, what has no unit entry left is small, and goes
-// through the textbook dense algorithm.
+// product checked: a pivot whose elimination would overflow is put aside. The few rows left are
+// reduced to independent columns and go through the same on big integers. Last, what has no unit
+// entry left is small, and goes through the textbook dense algorithm.
 
 namespace tripus::topology::detail {
 namespace {
@@ -33,6 +35,24 @@ bool is_unit(const Integer& x) {
   return x == 1 || x == -1;
 }
 
+/// old - factor * row, or nothing on overflow.
+template <class Integer>
+std::optional<SparseRow<Integer>> difference(const SparseRow<Integer>& old, const Integer& factor,
+                                             const SparseRow<Integer>& row) {
+  SparseRow<Integer> merged;
+  merged.reserve(old.size() + row.size());
+  auto x = old.begin();
+  for (const auto& y : row) {
+    while (x != old.end() && x->column < y.column) merged.push_back(*x++);
+    Entry<Integer> sum{y.column, 0};
+    if (x != old.end() && x->column == y.column) sum.value = (x++)->value;
+    if (!subtract_product(sum.value, factor, y.value)) return std::nullopt;
+    if (sum.value != 0) merged.push_back(std::move(sum));
+  }
+  merged.insert(merged.end(), x, old.end());
+  return merged;
+}
+
 template <class Integer>
 class UnitEliminator {
  public:
@@ -52,13 +72,13 @@ class UnitEliminator {
     while (true) {
       pivots += remove_free_rows();
       if (waiting_.empty()) break;
-      const auto [queued_cost, r] = waiting_.top();
+      const auto [queued_cost, tie, r] = waiting_.top();
       waiting_.pop();
       const auto* pivot = cheapest_unit(rows_[r]);
       if (!pivot) continue;
       const std::size_t cost = fill(r, *pivot);
       if (cost > queued_cost) {  // it became dearer since it was queued
-        waiting_.emplace(cost, r);
+        waiting_.emplace(cost, shuffled(r), r);
       } else if (eliminate(r, pivot->column)) {
         ++pivots;
       }
@@ -142,7 +162,8 @@ class UnitEliminator {
     return (rows_[r].size() - 1) * (count_[pivot.column] - 1);
   }
   void queue_row(std::uint32_t r) {
-    if (const auto* pivot = cheapest_unit(rows_[r])) waiting_.emplace(fill(r, *pivot), r);
+    if (const auto* pivot = cheapest_unit(rows_[r]))
+      waiting_.emplace(fill(r, *pivot), shuffled(r), r);
   }
 
   static const Entry<Integer>* find(const SparseRow<Integer>& row, std::uint32_t column) {
@@ -165,19 +186,9 @@ class UnitEliminator {
   }
 
   bool subtract(std::uint32_t target, const Integer& factor, const SparseRow<Integer>& row) {
-    SparseRow<Integer> merged;
-    const SparseRow<Integer>& old = rows_[target];
-    merged.reserve(old.size() + row.size());
-    auto x = old.begin();
-    for (const auto& y : row) {
-      while (x != old.end() && x->column < y.column) merged.push_back(*x++);
-      Entry<Integer> sum{y.column, 0};
-      if (x != old.end() && x->column == y.column) sum.value = (x++)->value;
-      if (!subtract_product(sum.value, factor, y.value)) return false;
-      if (sum.value != 0) merged.push_back(std::move(sum));
-    }
-    merged.insert(merged.end(), x, old.end());
-    replace(target, std::move(merged));
+    auto merged = difference(rows_[target], factor, row);
+    if (!merged) return false;
+    replace(target, std::move(*merged));
     return true;
   }
 
@@ -191,7 +202,12 @@ class UnitEliminator {
     queue_row(target);
   }
 
-  using Waiting = std::pair<std::size_t, std::uint32_t>;  // fill when queued, row
+  /// Ties are broken in a scattered order: one after another along a strip, rows would pile up into
+  /// a single long one, where scattered ones merge in pairs.
+  static std::uint32_t shuffled(std::uint32_t r) { return r * 2654435761u; }
+
+  // Fill when queued, tie breaker, row.
+  using Waiting = std::tuple<std::size_t, std::uint32_t, std::uint32_t>;
   std::vector<SparseRow<Integer>> rows_;
   std::vector<std::vector<std::uint32_t>> rows_of_;  // per column, possibly stale
   std::vector<std::uint32_t> count_;                 // per column, exact
@@ -292,11 +308,29 @@ class DenseReducer {
   std::size_t corner_ = 0;
 };
 
-std::vector<SparseRow<BigInteger>> widened(const std::vector<SparseRow<std::int64_t>>& rows) {
-  std::vector<SparseRow<BigInteger>> result(rows.size());
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    for (const auto& entry : rows[r]) result[r].push_back({entry.column, entry.value});
-  return result;
+/// The columns of a few long rows, brought to echelon form one by one: k rows have at most k
+/// independent columns. Returns them as rows; the Smith form does not mind the transposition.
+std::vector<SparseRow<BigInteger>> independent_columns(
+    const std::vector<SparseRow<std::int64_t>>& rows, std::size_t column_count) {
+  std::vector<SparseRow<BigInteger>> columns(column_count);
+  for (std::uint32_t r = 0; r < rows.size(); ++r)
+    for (const auto& entry : rows[r]) columns[entry.column].push_back({r, entry.value});
+  std::vector<SparseRow<BigInteger>> basis(rows.size());  // by first place
+  for (SparseRow<BigInteger>& vector : columns)
+    while (!vector.empty()) {
+      SparseRow<BigInteger>& rival = basis[vector.front().column];
+      if (rival.empty()) {
+        rival = std::move(vector);
+        break;
+      }
+      // One step of Euclid's algorithm on the leading entries.
+      const BigInteger factor = vector.front().value / rival.front().value;
+      vector = *difference(vector, factor, rival);
+      if (!vector.empty() && vector.front().column == rival.front().column)
+        std::swap(vector, rival);
+    }
+  std::erase_if(basis, [](const auto& vector) { return vector.empty(); });
+  return basis;
 }
 
 }  // namespace
@@ -305,7 +339,8 @@ SmithForm smith_form(std::vector<SparseRow<std::int64_t>> rows, std::size_t colu
   SmithForm form;
   UnitEliminator<std::int64_t> small(std::move(rows), column_count);
   form.rank = small.run();
-  UnitEliminator<BigInteger> big(widened(small.take_rows()), column_count);
+  const auto left = small.take_rows();
+  UnitEliminator<BigInteger> big(independent_columns(left, column_count), left.size());
   form.rank += big.run();
   for (BigInteger& factor : DenseReducer(compressed(big.take_rows())).diagonal()) {
     ++form.rank;

@@ -9,6 +9,11 @@
 /// an IEEE operation on each lane and nothing is contracted, so all widths give the same bits.
 ///
 /// The enclosing namespace is internal: each instruction set compiles its own copy.
+
+// Packs are passed between functions of one translation unit only, so their calling convention,
+// which depends on the instruction set, is nobody's business.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 namespace tripus::geometry {
 namespace {
 

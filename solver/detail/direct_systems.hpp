@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -26,7 +27,10 @@ class DenseSystem final : public NewtonSystem {
 /// in less; analysed once, factorised at every step.
 class SparseSystem final : public NewtonSystem {
  public:
-  /// Throws InvalidInput where the pattern has 2^31 entries or more.
+  /// CHOLMOD is used with 32-bit indices.
+  static constexpr std::size_t kMaxEntries = std::numeric_limits<int>::max();
+
+  /// Throws InvalidInput where the pattern has kMaxEntries entries or more.
   explicit SparseSystem(Problem& problem);
   ~SparseSystem() override;
   std::span<const double> load(const Problem& problem) override;
@@ -41,5 +45,14 @@ class SparseSystem final : public NewtonSystem {
   std::unique_ptr<Cholmod> cholmod_;
   std::vector<double> diagonal_;
 };
+
+/// Up to here a dense factorisation beats the bookkeeping of a sparse one.
+inline constexpr std::size_t kDenseDimension = 64;
+
+/// The one that suits the dimension.
+inline std::unique_ptr<NewtonSystem> make_direct_system(Problem& problem) {
+  if (problem.dimension() <= kDenseDimension) return std::make_unique<DenseSystem>(problem);
+  return std::make_unique<SparseSystem>(problem);
+}
 
 }  // namespace tripus::solver::detail

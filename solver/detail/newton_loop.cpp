@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "solver/detail/conjugate_gradients.hpp"
+#include "solver/detail/regularised.hpp"
 #include "solver/detail/vectors.hpp"
 
 // Newton's method for a convex function of class C1, globalised by its gradient alone.
@@ -43,6 +45,12 @@
 // limited to kStepGrowth (1 + max|x|) by choosing mu so that |g| / (mu D) has that size: all the
 // saturated variables then move alike, instead of the worst one alone.
 //
+// Saturated starts. Far out f may be piecewise linear but for narrow bends: there a Hessian that
+// vanishes says nothing, and descent zigzags from bend to bend. If at the start the Newton step of
+// some variable would exceed the limit above and f falls towards the origin, the first step goes
+// along that ray to where f stops falling (to kRayRatio, by bisection of log s in s x). f does not
+// rise on it, and it is one step, so that the argument above stands.
+//
 // No minimiser. If the iterate is kRunaway away from the start, it runs away (in a dozen extensions
 // of one step, where f falls linearly). If f falls like exp(-x) the gradient does reach the
 // tolerance, at no minimiser. It betrays itself in the polishing steps: near a minimiser a step is
@@ -54,13 +62,6 @@ namespace {
 constexpr double kAccept = 0.5;          // (A): factor of decrease of max|g|
 constexpr double kCurvature = 0.9;       // (B): phi' must rise to this part of phi'(0)
 constexpr double kTarget = 0.3;          // the part of phi'(0) at which secant steps aim
-constexpr double kMinCosine = 1e-8;      // between d and -g
-constexpr double kFirstMu = 1e-12;       // enough where H is singular by rounding only
-constexpr double kMuGrowth = 100;        // on failure
-constexpr double kLargestMu = 1e4;       // beyond it, the scaled gradient
-constexpr double kZeroRow = 1e-13;       // of the mean diagonal: a row that vanishes
-constexpr double kStepGrowth = 4;        // longest step, in units of 1 + max|x|
-constexpr double kRunaway = 1e8;         // in units of 1 + max|x at the start|
 constexpr int kMaxTrials = 60;           // of one line search
 constexpr double kTinyStep = 1e-10;      // in units of 1 + max|x|: rounding rules
 constexpr int kTinySteps = 3;            // so many without halving max|g|: stalled
@@ -70,15 +71,20 @@ constexpr double kEscapeStep = 1e-3;     // a polishing step longer than this, i
 constexpr double kEscapeFactor = 0.1;    // which leaves this much of max|g|,
 constexpr int kEscapeSteps = 3;          // so often in a row: a gradient that fades at infinity
 
+constexpr double kRayRatio = 1.05;       // how well the minimum along a ray is located
+constexpr double kShortestRay = 1e-300;  // in units of the start
+
+constexpr char kFadesMessage[] = "the gradient vanishes only at infinity";
+constexpr char kRanAwayMessage[] = "the iterates run away";
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// State of one run. Vectors are [n] slices of one allocation.
 class Loop {
  public:
   Loop(Run& run, NewtonSystem& system, std::span<double> x)
-      : run_(run), system_(system), result_(x), n_(x.size()), memory_(7 * n_) {
+      : run_(run), system_(system, x.size()), result_(x), n_(x.size()), memory_(6 * n_) {
     double* at = memory_.data();
-    for (std::span<double>* v : {&x_, &g_, &trial_x_, &trial_g_, &d_, &shift_, &best_x_}) {
+    for (std::span<double>* v : {&x_, &g_, &trial_x_, &trial_g_, &d_, &best_x_}) {
       *v = {at, n_};
       at += n_;
     }
@@ -87,15 +93,18 @@ class Loop {
 
   Summary minimise();
 
+  /// Polishing steps from x, unseen by the observer. See fades_at_infinity.
+  bool escapes();
+
  private:
   enum class Search { kAccepted, kFailed, kRanAway, kStopped };
 
+  bool is_saturated() const;
+  bool shrink();
+  bool evaluate_on_ray(double scale, bool second_derivatives, double& slope);
   bool evaluate_trial(double t, bool second_derivatives);
   void accept_trial();
   void compute_direction(double forcing);
-  bool solve_shifted(double forcing);
-  void set_shift();
-  void limit_step(double forcing);
   Search search();
   double next_trial(double t, int trial) const;
   bool update(double previous);
@@ -104,22 +113,20 @@ class Loop {
   double size() const { return 1 + max_abs(x_); }
 
   Run& run_;
-  NewtonSystem& system_;
+  RegularisedSystem system_;
   std::span<double> result_;
   std::size_t n_;
   std::vector<double> memory_;
-  std::span<double> x_, g_, trial_x_, trial_g_, d_, shift_, best_x_;
-  std::span<const double> diagonal_;
-  double gradient_ = 0, trial_gradient_ = 0;  // max|g| at x_ and at trial_x_
-  double best_ = kInfinity;                   // least max|g| of an accepted point
-  bool x_is_best_ = true;                     // else best_x_ holds it
-  double mean_ = 1;                           // of the diagonal of H, > 0
-  double mu_ = 0;
+  std::span<double> x_, g_, trial_x_, trial_g_, d_, best_x_;
+  double gradient_ = 0, trial_gradient_ = 0;                    // max|g| at x_ and at trial_x_
+  double best_ = kInfinity;                                     // least max|g| of an accepted point
+  bool x_is_best_ = true;                                       // else best_x_ holds it
   double slope_ = 0;                                            // phi'(0)
   double step_ = 1;                                             // the accepted t
   double low_ = 0, low_slope_ = 0, high_ = 0, high_slope_ = 0;  // bracket of the line search
   double runaway_ = 0;
   int tiny_steps_ = 0;
+  bool observed_ = true;
 };
 
 Summary Loop::minimise() {
@@ -135,6 +142,9 @@ Summary Loop::minimise() {
   best_ = gradient_;
   double forcing = kForcing;
   if (!run_.observe(x_, gradient_)) return finish(run_.termination);
+  if (gradient_ > run_.tolerance() && is_saturated() && shrink() && !run_.observe(x_, gradient_)) {
+    return finish(run_.termination);
+  }
   while (gradient_ > run_.tolerance()) {
     const double previous = gradient_;
     compute_direction(forcing);
@@ -145,14 +155,15 @@ Summary Loop::minimise() {
         return finish(Termination::kStalled, "no acceptable step in floating point");
       case Search::kRanAway:
         run_.observe(x_, gradient_);
-        return finish(Termination::kUnbounded, "the iterates run away");
+        return finish(Termination::kUnbounded, kRanAwayMessage);
       case Search::kStopped:
         return finish(run_.termination);
     }
     const bool progress = update(previous);
     if (!run_.observe(x_, gradient_)) return finish(run_.termination);
-    if (!progress && gradient_ > run_.tolerance()) return finish(Termination::kStalled, "steps are down to rounding");
-    if (max_abs(x_) > runaway_) return finish(Termination::kUnbounded, "the iterates run away");
+    if (!progress && gradient_ > run_.tolerance())
+      return finish(Termination::kStalled, "steps are down to rounding");
+    if (max_abs(x_) > runaway_) return finish(Termination::kUnbounded, kRanAwayMessage);
     // Eisenstat and Walker, SIAM J. Sci. Comput. 17 (1996), choice 2; never tighter than needed to
     // bring the gradient to a hundredth of the tolerance.
     const double ratio = gradient_ / previous;
@@ -160,6 +171,44 @@ Summary Loop::minimise() {
                          std::min(kForcing, 0.01 * run_.tolerance() / gradient_), kForcing);
   }
   return polish();
+}
+
+/// Whether f bends too little for some variable's Newton step to mean anything.
+bool Loop::is_saturated() const {
+  run_.problem().hessian_diagonal_blocks(1, d_);
+  const double longest = kStepGrowth * size();
+  for (std::size_t i = 0; i < n_; ++i)
+    if (d_[i] * longest < std::fabs(g_[i])) return true;
+  return false;
+}
+
+/// Evaluates at scale * x; slope is the derivative by scale.
+bool Loop::evaluate_on_ray(double scale, bool second_derivatives, double& slope) {
+  for (std::size_t i = 0; i < n_; ++i) trial_x_[i] = scale * x_[i];
+  const bool defined =
+      run_.evaluate(trial_x_, trial_g_,
+                    {.value = nullptr, .second_derivatives = second_derivatives}, trial_gradient_);
+  slope = dot(trial_g_.data(), x_.data(), n_);
+  return defined;
+}
+
+/// Along the ray to the origin to where f stops falling. Returns false if it does not fall that
+/// way; then the derivatives are again those at x.
+bool Loop::shrink() {
+  if (!(dot(g_.data(), x_.data(), n_) > 0)) return false;
+  double outer = 1, inner = 0.25, slope = 0;
+  while (inner > kShortestRay && evaluate_on_ray(inner, false, slope) && slope > 0) {
+    outer = inner;
+    inner *= inner;
+  }
+  while (outer > kRayRatio * inner) {
+    const double middle = std::sqrt(outer) * std::sqrt(inner);
+    if (!evaluate_on_ray(middle, false, slope)) break;
+    (slope > 0 ? outer : inner) = middle;
+  }
+  const bool moved = evaluate_on_ray(outer, true, slope) && outer < 1;
+  if (moved) accept_trial();
+  return moved;
 }
 
 bool Loop::evaluate_trial(double t, bool second_derivatives) {
@@ -181,58 +230,8 @@ void Loop::accept_trial() {
 }
 
 void Loop::compute_direction(double forcing) {
-  diagonal_ = system_.load(run_.problem());
-  double sum = 0;
-  std::size_t count = 0;
-  for (const double h : diagonal_) {
-    if (h > 0) {
-      sum += h;
-      ++count;
-    }
-  }
-  // Flat everywhere: a step of the longest length allowed.
-  mean_ = sum > 0 ? sum / static_cast<double>(count) : gradient_ / (kStepGrowth * size());
-  while (!solve_shifted(forcing)) {
-    if (mu_ > kLargestMu) {
-      for (std::size_t i = 0; i < n_; ++i) d_[i] = -g_[i] / std::max(diagonal_[i], mean_);
-      slope_ = dot(g_.data(), d_.data(), n_);
-      break;
-    }
-    mu_ = std::max(kFirstMu, kMuGrowth * mu_);
-  }
-  limit_step(forcing);
+  slope_ = system_.compute(run_.problem(), g_, gradient_, kStepGrowth * size(), forcing, d_);
   run_.linear_iterations = system_.linear_iterations();
-}
-
-void Loop::set_shift() {
-  const double zero_row = kZeroRow * mean_;
-  for (std::size_t i = 0; i < n_; ++i) {
-    const double h = diagonal_[i];
-    shift_[i] = mu_ * std::max(h, mean_) + (h > zero_row ? 0 : mean_);
-  }
-}
-
-bool Loop::solve_shifted(double forcing) {
-  set_shift();
-  if (!system_.solve(run_.problem(), shift_, g_, forcing, d_)) return false;
-  slope_ = dot(g_.data(), d_.data(), n_);
-  const double norms =
-      std::sqrt(dot(g_.data(), g_.data(), n_)) * std::sqrt(dot(d_.data(), d_.data(), n_));
-  return norms < kInfinity && slope_ < 0 && -slope_ >= kMinCosine * norms;
-}
-
-void Loop::limit_step(double forcing) {
-  const double longest = kStepGrowth * size();
-  double length = max_abs(d_);
-  if (length <= longest) return;
-  const double kept = mu_;
-  mu_ = std::max(mu_, gradient_ / (longest * mean_));
-  if (mu_ > kept && solve_shifted(forcing)) length = max_abs(d_);
-  if (length > longest) {
-    const double factor = longest / length;
-    for (double& value : d_) value *= factor;
-    slope_ *= factor;
-  }
 }
 
 Loop::Search Loop::search() {
@@ -282,20 +281,12 @@ double Loop::next_trial(double t, int trial) const {
   return low_ + std::clamp(part, 0.05, 0.95) * width;
 }
 
-/// After an accepted step: adapts mu. Returns false when rounding rules.
+/// After an accepted step. Returns false when rounding rules.
 bool Loop::update(double previous) {
-  const double length = step_ * max_abs(d_);
-  if (gradient_ <= kAccept * previous) {
-    mu_ = std::min(mu_, kFirstMu);
-    tiny_steps_ = 0;
-    return true;
-  }
-  if (step_ >= 1) {
-    mu_ = mu_ > kFirstMu ? 0.1 * mu_ : mu_;
-  } else if (step_ < 0.1) {
-    mu_ = std::max(4 * mu_, 1e-3);
-  }
-  tiny_steps_ = length <= kTinyStep * size() ? tiny_steps_ + 1 : 0;
+  const bool good = gradient_ <= kAccept * previous;
+  system_.adapt(good, step_);
+  const bool tiny = step_ * max_abs(d_) <= kTinyStep * size();
+  tiny_steps_ = tiny && !good ? tiny_steps_ + 1 : 0;
   return tiny_steps_ < kTinySteps;
 }
 
@@ -308,13 +299,26 @@ Summary Loop::polish() {
     if (!evaluate_trial(1, long_step) || !(trial_gradient_ < gradient_)) break;
     const double previous = gradient_;
     accept_trial();
-    if (!run_.observe(x_, gradient_)) return finish(run_.termination);
+    if (observed_ && !run_.observe(x_, gradient_)) return finish(run_.termination);
     if (!long_step || gradient_ <= kEscapeFactor * previous) break;
     if (++escapes == kEscapeSteps) {
-      return finish(Termination::kUnbounded, "the gradient vanishes only at infinity");
+      return finish(Termination::kUnbounded, kFadesMessage);
     }
   }
   return finish(Termination::kConverged);
+}
+
+bool Loop::escapes() {
+  const int iterations = run_.iterations;
+  const long linear_iterations = run_.linear_iterations;
+  bool fades = false;
+  if (run_.evaluate(x_, g_, {.value = nullptr, .second_derivatives = true}, gradient_)) {
+    observed_ = false;
+    fades = polish().termination == Termination::kUnbounded;
+  }
+  run_.iterations = iterations;
+  run_.linear_iterations = linear_iterations;
+  return fades;
 }
 
 Summary Loop::finish(Termination why, const char* message) {
@@ -330,3 +334,19 @@ Summary newton_loop(Run& run, NewtonSystem& system, std::span<double> x) {
 }
 
 }  // namespace tripus::solver::detail
+
+namespace tripus::solver {
+
+bool fades_at_infinity(Run& run, std::span<const double> x) {
+  detail::ConjugateGradients system(run.problem(), 1);
+  std::vector<double> copy(x.begin(), x.end());
+  return detail::Loop(run, system, copy).escapes();
+}
+
+Summary finish_converged(Run& run, std::span<const double> x, double max_gradient) {
+  return max_gradient > 0 && fades_at_infinity(run, x)
+             ? run.finish(Termination::kUnbounded, max_gradient, detail::kFadesMessage)
+             : run.finish(Termination::kConverged, max_gradient);
+}
+
+}  // namespace tripus::solver

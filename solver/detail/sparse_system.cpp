@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <limits>
+#include <string>
 
 #include <cholmod.h>
 
@@ -49,7 +49,7 @@ struct SparseSystem::Cholmod {
 SparseSystem::SparseSystem(Problem& problem)
     : cholmod_(std::make_unique<Cholmod>()), diagonal_(problem.dimension()) {
   const SparsityPattern& pattern = problem.hessian_pattern();
-  if (pattern.row.size() >= static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+  if (pattern.row.size() >= kMaxEntries) {
     throw InvalidInput("the Hessian has " + std::to_string(pattern.row.size()) +
                        " entries, too many for a direct solver; use newton-cg");
   }

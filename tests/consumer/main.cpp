@@ -6,6 +6,6 @@
 
 int main() {
   const auto report = tripus::structure::solve(
-      tripus::topology::Triangulation(tripus::topology::from_isosig("cPcbbbihq")));
+      tripus::topology::Triangulation(tripus::topology::decode_isosig("cPcbbbihq")));
   std::printf("%.17g\n", report.volume);
 }

@@ -100,6 +100,16 @@ TEST(Formats, ReadsBothGenerationsOfReginaAndItsTable) {
   EXPECT_NE(std::string(kDetail).find(table), std::string::npos) << table;
 }
 
+// Regina nests packets: the link below a triangulation is not part of it.
+TEST(Formats, LeavesNestedPacketsOfReginaAlone) {
+  std::string nested = kThirdGeneration;
+  nested.insert(nested.find("</tri>"),
+                "<H1><abeliangroup rank=\"1\"> </abeliangroup></H1>\n"
+                "<tri dim=\"2\" size=\"1\" perm=\"index\" label=\"Vertex Link\">\n"
+                "  <simplex> -1 -1 -1 -1 -1 -1 </simplex>\n</tri>\n<empty/>\n");
+  EXPECT_EQ(read_triangulation(nested).gluings, regina_sample());
+}
+
 TEST(Formats, ReadsSnappea) {
   const NamedGluings knot = read_triangulation(kFigureEight);
   EXPECT_EQ(knot.name, "Regina_Triangulation");

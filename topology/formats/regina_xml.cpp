@@ -69,6 +69,10 @@ std::string without_entities(std::string_view text) {
   return out;
 }
 
+bool is_empty_element(const Tag& tag) {
+  return tag.name.ends_with('/') || tag.attributes.ends_with('/');
+}
+
 /// The value of an attribute, or nothing.
 std::optional<std::string> attribute(const Tag& tag, std::string_view wanted) {
   std::string_view rest = tag.attributes;
@@ -128,20 +132,25 @@ void read_row(std::string_view numbers, const Dialect& dialect, std::size_t t, G
     fail("tetrahedron " + std::to_string(t) + " has more than eight numbers");
 }
 
+/// The rows directly inside the element that `from` is in; packets may be nested deeper.
 Gluings read_rows(std::string_view text, std::size_t from, const Dialect& dialect) {
   Gluings gluings;
+  std::size_t depth = 0;
   while (const auto tag = next_tag(text, from)) {
     from = tag->end;
-    if (tag->name == dialect.end) {
+    if (tag->name.starts_with('/')) {
+      if (depth-- > 0) continue;
       require_consistent(gluings, OpenFaces::kAllowed);
       return gluings;
     }
-    if (tag->name != dialect.row) continue;
-    const std::size_t t = gluings.tetrahedron_count();
-    gluings.resize(t + 1);
-    const std::size_t close = text.find('<', from);
-    read_row(text.substr(from, close == std::string_view::npos ? close : close - from), dialect, t,
-             gluings);
+    if (depth == 0 && tag->name == dialect.row) {
+      const std::size_t t = gluings.tetrahedron_count();
+      gluings.resize(t + 1);
+      const std::size_t close = text.find('<', from);
+      read_row(text.substr(from, close == std::string_view::npos ? close : close - from), dialect,
+               t, gluings);
+    }
+    if (!is_empty_element(*tag)) ++depth;
   }
   fail("the triangulation is not closed by <" + std::string(dialect.end) + ">");
 }
@@ -150,17 +159,22 @@ Gluings read_rows(std::string_view text, std::size_t from, const Dialect& dialec
 
 NamedGluings read_regina_xml(std::string_view text) {
   std::size_t from = 0;
+  std::optional<std::string> packet;  // the label of a second-generation triangulation
   while (const auto tag = next_tag(text, from)) {
     from = tag->end;
-    std::optional<Dialect> dialect;
+    if (is_empty_element(*tag)) continue;
     if (tag->name == "tri" && attribute(*tag, "dim") == "3") {
       const bool by_index = attribute(*tag, "perm") == "index";
-      dialect = Dialect{"simplex", "/tri", by_index ? from_s4_index : from_image_pack};
-    } else if (tag->name == "packet" && attribute(*tag, "type") == "3-Manifold Triangulation") {
-      dialect = Dialect{"tet", "/tetrahedra", from_image_pack};
+      const Dialect dialect{"simplex", "/tri", by_index ? from_s4_index : from_image_pack};
+      return {attribute(*tag, "label").value_or(""), read_rows(text, from, dialect)};
     }
-    if (!dialect || tag->attributes.ends_with('/')) continue;
-    return {attribute(*tag, "label").value_or(""), read_rows(text, from, *dialect)};
+    if (tag->name == "packet") {
+      packet.reset();
+      if (attribute(*tag, "type") == "3-Manifold Triangulation")
+        packet = attribute(*tag, "label").value_or("");
+    } else if (packet && tag->name == "tetrahedra") {
+      return {*packet, read_rows(text, from, {"tet", "/tetrahedra", from_image_pack})};
+    }
   }
   fail(
       "no 3-manifold triangulation in it; expected <tri dim=\"3\"> or <packet "

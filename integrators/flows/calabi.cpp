@@ -1,0 +1,42 @@
+#include <vector>
+
+#include "integrators/detail/flows.hpp"
+
+// dx/dt = -H g = -grad |g|^2 / 2. Fourth order where the curvature flow is of second order, and as
+// stiff as that squared; it stands still where H vanishes.
+
+namespace tripus::integrators::detail {
+namespace {
+
+class Calabi final : public Field {
+ public:
+  explicit Calabi(solver::Problem& problem) : problem_(problem), product_(problem.dimension()) {}
+
+  bool evaluate(solver::Run& run, std::span<const double> x, std::span<double> velocity,
+                std::span<double> gradient, double& max_gradient) override {
+    if (!run.evaluate(x, gradient, {.value = nullptr, .second_derivatives = true}, max_gradient)) {
+      return false;
+    }
+    problem_.hessian_times(gradient, velocity);
+    for (double& v : velocity) v = -v;
+    return true;
+  }
+
+  void jacobian_times(std::span<const double>, std::span<const double>, std::span<const double> v,
+                      std::span<double> Jv) override {
+    problem_.hessian_times(v, product_);
+    problem_.hessian_times(product_, Jv);
+  }
+
+ private:
+  solver::Problem& problem_;
+  std::vector<double> product_;
+};
+
+}  // namespace
+
+std::unique_ptr<Field> make_calabi(solver::Problem& problem) {
+  return std::make_unique<Calabi>(problem);
+}
+
+}  // namespace tripus::integrators::detail

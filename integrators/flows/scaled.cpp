@@ -1,0 +1,41 @@
+#include "integrators/detail/flows.hpp"
+
+// dx_i/dt = -g_i x_i on x > 0: the curvature flow in the metric sum dx_i^2 / x_i. It keeps x
+// positive; f decreases along it, |g| need not.
+
+namespace tripus::integrators::detail {
+namespace {
+
+class Scaled final : public Field {
+ public:
+  explicit Scaled(solver::Problem& problem) : problem_(problem) {}
+
+  bool evaluate(solver::Run& run, std::span<const double> x, std::span<double> velocity,
+                std::span<double> gradient, double& max_gradient) override {
+    for (const double value : x) {
+      if (!(value > 0)) return false;
+    }
+    if (!run.evaluate(x, gradient, {}, max_gradient)) return false;
+    for (std::size_t i = 0; i < x.size(); ++i) velocity[i] = -gradient[i] * x[i];
+    return true;
+  }
+
+  void jacobian_times(std::span<const double> x, std::span<const double> g,
+                      std::span<const double> v, std::span<double> Jv) override {
+    problem_.hessian_times(v, Jv);
+    for (std::size_t i = 0; i < x.size(); ++i) Jv[i] = x[i] * Jv[i] + g[i] * v[i];
+  }
+
+  bool contractive() const override { return false; }
+
+ private:
+  solver::Problem& problem_;
+};
+
+}  // namespace
+
+std::unique_ptr<Field> make_scaled(solver::Problem& problem) {
+  return std::make_unique<Scaled>(problem);
+}
+
+}  // namespace tripus::integrators::detail

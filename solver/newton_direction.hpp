@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "solver/problem.hpp"
+
+namespace tripus::solver {
+
+/// The regularised Newton direction -H^-1 g as a vector field, by dense or sparse factorisation.
+/// Where H is singular or nearly so it bends towards the gradient; it is limited to a few times
+/// 1 + max|x|. See the essay in solver/detail/newton_loop.cpp.
+class NewtonDirection {
+ public:
+  explicit NewtonDirection(Problem& problem);
+  ~NewtonDirection();
+
+  /// At x [n], which must be the point of the latest evaluation with second derivatives, with
+  /// gradient g [n]. Writes d [n]; d = 0 where g = 0.
+  void compute(std::span<const double> x, std::span<const double> g, std::span<double> d);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace tripus::solver

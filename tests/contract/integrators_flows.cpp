@@ -1,0 +1,161 @@
+// What every flow promises with every stepper, on convex functions with known properties.
+#include <cctype>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "integrators/integrate.hpp"
+#include "tests/support/analytic_problems.hpp"
+
+namespace tripus::testing {
+namespace {
+
+using integrators::Flow;
+using integrators::FlowOptions;
+using integrators::Stepper;
+using solver::Options;
+using solver::Summary;
+using solver::Termination;
+
+constexpr std::uint32_t kSeed = 20240612;
+
+class FlowContract : public ::testing::TestWithParam<std::tuple<Flow, Stepper>> {
+ protected:
+  const Flow& flow() const { return std::get<0>(GetParam()); }
+  const Stepper& stepper() const { return std::get<1>(GetParam()); }
+
+  Summary run(Case& c, Vector& x, Options options = {}) {
+    RecordProperty("seed", static_cast<int>(kSeed));
+    x = c.start;
+    int observed = 0;
+    double time = -1;
+    options.observer = [&](const solver::Iterate& iterate) {
+      EXPECT_EQ(iterate.iteration, observed++);
+      EXPECT_GT(iterate.time, time);
+      time = iterate.time;
+      return true;
+    };
+    c.problem->evaluations = 0;
+    const Summary s = integrate(*c.problem, flow(), stepper(), as_span(x), options);
+    EXPECT_EQ(s.evaluations, c.problem->evaluations) << c.name;
+    EXPECT_EQ(s.iterations + 1, observed) << c.name;
+    EXPECT_TRUE(x.allFinite()) << c.name;
+    Vector g = x;
+    EXPECT_TRUE(c.problem->evaluate(as_span(x), as_span(g), {}));
+    EXPECT_EQ(g.cwiseAbs().maxCoeff(), s.max_gradient) << c.name;
+    if (std::getenv("TRIPUS_VERBOSE") != nullptr) std::puts(describe(c, s).c_str());
+    return s;
+  }
+
+  static std::string describe(const Case& c, const Summary& s) {
+    return c.name + ": " + std::string(to_string(s.termination)) + " " + s.message + ", " +
+           std::to_string(s.iterations) + " steps, " + std::to_string(s.evaluations) +
+           " evaluations, max|g| = " + std::to_string(s.max_gradient * 1e12) + "e-12";
+  }
+};
+
+TEST_P(FlowContract, ConvergesOnWellConditionedProblems) {
+  std::mt19937 random(kSeed);
+  for (const Eigen::Index n : {1, 3, 20}) {
+    for (const double condition : {1.0, 10.0, 100.0}) {
+      const Vector minimiser = random_vector(n, random).array().abs() + 2;
+      Case c{"quadratic n=" + std::to_string(n) + " condition=" + std::to_string(condition),
+             quadratic(minimiser, condition, random), Vector::Constant(n, 1.5), minimiser};
+      Vector x;
+      const Summary s = run(c, x);
+      EXPECT_EQ(s.termination, Termination::kConverged) << describe(c, s);
+      EXPECT_LT((x - minimiser).cwiseAbs().maxCoeff(), 1e-11) << describe(c, s);
+    }
+    const Vector c = random_vector(n, random).array().abs() + 0.2;
+    Case barrier{"log barrier n=" + std::to_string(n), log_barrier(c), Vector::Constant(n, 0.3),
+                 c.cwiseInverse()};
+    Vector x;
+    const Summary s = run(barrier, x);
+    EXPECT_EQ(s.termination, Termination::kConverged) << describe(barrier, s);
+    EXPECT_LT((x - barrier.minimiser).cwiseAbs().maxCoeff(), 1e-9);
+  }
+}
+
+TEST_P(FlowContract, CrossesFlatRegions) {
+  if (flow().name == "calabi") GTEST_SKIP() << "stands still where the Hessian vanishes";
+  for (const Eigen::Index n : {1, 4}) {
+    const Vector centre = Vector::LinSpaced(n, 20, 35);
+    Case c{"huber n=" + std::to_string(n),
+           ridge_sum(huber, Matrix::Identity(n, n), centre, Vector::Zero(n)),
+           Vector::Constant(n, 2.0), centre};
+    Vector x;
+    const Summary s = run(c, x);
+    EXPECT_EQ(s.termination, Termination::kConverged) << describe(c, s);
+    EXPECT_LT((x - centre).cwiseAbs().maxCoeff(), 1e-11);
+  }
+}
+
+TEST_P(FlowContract, NeverClaimsConvergenceWithoutAMinimiser) {
+  for (Case& c : unbounded_cases()) {
+    if (flow().name == "scaled") c.start = c.start.array().abs() + 0.5;
+    Vector x;
+    Options options;
+    options.max_iterations = 20000;
+    const Summary s = run(c, x, options);
+    EXPECT_NE(s.termination, Termination::kConverged) << describe(c, s);
+  }
+}
+
+TEST_P(FlowContract, StopsAtAnUnreachableTolerance) {
+  std::mt19937 random(kSeed);
+  Case c{"log barrier",
+         log_barrier(random_vector(5, random).array().abs() + 0.3),
+         Vector::Constant(5, 0.5),
+         {}};
+  Vector x;
+  Options options;
+  options.tolerance = 1e-300;
+  const Summary s = run(c, x, options);
+  EXPECT_TRUE(s.termination == Termination::kStalled || s.max_gradient == 0) << describe(c, s);
+  EXPECT_LT(s.max_gradient, 1e-12) << describe(c, s);
+}
+
+/// Halves the step and demands the declared order of the error at a fixed time.
+TEST_P(FlowContract, HasTheDeclaredOrder) {
+  std::mt19937 random(kSeed);
+  const Matrix A = Matrix::NullaryExpr(
+      6, 3, [&](Eigen::Index, Eigen::Index) { return random_vector(1, random)[0]; });
+  const auto problem = log_sum_exp(A, random_vector(6, random));
+  const auto end = [&](int steps) {
+    Vector x = Vector::LinSpaced(3, 1, 2);
+    Options options;
+    options.tolerance = 1e-300;
+    options.max_iterations = steps;
+    const Summary s = integrate(*problem, flow(), stepper(), as_span(x), options,
+                                FlowOptions{.step = 1.0 / steps});
+    EXPECT_EQ(s.termination, Termination::kIterationLimit);
+    return x;
+  };
+  const Vector exact = end(3000);
+  const int steps = stepper().order == 1 ? 64 : stepper().order == 4 ? 16 : 24;
+  const Vector reference = stepper().order == 1 ? Vector(2 * end(32768) - end(16384)) : exact;
+  const double coarse = (end(steps) - reference).norm();
+  const double fine = (end(2 * steps) - reference).norm();
+  EXPECT_GT(fine, 1e-14) << "too accurate to tell";
+  EXPECT_NEAR(std::log2(coarse / fine), stepper().order, 0.5) << coarse << ' ' << fine;
+}
+
+std::string name_of(const ::testing::TestParamInfo<std::tuple<Flow, Stepper>>& both) {
+  std::string name =
+      std::string(std::get<0>(both.param).name) + "_" + std::string(std::get<1>(both.param).name);
+  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Flows, FlowContract,
+                         ::testing::Combine(::testing::ValuesIn(integrators::flows().begin(),
+                                                                integrators::flows().end()),
+                                            ::testing::ValuesIn(integrators::steppers().begin(),
+                                                                integrators::steppers().end())),
+                         name_of);
+
+}  // namespace
+}  // namespace tripus::testing

@@ -153,6 +153,8 @@ void add_solve(CLI::App& program, Command& chosen) {
                                    "write iteration, evaluations, seconds, max|K|, H, volume, "
                                    "shortest and longest edge to this CSV file");
   history->excludes(verb->get_option("--batch"));
+  verb->add_flag("--angle-structure", solve.angle_structure,
+                 "also print an exact rational strict angle structure, where there is one");
   auto* components = verb->add_flag("--components", command->components,
                                     "solve each connected component by itself");
   components->excludes(history);

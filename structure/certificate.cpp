@@ -3,13 +3,24 @@
 namespace tripus::structure {
 namespace {
 
-/// Appends [a, b, ...].
+/// Appends [a, b, ...], integers.
 template <class Integers>
 void append_integers(std::string& out, const Integers& integers) {
   out += '[';
   for (std::size_t i = 0; i < integers.size(); ++i) {
     if (i > 0) out += ", ";
     out += integers[i].get_str();
+  }
+  out += ']';
+}
+
+/// Appends [[...], ...].
+template <class Rows>
+void append_rows(std::string& out, const Rows& rows) {
+  out += '[';
+  for (std::size_t t = 0; t < rows.size(); ++t) {
+    if (t > 0) out += ", ";
+    append_integers(out, rows[t]);
   }
   out += ']';
 }
@@ -25,13 +36,15 @@ std::string to_json(const Certificate& certificate) {
   out += to_string(certificate.kind);
   out += R"(", "edge": )";
   append_integers(out, certificate.edge);
-  out += ", \"vertex\": [";
-  for (std::size_t t = 0; t < certificate.vertex.size(); ++t) {
-    if (t > 0) out += ", ";
-    append_integers(out, certificate.vertex[t]);
-  }
-  out += "]}";
-  return out;
+  out += ", \"vertex\": ";
+  append_rows(out, certificate.vertex);
+  return out + "}";
+}
+
+std::string to_json(const StrictAngles& angles) {
+  std::string out = "{\"denominator\": " + angles.denominator.get_str() + ", \"numerators\": ";
+  append_rows(out, angles.numerator);
+  return out + "}";
 }
 
 }  // namespace tripus::structure

@@ -58,6 +58,9 @@ CheckResult check(const topology::Triangulation& triangulation, const StrictAngl
 /// One line of JSON: {"kind": "none", "edge": [...], "vertex": [[...], ...]}. Integers of any size.
 std::string to_json(const Certificate& certificate);
 
+/// One line of JSON: {"denominator": d, "numerators": [[6 integers], ...]}, angles in units of pi.
+std::string to_json(const StrictAngles& angles);
+
 /// Reads a certificate as to_json writes it, alone or as the "certificate" of a whole answer of
 /// `tripus solve --json`. Integers of up to 4,932 digits. The shape is judged by `check`, not here.
 /// Throws InvalidInput, naming the place and what was expected there; also for an answer without a

@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <fstream>
+#include <iterator>
+#include <numeric>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -61,6 +64,29 @@ void expect_kept(const Invariants& before, const Invariants& after, int finite_v
   ASSERT_EQ(after.components, before.components);
 }
 
+/// The change accounts for every number, and faces between tetrahedra that stay are glued as they
+/// were, or cut open for new ones.
+void expect_told(const Gluings& before, const Gluings& after, const MoveChange& change) {
+  std::vector<TetrahedronIndex> number(before.tetrahedron_count());
+  std::iota(number.begin(), number.end(), TetrahedronIndex{0});
+  for (const auto& [from, to] : change.renumbered) number.at(from) = to;
+  for (const TetrahedronIndex t : change.removed) number.at(t) = kNoTetrahedron;
+  std::vector<TetrahedronIndex> all(change.added.begin(), change.added.end());
+  std::ranges::copy_if(number, std::back_inserter(all),
+                       [](TetrahedronIndex t) { return t != kNoTetrahedron; });
+  std::ranges::sort(all);
+  ASSERT_EQ(all.size(), after.tetrahedron_count());
+  for (std::size_t t = 0; t < all.size(); ++t) ASSERT_EQ(all[t], t);
+  for (std::size_t t = 0; t < number.size(); ++t)
+    for (int f = 0; f < 4 && number[t] != kNoTetrahedron; ++f) {
+      const TetrahedronIndex behind = number[before.neighbour(t, f)];
+      const TetrahedronIndex now = after.neighbour(number[t], f);
+      if (behind == kNoTetrahedron || std::ranges::count(change.added, now) > 0) continue;
+      ASSERT_EQ(now, behind);
+      ASSERT_EQ(after.gluing(number[t], f), before.gluing(t, f));
+    }
+}
+
 /// Whether some move of the inverse kind brings the signature back.
 bool is_undone(const Gluings& gluings, MoveKind inverse, const std::string& signature) {
   for (const Move& move : all_moves(Triangulation(gluings), std::array{inverse})) {
@@ -82,6 +108,7 @@ void check_every_move(const Gluings& gluings, bool search_for_inverses) {
     const MoveChange change = apply(moved, move);
     ASSERT_EQ(static_cast<std::ptrdiff_t>(moved.tetrahedron_count()),
               static_cast<std::ptrdiff_t>(gluings.tetrahedron_count()) + line.tetrahedra);
+    expect_told(gluings, moved, change);
     ASSERT_NO_THROW(expect_kept(before, Invariants(Triangulation(moved)), line.finite_vertices));
     if (testing::Test::HasFatalFailure()) return;
     if (change.inverse) {

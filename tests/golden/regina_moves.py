@@ -11,7 +11,7 @@ from pathlib import Path
 import regina
 
 EDGE_ENDS = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)]
-ROWS_A_KIND = {True: 40, False: 20}  # legal, illegal
+ROWS_A_KIND = {"legal": 40, "refused": 24, "another valence": 6}
 DATA = Path("data")
 
 
@@ -51,7 +51,7 @@ def trials(tri):
             walk = corners(tri, t, e)
             edge = edge_of(tri, t, e)
             ring = [c[0] for c in walk]
-            if edge.degree() == 4 and len(set(ring)) == 4 or edge.degree() == 5:
+            if edge.degree() in (4, 5):
                 # Regina's axis 0 has corners 0, 1 on one side and 2, 3 on the other.
                 order = [edge.embedding(i).tetrahedron().index() for i in range(4)]
                 for axis in (0, 1):
@@ -62,14 +62,8 @@ def trials(tri):
                         lambda x, t=t, e=e, k=regina_axis: x.fourFourMove(edge_of(x, t, e), k))
             if edge.degree() <= 2:
                 for end in (0, 1):
-                    vertices = edge.embedding(0).vertices()
-                    front = edge.embedding(0)
-                    if edge.degree() == 1 and front.tetrahedron().index() == t:
-                        regina_end = 0 if vertices[0] == EDGE_ENDS[e][end] else 1
-                    elif edge.degree() == 1:
-                        continue
-                    else:
-                        regina_end = end
+                    first = edge.embedding(0).vertices()[0]
+                    regina_end = end if first == EDGE_ENDS[e][0] else 1 - end
                     yield "2-1", f"2-1 {where}, end {end}", (
                         lambda x, t=t, e=e, k=regina_end: x.twoOneMove(edge_of(x, t, e), k))
             # 0-2 at two different triangles, where the order of copies is no question.
@@ -92,12 +86,12 @@ def edge_of(tri, t, e):
 
 
 def zero_two(tri, first, second):
-    """Regina numbers triangle i of an edge as the one opposite vertices()[3] of embedding i... """
+    """Regina's triangle i of an edge is the one opposite vertices()[3] in embedding i."""
     t0, a0, b0, c0, _ = first
     t1, a1, b1, c1, _ = second
     edge = tri.tetrahedron(t0).edge(a0, b0)
+
     def number(t, a, b, c):
-        face = tri.tetrahedron(t).triangle(c)
         p = tri.tetrahedron(t).adjacentGluing(c)
         u = tri.tetrahedron(t).adjacentTetrahedron(c).index()
         sides = {(t, frozenset((a, b)), c), (u, frozenset((p[a], p[b])), p[c])}
@@ -107,6 +101,7 @@ def zero_two(tri, first, second):
             if (emb.tetrahedron().index(), frozenset((v[0], v[1])), v[3]) in sides:
                 return i
         raise RuntimeError("no number")
+
     return tri.zeroTwoMove(edge, number(t0, a0, b0, c0), number(t1, a1, b1, c1))
 
 
@@ -117,18 +112,10 @@ def sources():
     four = [s for s in (DATA / "triangulations-4.txt").read_text().split("\n") if s and s[0] != "#"]
     found += random.sample(four, 100)
     # Closed and non-orientable ones, and small ones where moves are refused for want of room.
-    closed = ["bkaagj", "bkaaid", "cMcabbgqs", "cPcbbbiht", "cPcbbbadu", "cMcabbjaj", "cPcbbbdxm"]
-    for base in closed:
-        try:
-            if regina.Triangulation3.fromIsoSig(base):
-                found.append(base)
-        except regina.InvalidArgument:
-            pass
-    for tri in (regina.Example3.threeSphere(), regina.Example3.rp2xs1(), regina.Example3.s2xs1(),
-                regina.Example3.simplicialSphere(), regina.Example3.lens(5, 2),
-                regina.Example3.gieseking(), regina.Example3.figureEight(),
-                regina.Example3.poincare(), regina.Example3.sphereBundle()
-                if hasattr(regina.Example3, "sphereBundle") else regina.Example3.lens(3, 1)):
+    example = regina.Example3
+    for tri in (example.threeSphere(), example.rp2xs1(), example.s2xs1(), example.lens(3, 1),
+                example.simplicialSphere(), example.lens(5, 2), example.gieseking(),
+                example.figureEight(), example.poincare()):
         found.append(tri.isoSig())
     return found
 
@@ -175,28 +162,25 @@ def main():
             legal = act(copy)
             if legal and copy.isEmpty():
                 raise RuntimeError(move)
-            key = (kind, bool(legal))
-            if counts.get(key, 0) >= ROWS_A_KIND[bool(legal)] or (tri.isoSig(), kind) in seen:
+            sort = "legal" if legal else \
+                "refused" if has_right_valence(tri, kind, move) else "another valence"
+            key = (kind, sort)
+            if counts.get(key, 0) >= ROWS_A_KIND[sort] or (tri.isoSig(), key) in seen:
                 continue
-            if not legal and random.random() < 0.8 and not interesting(tri, kind, move):
-                continue
-            seen.add((tri.isoSig(), kind))
+            seen.add((tri.isoSig(), key))
             counts[key] = counts.get(key, 0) + 1
             print(tri.isoSig(), move, copy.isoSig() if legal else "-", sep="\t")
 
 
-def interesting(tri, kind, move):
-    """Refused for another reason than the valence."""
-    if kind == "2-3" or kind == "0-2":
-        return True
+def has_right_valence(tri, kind, move):
+    """A refusal then has another reason."""
     words = move.replace(",", "").split()
-    if kind in ("4-1", "2-0v"):
-        vertex = tri.tetrahedron(int(words[6])).vertex(int(words[3]))
-        return vertex.degree() == (4 if kind == "4-1" else 2)
-    if kind == "1-4":
+    if kind in ("2-3", "0-2", "1-4"):
         return True
-    ends = (int(words[3][0]), int(words[3][1]))
-    edge = tri.tetrahedron(int(words[6])).edge(*ends)
+    tet = tri.tetrahedron(int(words[6]))
+    if kind in ("4-1", "2-0v"):
+        return tet.vertex(int(words[3])).degree() == (4 if kind == "4-1" else 2)
+    edge = tet.edge(int(words[3][0]), int(words[3][1]))
     return edge.degree() == {"3-2": 3, "4-4": 4, "2-0e": 2, "2-1": 1}[kind]
 
 

@@ -8,21 +8,24 @@
 namespace tripus::topology {
 namespace {
 
-const std::array kTable{
-    detail::two_three_info(),     detail::three_two_info(),     detail::four_four_info(),
-    detail::two_zero_edge_info(), detail::zero_two_edge_info(), detail::two_zero_vertex_info(),
-    detail::zero_two_face_info(), detail::two_one_info(),       detail::one_two_info(),
-    detail::one_four_info(),      detail::four_one_info(),
-};
+const auto& table() {
+  static const std::array kTable{
+      detail::two_three_info(),     detail::three_two_info(),     detail::four_four_info(),
+      detail::two_zero_edge_info(), detail::zero_two_edge_info(), detail::two_zero_vertex_info(),
+      detail::zero_two_face_info(), detail::two_one_info(),       detail::one_two_info(),
+      detail::one_four_info(),      detail::four_one_info(),
+  };
+  return kTable;
+}
 
 }  // namespace
 
-std::span<const MoveInfo> move_table() { return kTable; }
+std::span<const MoveInfo> move_table() { return table(); }
 
-const MoveInfo& info(MoveKind kind) { return kTable.at(static_cast<std::size_t>(kind)); }
+const MoveInfo& info(MoveKind kind) { return table().at(static_cast<std::size_t>(kind)); }
 
 std::optional<MoveKind> find_move_kind(std::string_view name) {
-  for (const MoveInfo& line : kTable)
+  for (const MoveInfo& line : table())
     if (line.name == name) return line.kind;
   return std::nullopt;
 }

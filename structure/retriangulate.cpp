@@ -84,6 +84,7 @@ class Search {
     result.tolerance = options.tolerance;
     result.time_limit = options.time_limit;
     result.stop_requested = options.stop_requested;
+    result.evidence = false;
     return result;
   }
 
@@ -144,11 +145,13 @@ class Search {
   Retriangulation failure() {
     Retriangulation result;
     result.report = std::move(start_);
+    result.report.outcome = Outcome::kUnresolved;
     result.report.message += fmt::format(
         " {} other triangulations of the manifold were tried, of up to {} tetrahedra, and none was "
         "found to carry the metric; nothing follows about the manifold.",
         tried_, limit_);
-    result.report.advice = "Try a larger --retriangulate-budget, or another --seed.";
+    result.report.advice =
+        "If the manifold should be hyperbolic, try a larger --budget or another --seed.";
     result.gluings = std::move(nodes_.front().gluings);
     result.tried = tried_;
     return result;

@@ -88,7 +88,7 @@ std::string report_as_json(const Subject& subject, const Report& report) {
 }
 
 std::string report_as_text(const Subject& subject, const Report& report) {
-  std::string text = fmt::format("{}: {}\n  {}\n", subject.input,
+  std::string text = fmt::format("{}: {}\n  {}\n", printable(subject.input),
                                  structure::to_string(report.outcome), report.message);
   const auto line = [&](std::string_view label, const std::string& value) {
     text += fmt::format("  {:<16}{}\n", label, value);
@@ -100,8 +100,10 @@ std::string report_as_text(const Subject& subject, const Report& report) {
          fmt::format("geodesic surface of genus {}, area {}", vertex.genus, vertex.area));
   }
   line("largest |K|", fmt::format("{:.3g}", report.max_curvature));
-  line("found by", fmt::format("{}: {} iterations, {} evaluations, {:.3g} s", report.method,
-                               report.iterations, report.evaluations, report.seconds));
+  line("method", fmt::format("{}: {}, {}, {:.3g} s", report.method,
+                             counted(std::size_t(report.iterations), "iteration", "iterations"),
+                             counted(std::size_t(report.evaluations), "evaluation", "evaluations"),
+                             report.seconds));
   append_edge_table(text, subject, report);
   append_angle_table(text, report);
   return text;

@@ -21,7 +21,8 @@ const char* const kOutcomeHelp =
     "  geometric     the metric was found: every tetrahedron is a true truncated one and the\n"
     "                edge curvatures K vanish to the tolerance\n"
     "  degenerate    the minimiser has flat tetrahedra: no metric on this triangulation\n"
-    "  infeasible    no strict angle structure, with a certificate: no metric on this triangulation\n"
+    "  infeasible    no strict angle structure, with a certificate: no metric on this "
+    "triangulation\n"
     "  unresolved    a limit was reached; the message says which and what is known\n"
     "Only geometric says something about the manifold: another triangulation of it may carry a\n"
     "metric where this one does not.\n";

@@ -15,9 +15,8 @@ namespace {
 CLI::Validator check(bool (*passes)(std::string_view, int), int largest, std::string expected) {
   return CLI::Validator(
       [passes, largest, expected = std::move(expected)](std::string& text) {
-        return passes(text, largest)
-                   ? std::string()
-                   : fmt::format("{} is not {}", tripus::quoted(text), expected);
+        return passes(text, largest) ? std::string()
+                                     : fmt::format("{} is not {}", tripus::quoted(text), expected);
       },
       "");
 }
@@ -44,9 +43,7 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
-CLI::Validator positive_number() {
-  return check(is_positive, 0, "a finite number greater than 0");
-}
+CLI::Validator positive_number() { return check(is_positive, 0, "a finite number greater than 0"); }
 
 CLI::Validator whole_number(int largest) {
   return check(is_whole, largest, fmt::format("a whole number from 0 to {}", largest));

@@ -201,7 +201,7 @@ class ConeAngles(ProgramTest):
                    for angle in ("0=2pi/3", f"0={2 * math.pi / 3!r}", "0=0.6666666666666666pi")]
         for length in lengths:
             self.assertAlmostEqual(length, lengths[0], delta=1e-12)
-        # All dihedral angles are 2 pi / 36: docs/theory.md (22).
+        # All dihedral angles are 2 pi / 36: docs/theory.md (26).
         c = math.cos(math.pi / 18)
         self.assertAlmostEqual(lengths[0], math.acosh(c / (2 * c - 1)), delta=1e-12)
 

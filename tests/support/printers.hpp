@@ -43,8 +43,7 @@ inline std::string test_name(std::string_view text) {
 using FlowAndStepper = std::tuple<integrators::Flow, integrators::Stepper>;
 
 inline std::string test_name(const FlowAndStepper& both) {
-  return test_name(std::string(std::get<0>(both).name) + "_" +
-                   std::string(std::get<1>(both).name));
+  return test_name(std::string(std::get<0>(both).name) + "_" + std::string(std::get<1>(both).name));
 }
 
 /// Every flow but those named, with every stepper.

@@ -163,6 +163,7 @@ Report settling_run(const topology::Triangulation& triangulation, const SolveOpt
   if (was_default) return report;
   SolveOptions settling;
   settling.cone_angles = options.cone_angles;
+  settling.tolerance = std::min(options.tolerance, tolerance::kMaxCurvature);
   settling.time_limit = options.time_limit;
   settling.stop_requested = options.stop_requested;
   Report settled = run_method(triangulation, settling);

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "studies/study.hpp"
+
+namespace tripus::studies::detail {
+
+Plan plan_convergence(const StudyOptions& options);
+Plan plan_triangulations(const StudyOptions& options);
+Plan plan_stability(const StudyOptions& options);
+Plan plan_paper(const StudyOptions& options);
+
+}  // namespace tripus::studies::detail

@@ -1,0 +1,258 @@
+// Which starting lengths converge: the paper's formulae with its explicit flow and with Newton's
+// method, in three precisions, and Tripus's kernel with its solvers.
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+
+#include "geometry/truncated_tetrahedron.hpp"
+#include "studies/detail/method_run.hpp"
+#include "studies/detail/paper_route.hpp"
+#include "studies/detail/plans.hpp"
+#include "studies/detail/spectrum.hpp"
+#include "studies/detail/stability_tables.hpp"
+#include "studies/detail/thresholds.hpp"
+
+namespace tripus::studies::detail {
+namespace {
+
+constexpr double kShortest = 1e-8, kLongest = 1e6;
+constexpr int kDecades = 14, kPerDecade = 4;
+constexpr int kPaperSteps = 20000;
+constexpr double kFlowTolerance = 1e-9;
+const char* const kPrecisions[] = {"float", "double", "long double"};
+
+/// An input that carries a metric, with what is known about it.
+struct Subject {
+  std::string name;
+  topology::Triangulation triangulation;
+  std::vector<double> lengths;
+  double step;  ///< of the paper's flow: half of what is stable at the metric
+};
+
+std::shared_ptr<const Subject> make_subject(const StudyInput& input) {
+  topology::Triangulation triangulation(input.gluings);
+  const structure::Report metric = require_metric(triangulation, input.name);
+  const double largest = spectrum(triangulation, metric.edge_lengths).largest;
+  return std::make_shared<Subject>(
+      Subject{input.name, std::move(triangulation), metric.edge_lengths, 1 / largest});
+}
+
+bool near_metric(const Subject& subject, const std::vector<double>& lengths, double distance) {
+  for (std::size_t e = 0; e < lengths.size(); ++e)
+    if (!(std::fabs(lengths[e] - subject.lengths[e]) <= distance)) return false;
+  return true;
+}
+
+/// Loosest max|K| that rounding of angles lets a precision reach.
+template <class Real>
+constexpr Real kTolerance = Real(sizeof(Real) == sizeof(float) ? 1e-4 : kFlowTolerance);
+
+template <class Real>
+PaperRun paper_flow(const Subject& subject, const std::vector<double>& start) {
+  return PaperRoute<Real>(subject.triangulation)
+      .flow(std::vector<Real>(start.begin(), start.end()), Real(subject.step), kTolerance<Real>,
+            kPaperSteps);
+}
+
+template <class Real>
+PaperRun paper_newton(const Subject& subject, const std::vector<double>& start) {
+  return PaperRoute<Real>(subject.triangulation)
+      .newton(std::vector<Real>(start.begin(), start.end()), kTolerance<Real>, 200);
+}
+
+/// One start, all methods.
+class StartRows {
+ public:
+  StartRows(const Subject& subject, std::string kind, std::size_t number,
+            const std::vector<std::string>& methods)
+      : subject_(subject), kind_(std::move(kind)), number_(number), methods_(methods) {}
+
+  std::vector<Row> operator()(const std::vector<double>& start) {
+    add(start, "paper flow, float", paper_flow<float>(subject_, start), 1e-2);
+    add(start, "paper flow, double", paper_flow<double>(subject_, start), 1e-6);
+    add(start, "paper flow, long double", paper_flow<long double>(subject_, start), 1e-6);
+    add(start, "paper Newton, double", paper_newton<double>(subject_, start), 1e-6);
+    for (const std::string& method : methods_) {
+      const MethodRun run = run_method(subject_.triangulation, method, start, {.tolerance = 1e-11});
+      const bool found = run.report.outcome == structure::Outcome::kGeometric;
+      add(start, "Tripus " + method,
+          {found ? "metric" : "no convergence", run.report.iterations, run.report.edge_lengths},
+          1e-6);
+    }
+    return std::move(rows_);
+  }
+
+ private:
+  void add(const std::vector<double>& start, const std::string& solver, PaperRun run,
+           double distance) {
+    if (run.outcome == "metric" && !near_metric(subject_, run.lengths, distance))
+      run.outcome = "elsewhere";
+    const auto [shortest, longest] = std::minmax_element(start.begin(), start.end());
+    rows_.push_back({kStarts, cells(subject_.name, kind_, number_, *shortest, *longest, solver,
+                                    run.outcome, run.iterations)});
+  }
+
+  const Subject& subject_;
+  std::string kind_;
+  std::size_t number_;
+  const std::vector<std::string>& methods_;
+  std::vector<Row> rows_;
+};
+
+double log_uniform(Random& random, double lower, double upper) {
+  return std::pow(10.0, random.uniform(std::log10(lower), std::log10(upper)));
+}
+
+/// Half of the starts have lengths anywhere in the range, half within a decade of each other.
+std::vector<double> random_start(Random random, std::size_t edges, bool close) {
+  std::vector<double> start(edges);
+  double lower = kShortest, upper = kLongest;
+  if (close) {
+    lower = log_uniform(random, kShortest, kLongest / 10);
+    upper = 10 * lower;
+  }
+  for (double& length : start) length = log_uniform(random, lower, upper);
+  return start;
+}
+
+std::vector<Row> threshold_rows(const std::string& precision) {
+  std::vector<Row> rows;
+  for (const Threshold& t : thresholds(precision))
+    rows.push_back(
+        {kThresholds, cells(t.precision, t.digits, t.event, t.length, t.predicted, t.meaning)});
+  return rows;
+}
+
+/// Errors of the regular tetrahedron's angle over the whole range.
+std::vector<Row> angle_rows(const std::string& kernel) {
+  std::vector<Row> rows;
+  for (int k = 0; k <= 20 * kDecades; ++k) {
+    const double length = kShortest * std::pow(10.0, k / 20.0);
+    const long double exact = exact_regular_angle(length);
+    long double angle = 0;
+    if (kernel == "Tripus") {
+      const std::array<double, 6> l{length, length, length, length, length, length};
+      std::array<double, 6> theta{};
+      geometry::dihedral_angles(l, theta);
+      angle = theta[0];
+    } else {
+      angle = paper_regular_angle(kernel, length);
+    }
+    rows.push_back(
+        {kAngles, cells(kernel, length, double(angle), double(std::fabs(angle - exact) / exact))});
+  }
+  return rows;
+}
+
+/// The longest equal lengths from which the paper's flow reaches the metric.
+template <class Real>
+double flow_threshold(const Subject& subject) {
+  const auto reaches = [&](double length) {
+    const std::vector<double> start(subject.lengths.size(), length);
+    return paper_flow<Real>(subject, start).outcome == "metric";
+  };
+  const double base = subject.lengths.front();
+  if (!reaches(base)) return std::numeric_limits<double>::quiet_NaN();
+  if (reaches(kLongest)) return kLongest;
+  return bisect(base, 200, reaches);
+}
+
+std::vector<Row> flow_threshold_rows(const Subject& subject) {
+  const double found[] = {flow_threshold<float>(subject), flow_threshold<double>(subject),
+                          flow_threshold<long double>(subject)};
+  std::vector<Row> rows;
+  for (int k = 0; k < 3; ++k)
+    rows.push_back({kFlowThresholds, cells(subject.name, kPrecisions[k], subject.step, found[k])});
+  return rows;
+}
+
+std::vector<TableLayout> layouts() {
+  return {
+      {"thresholds",
+       "Where the paper's formulae lose a regular tetrahedron of edge length L, and to which "
+       "rounding.",
+       {{"precision", "", "floating-point type"},
+        {"bits", "", "p, bits of its significand"},
+        {"event", "", "what happens from that length on (up to it, for angle zero)"},
+        {"length", "", "L, by bisection to the last digit"},
+        {"predicted_length", "", "L as the analysis says; for angle zero its order of magnitude"},
+        {"meaning", "", "the rounding"}}},
+      {"angles",
+       "Dihedral angle of the regular tetrahedron by four kernels against the closed form in long "
+       "double.",
+       {{"kernel", "", "the paper's formulae in a precision, or Tripus (double)"},
+        {"length", "", "L"},
+        {"angle", "radians", "as the kernel gives it; empty where it is not a number"},
+        {"relative_error", "", "|angle - exact| / exact"}}},
+      {"starts",
+       "One run of one solver from one start.",
+       {{"input", "", "the triangulation"},
+        {"start", "", "uniform, random within a decade, or random over the whole range"},
+        {"number", "", "of the start"},
+        {"shortest", "", "least starting length"},
+        {"longest", "", "greatest starting length"},
+        {"solver", "",
+         "the paper's flow or Newton's method on its formulae, or a method of Tripus"},
+        {"outcome", "", "metric, not a number, length not positive, no convergence, elsewhere"},
+        {"iterations", "", "steps taken"}}},
+      {"flow_thresholds",
+       "Longest equal starting lengths from which the paper's explicit flow reaches the metric.",
+       {{"input", "", "the triangulation"},
+        {"precision", "", "floating-point type"},
+        {"step", "", "length of a step in flow time: half the stability limit at the metric"},
+        {"length", "", "by bisection to the last digit"}}},
+  };
+}
+
+void add_start_items(Plan& plan, const std::shared_ptr<const Subject>& subject,
+                     const StudyOptions& options,
+                     const std::shared_ptr<const std::vector<std::string>>& methods) {
+  for (std::size_t k = 0; k <= kDecades * kPerDecade; ++k) {
+    plan.items.push_back({fmt::format("{} uniform {}", subject->name, k), [=] {
+                            const double length =
+                                kShortest * std::pow(10.0, double(k) / kPerDecade);
+                            return StartRows(*subject, "uniform", k, *methods)(
+                                std::vector<double>(subject->lengths.size(), length));
+                          }});
+  }
+  for (std::size_t k = 0; k < options.samples; ++k) {
+    const std::string id = fmt::format("{} random {}", subject->name, k);
+    const Random random(item_seed(options.seed, id));
+    plan.items.push_back({id, [=] {
+                            const bool close = k % 2 == 0;
+                            return StartRows(
+                                *subject, close ? "random decade" : "random range", k,
+                                *methods)(random_start(random, subject->lengths.size(), close));
+                          }});
+  }
+}
+
+}  // namespace
+
+Plan plan_stability(const StudyOptions& options) {
+  Plan plan;
+  plan.tables = layouts();
+  for (const char* precision : kPrecisions)
+    plan.items.push_back(
+        {fmt::format("thresholds {}", precision), [=] { return threshold_rows(precision); }});
+  for (const char* kernel : {"float", "double", "long double", "Tripus"})
+    plan.items.push_back({fmt::format("angles {}", kernel), [=] { return angle_rows(kernel); }});
+  const auto methods = std::make_shared<const std::vector<std::string>>(
+      options.methods.empty()
+          ? std::vector<std::string>{"newton", "newton-cg", "flow:curvature/dopri5",
+                                     "flow:newton-flow/dopri5"}
+          : options.methods);
+  for (const StudyInput& input : options.inputs) {
+    const auto subject = make_subject(input);
+    plan.items.push_back({fmt::format("{} flow thresholds", subject->name),
+                          [=] { return flow_threshold_rows(*subject); }});
+    add_start_items(plan, subject, options, methods);
+  }
+  plan.conclude = stability_findings;
+  return plan;
+}
+
+}  // namespace tripus::studies::detail

@@ -1,0 +1,34 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.hpp"
+#include "studies/detail/plans.hpp"
+#include "studies/study.hpp"
+
+namespace tripus::studies {
+namespace {
+
+constexpr Study kStudies[] = {
+    {"convergence", "Convergence: Newton's method, first-order methods and flows from one start",
+     "every method and flow from the same start, and on covers of growing size", 20,
+     "inputs besides the first, chosen at random", detail::plan_convergence},
+    {"stability", "Stability: which starting lengths converge",
+     "which starting lengths converge, by the paper's formulae and by Tripus", 200,
+     "random starts an input", detail::plan_stability},
+};
+
+}  // namespace
+
+std::span<const Study> studies() { return kStudies; }
+
+const Study& find_study(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const Study& study : kStudies) {
+    if (study.name == name) return study;
+    names.push_back(study.name);
+  }
+  throw InvalidInput(fmt::format("there is no study {}; the studies are {}",
+                                 tripus::quoted(std::string(name)), fmt::join(names, ", ")));
+}
+
+}  // namespace tripus::studies

@@ -44,10 +44,9 @@ Figure history_figure(const std::vector<Table>& tables) {
   figure.name = "history";
   figure.title = "Curvature along the iterations, " + input;
   figure.caption =
-      "Newton's method falls off a cliff: the digits double at every step. First-order methods and "
-      "flows gain digits at a steady rate, which is a straight line against the number of steps "
-      "and "
-      "bends down here, where that number is on a logarithmic axis.";
+      "Newton's method falls off a cliff: the digits double at every step. First-order methods "
+      "and flows gain digits at a steady rate, which is a straight line against the number of "
+      "steps and bends down here, where that number is on a logarithmic axis.";
   figure.x = {"iteration + 1", true, std::nan(""), std::nan(""), {}};
   figure.y = {"max|K| (radians)", true, std::nan(""), std::nan(""), {}};
   for (std::size_t k = 0; k < std::size(kShown); ++k) {
@@ -93,9 +92,8 @@ Figure theory_figure(const Table& theory) {
   figure.title = "Measured against theory";
   figure.caption =
       "Every mark is one triangulation. The order of Newton's method is 2, the longest stable "
-      "Euler "
-      "step 2/lambda_max, the decay rate of the flow lambda_min: all ratios are 1 as far as the "
-      "measurement goes. The dashed lines are at 1 % from it.";
+      "Euler step 2/lambda_max, the decay rate of the flow lambda_min: all ratios are 1 as far as "
+      "the measurement goes. The dashed lines are at 1 % from it.";
   figure.x = {"condition number lambda_max / lambda_min of the Hessian",
               true,
               std::nan(""),
@@ -132,9 +130,36 @@ Figure growth_figure(const Table& runs, const char* name, const char* column, co
       if (runs.is(r, "method", kShown[k]) &&
           (!runs.is(r, "degree", "1") || runs.text(r, "input") == runs.text(0, "input")))
         series.points.push_back({runs.number(r, "tetrahedra"), runs.number(r, column)});
-    if (!series.points.empty()) figure.series.push_back(series);
+    const bool any = std::any_of(series.points.begin(), series.points.end(),
+                                 [](const auto& point) { return point[1] > 0; });
+    if (any) figure.series.push_back(series);
   }
   return figure;
+}
+
+/// The exponent a of seconds = const T^a over the covers of the first input with 10 tetrahedra or
+/// more; NaN if there are fewer than two.
+double time_exponent(const Table& runs, const char* method) {
+  std::vector<double> size, time;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const double seconds = runs.number(r, "seconds_to_1e_8");
+    if (!runs.is(r, "method", method) || runs.is(r, "degree", "1") || !(seconds > 0)) continue;
+    if (runs.number(r, "tetrahedra") < 10) continue;
+    size.push_back(std::log(runs.number(r, "tetrahedra")));
+    time.push_back(std::log(seconds));
+  }
+  return slope(size, time);
+}
+
+/// " (all but 5 of ceres-lm, 3 of ...)", or nothing.
+std::string failures(const Table& runs) {
+  std::map<std::string, int> counts;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    if (!runs.is(r, "outcome", "geometric")) ++counts[runs.text(r, "method")];
+  std::string text;
+  for (const auto& [method, count] : counts)
+    text += fmt::format("{}{} of {}", text.empty() ? " (all but " : ", ", count, method);
+  return text.empty() ? text : text + ")";
 }
 
 bool has_covers(const Table& runs) {
@@ -188,6 +213,8 @@ std::vector<Fact> facts(const std::vector<Table>& tables) {
        "runs of the curvature flow's steppers along which sum K^2 increased"},
       {"cover_volume_error", cover_error,
        "largest relative deviation of a cover's volume from degree times the base's"},
+      {"newton_cg_time_exponent", time_exponent(runs, "newton-cg"),
+       "a, where the time of newton-cg on covers grows like T^a (timing)"},
   };
 }
 
@@ -206,8 +233,7 @@ std::string newton_against_flow(const Table& runs) {
   if (!std::isfinite(flow) || !std::isfinite(newton)) return {};
   return fmt::format(
       " To max|K| <= 1e-8 Newton's method takes {:.0f} steps (median), the curvature flow by "
-      "dopri5 "
-      "{:.0f}; evaluations of the gradient a decimal digit: {:.2f} and {:.1f}.",
+      "dopri5 {:.0f}; evaluations of the gradient a decimal digit: {:.2f} and {:.1f}.",
       newton, flow, at("newton", "evaluations_per_digit"),
       at("flow:curvature/dopri5", "evaluations_per_digit"));
 }
@@ -282,14 +308,13 @@ Findings convergence_findings(const std::vector<Table>& tables) {
   const auto value = [&](const char* name) { return fact(findings.facts, name); };
   const bool covers = has_covers(runs);
   findings.paragraph = fmt::format(
-      "{:.0f} of {:.0f} runs on {:.0f} triangulations ended in the metric with max|K| <= 1e-12.{} "
-      "The "
-      "measured order of Newton's method is {:.3f} in the median and at least {:.3f}; the longest "
-      "stable Euler step is 2/lambda_max within {:.2g} %, the decay rate of the flow lambda_min "
-      "within {:.2g} %, and sum K^2 decreased along {}.{}",
-      value("runs_geometric"), value("runs"), value("triangulations"), newton_against_flow(runs),
-      value("newton_order_median"), value("newton_order_least"), 100 * value("euler_deviation"),
-      100 * value("decay_deviation"),
+      "{:.0f} of {:.0f} runs on {:.0f} triangulations ended in the metric with max|K| <= "
+      "1e-12{}.{} The measured order of Newton's method is {:.3f} in the median and at least "
+      "{:.3f}; the longest stable Euler step is 2/lambda_max within {:.2g} %, the decay rate of "
+      "the flow lambda_min within {:.2g} %, and sum K^2 decreased along {}.{}",
+      value("runs_geometric"), value("runs"), value("triangulations"), failures(runs),
+      newton_against_flow(runs), value("newton_order_median"), value("newton_order_least"),
+      100 * value("euler_deviation"), 100 * value("decay_deviation"),
       value("flows_not_decreasing") == 0
           ? std::string("every flow")
           : fmt::format("all flows but {:.0f}", value("flows_not_decreasing")),
@@ -304,13 +329,13 @@ Findings convergence_findings(const std::vector<Table>& tables) {
     findings.figures.push_back(growth_figure(
         runs, "cover-iterations", "iterations_to_1e_8", "Iterations on covers of growing size",
         "iterations to max|K| <= 1e-8",
-        "The number of steps does not grow with the triangulation: the condition of the problem is "
-        "that of its tetrahedra."));
+        "The number of steps hardly grows with the triangulation: the condition of the problem is "
+        "that of its tetrahedra. Random lengths on more edges are a start a little farther away."));
     findings.figures.push_back(growth_figure(
         runs, "cover-seconds", "seconds_to_1e_8", "Time on covers of growing size",
         "seconds to max|K| <= 1e-8",
-        "Time grows linearly with the number of tetrahedra where the factors of the Hessian do not "
-        "fill in. (Timings of this machine.)"));
+        "Time grows linearly with the number of tetrahedra where the factors of the Hessian do "
+        "not fill in. (Timings of this machine.)"));
   }
   return findings;
 }

@@ -118,6 +118,7 @@ void write_results(const ReportSource& source, const std::filesystem::path& fold
   write("summary.json", summary_json(source));
   write("report.html", report_html(source));
   result.paragraph = source.findings.paragraph;
+  result.facts = source.findings.facts;
 }
 
 }  // namespace

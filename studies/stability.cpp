@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "geometry/truncated_tetrahedron.hpp"
+#include "structure/solve.hpp"
 #include "studies/detail/method_run.hpp"
 #include "studies/detail/paper_route.hpp"
 #include "studies/detail/plans.hpp"
@@ -75,6 +76,7 @@ class StartRows {
     add(start, "paper flow, double", paper_flow<double>(subject_, start), 1e-6);
     add(start, "paper flow, long double", paper_flow<long double>(subject_, start), 1e-6);
     add(start, "paper Newton, double", paper_newton<double>(subject_, start), 1e-6);
+    add(start, "Tripus solve", solve_from(start), 1e-6);
     for (const std::string& method : methods_) {
       const MethodRun run = run_method(subject_.triangulation, method, start, {.tolerance = 1e-11});
       const bool found = run.report.outcome == structure::Outcome::kGeometric;
@@ -86,6 +88,16 @@ class StartRows {
   }
 
  private:
+  /// What a user gets: where the method by itself does not get there from this start, another run
+  /// settles the outcome.
+  PaperRun solve_from(const std::vector<double>& start) const {
+    structure::SolveOptions options;
+    options.initial_lengths = start;
+    const structure::Report report = structure::solve(subject_.triangulation, options);
+    const bool found = report.outcome == structure::Outcome::kGeometric;
+    return {found ? "metric" : "no convergence", report.iterations, report.edge_lengths};
+  }
+
   void add(const std::vector<double>& start, const std::string& solver, PaperRun run,
            double distance) {
     if (run.outcome == "metric" && !near_metric(subject_, run.lengths, distance))
@@ -195,7 +207,8 @@ std::vector<TableLayout> layouts() {
         {"shortest", "", "least starting length"},
         {"longest", "", "greatest starting length"},
         {"solver", "",
-         "the paper's flow or Newton's method on its formulae, or a method of Tripus"},
+         "the paper's flow or Newton's method on its formulae, tripus solve, or a method of Tripus "
+         "by itself"},
         {"outcome", "", "metric, not a number, length not positive, no convergence, elsewhere"},
         {"iterations", "", "steps taken"}}},
       {"flow_thresholds",

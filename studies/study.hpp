@@ -83,6 +83,7 @@ struct RunResult {
   std::size_t total = 0;
   bool finished() const { return done == total; }
   std::string paragraph;           ///< the findings, if finished
+  std::vector<Fact> facts;         ///< the same in numbers
   std::vector<std::string> files;  ///< written, in the folder
 };
 

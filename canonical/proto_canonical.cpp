@@ -1,16 +1,22 @@
+// The moves at concave faces are those of J. Weeks, Convex hulls and isometries of cusped hyperbolic
+// 3-manifolds (1993), carried over to geodesic boundary. Each makes the hull of the vertices lower,
+// so that they come to an end; where four vertices of two tetrahedra lie in one plane, they may come
+// to it too early.
 #include "canonical/proto_canonical.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <random>
+#include <queue>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "base/tolerances.hpp"
 #include "structure/solve.hpp"
+#include "topology/isosig.hpp"
 
 namespace tripus::canonical {
 namespace {
@@ -23,38 +29,106 @@ using topology::Triangulation;
 /// Beyond so many tetrahedra the solver is started from the lengths that are known already. Before
 /// that the default start is as good, and cheaper where there is no metric to be found.
 constexpr std::size_t kWarmStart = 32;
-/// Moves of one random walk, and tetrahedra that it may add.
-constexpr std::size_t kWalk = 6;
-constexpr std::size_t kExtra = 3;
+/// Up to so many tetrahedra the search makes moves everywhere, beyond only around the trouble.
+constexpr std::size_t kSmall = 12;
+/// Tetrahedra that the search may add.
+constexpr std::size_t kExtra = 2;
+
+/// A triangulation on the way, with the metric or without.
+struct State {
+  Triangulation triangulation;
+  Report report;
+  std::vector<Move> path;
+};
 
 class Walker {
  public:
   Walker(const Triangulation& triangulation, const Report& report,
          const ProtoCanonicalOptions& options)
-      : options_(options),
-        random_(options.seed),
-        volume_(report.volume),
-        start_size_(triangulation.tetrahedron_count()),
-        state_{triangulation, report, {}, {}, false} {}
+      : options_(options), volume_(report.volume), state_{triangulation, report, {}} {}
 
   ProtoCanonical run() {
-    for (std::size_t attempt = 0;; ++attempt) {
-      while (improve()) {
-      }
-      if (state_.found || attempt == options_.max_attempts) return std::move(state_);
-      shake();
-    }
+    if (!descend()) search();
+    return {std::move(state_.triangulation), std::move(state_.report), std::move(faces_),
+            std::move(state_.path), !faces_.has_concave()};
   }
 
  private:
+  /// Moves at concave faces as long as there are any that do; true if no concave face is left.
+  bool descend() {
+    while (improve()) {
+    }
+    return !faces_.has_concave();
+  }
+
   /// Makes one move at a concave face. False if there is no such face, or no such move.
   bool improve() {
-    state_.faces = face_kinds(state_.triangulation, state_.report.edge_lengths);
-    state_.found = !state_.faces.has_concave();
-    if (state_.found) return false;
-    for (const Move& move : moves_at_concave_faces())
-      if (try_move(move)) return true;
+    faces_ = face_kinds(state_.triangulation, state_.report.edge_lengths);
+    if (!faces_.has_concave()) return false;
+    for (const Move& move : moves_at_concave_faces()) {
+      auto next = after(state_, move);
+      if (!next || next->report.outcome != structure::Outcome::kGeometric) continue;
+      state_ = std::move(*next);
+      return true;
+    }
     return false;
+  }
+
+  /// A best-first search from where the moves got stuck, fewest tetrahedra first; from every new
+  /// triangulation with the metric the moves go on.
+  void search() {
+    using Entry = std::pair<std::size_t, std::size_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    std::vector<State> nodes;
+    std::unordered_set<std::string> known;
+    const State stuck = state_;
+    const std::size_t limit = stuck.triangulation.tetrahedron_count() + kExtra;
+    const auto add = [&](State state) {
+      open.emplace(state.triangulation.tetrahedron_count(), nodes.size());
+      nodes.push_back(std::move(state));
+    };
+    known.insert(topology::isosig(stuck.triangulation.gluings()));
+    add(stuck);
+    constexpr std::array kKinds{MoveKind::kThreeTwo, MoveKind::kFourFour, MoveKind::kTwoThree};
+    while (!open.empty() && solves_ < options_.budget) {
+      const State here = nodes[open.top().second];
+      open.pop();
+      const std::vector<bool> trouble = trouble_of(here);
+      for (const Move& move : topology::all_moves(here.triangulation, kKinds)) {
+        const bool grows = move.kind == MoveKind::kTwoThree;
+        if (here.triangulation.tetrahedron_count() + grows > limit) continue;
+        if (!trouble.empty() && !trouble[move.tetrahedron]) continue;
+        if (solves_ >= options_.budget) break;
+        auto next = after(here, move);
+        if (!next || !known.insert(topology::isosig(next->triangulation.gluings())).second) continue;
+        if (next->report.outcome == structure::Outcome::kGeometric) {
+          state_ = std::move(*next);
+          if (descend()) return;
+          known.insert(topology::isosig(state_.triangulation.gluings()));
+          next = state_;
+        }
+        add(std::move(*next));
+      }
+    }
+    state_ = stuck;
+    faces_ = face_kinds(state_.triangulation, state_.report.edge_lengths);
+  }
+
+  /// [T] tetrahedra around which the search makes moves; empty for all.
+  static std::vector<bool> trouble_of(const State& state) {
+    const std::size_t count = state.triangulation.tetrahedron_count();
+    if (count <= kSmall) return {};
+    std::vector<bool> trouble(count);
+    if (state.report.outcome == structure::Outcome::kGeometric) {
+      const FaceKinds faces = face_kinds(state.triangulation, state.report.edge_lengths);
+      for (std::size_t t = 0; t < count; ++t)
+        trouble[t] = std::ranges::find(faces.kind[t], FaceKind::kConcave) != faces.kind[t].end();
+    }
+    for (const std::size_t t : state.report.flat_tetrahedra) trouble[t] = true;
+    for (std::size_t t = 0; t < count; ++t)
+      for (int e = 0; e < 6; ++e)
+        if (state.triangulation.valence(state.triangulation.edge_class(t, e)) < 4) trouble[t] = true;
+    return trouble;
   }
 
   /// 3-2 first, then 2-3, then 4-4; the most concave face first.
@@ -68,7 +142,7 @@ class Walker {
     for (std::size_t t = 0; t < state_.triangulation.tetrahedron_count(); ++t)
       for (int f = 0; f < 4; ++f)
         if (kind(t, f) == FaceKind::kConcave)
-          faces.push_back({state_.faces.sum[t][static_cast<std::size_t>(f)], t, f});
+          faces.push_back({faces_.sum[t][static_cast<std::size_t>(f)], t, f});
     std::ranges::stable_sort(faces, std::greater<>{}, &Face::sum);
     std::vector<Move> moves;
     for (const Face& face : faces) add_edge_moves(face.t, face.f, 3, moves);
@@ -79,7 +153,7 @@ class Walker {
   }
 
   FaceKind kind(std::size_t t, int f) const {
-    return state_.faces.kind[t][static_cast<std::size_t>(f)];
+    return faces_.kind[t][static_cast<std::size_t>(f)];
   }
 
   static Move two_three(std::size_t t, int f) {
@@ -119,74 +193,57 @@ class Walker {
     return true;
   }
 
-  /// Makes the move if it is legal and leads to a triangulation with the metric.
-  bool try_move(const Move& move) {
-    topology::Gluings gluings = state_.triangulation.gluings();
-    if (!topology::can_apply(gluings, move)) return false;
+  /// The state after a move, solved; nothing if it is not legal. Edges of valence 1 and 2, which no
+  /// metric has, are not solved on.
+  std::optional<State> after(const State& from, const Move& move) {
+    topology::Gluings gluings = from.triangulation.gluings();
+    if (!topology::can_apply(gluings, move)) return std::nullopt;
     const topology::MoveChange change = topology::apply(gluings, move);
-    Triangulation next(std::move(gluings));
-    for (std::size_t e = 0; e < next.edge_count(); ++e)
-      if (next.valence(e) < 3) return false;  // never geometric
+    State next{Triangulation(std::move(gluings)), {}, from.path};
+    next.path.push_back(move);
+    for (std::size_t e = 0; e < next.triangulation.edge_count(); ++e)
+      if (next.triangulation.valence(e) < 3) return next;
     structure::SolveOptions solve;
     solve.evidence = false;
-    if (next.tetrahedron_count() > kWarmStart) solve.initial_lengths = carried_over(next, change);
-    Report report = structure::solve(next, solve);
-    if (report.outcome != structure::Outcome::kGeometric) return false;
-    if (!(std::fabs(report.volume - volume_) <= tolerance::kVolumeAgreement * volume_)) {
+    if (next.triangulation.tetrahedron_count() > kWarmStart &&
+        from.report.outcome == structure::Outcome::kGeometric)
+      solve.initial_lengths = carried_over(from, next.triangulation, change);
+    next.report = structure::solve(next.triangulation, solve);
+    ++solves_;
+    if (next.report.outcome == structure::Outcome::kGeometric &&
+        !(std::fabs(next.report.volume - volume_) <= tolerance::kVolumeAgreement * volume_)) {
       throw InternalError(fmt::format("{} changed the volume from {} to {}",
-                                      topology::to_string(move), volume_, report.volume));
+                                      topology::to_string(move), volume_, next.report.volume));
     }
-    state_.triangulation = std::move(next);
-    state_.report = std::move(report);
-    state_.path.push_back(move);
-    return true;
+    return next;
   }
 
   /// Lengths for the triangulation after a move: edges that were there keep theirs.
-  std::vector<double> carried_over(const Triangulation& next,
-                                   const topology::MoveChange& change) const {
+  static std::vector<double> carried_over(const State& from, const Triangulation& next,
+                                          const topology::MoveChange& change) {
     constexpr auto kNew = topology::kNoTetrahedron;
     std::vector<topology::TetrahedronIndex> old(next.tetrahedron_count());
     for (std::size_t t = 0; t < old.size(); ++t)
       old[t] = static_cast<topology::TetrahedronIndex>(t);
-    for (const auto& [from, to] : change.renumbered) old[to] = from;
+    for (const auto& renumbered : change.renumbered) old[renumbered.to] = renumbered.from;
     for (const auto t : change.added) old[t] = kNew;
-    const auto& lengths = state_.report.edge_lengths;
+    const auto& lengths = from.report.edge_lengths;
     double mean = 0;
     for (const double l : lengths) mean += l / static_cast<double>(lengths.size());
     std::vector<double> result(next.edge_count(), mean);
     for (std::size_t t = 0; t < old.size(); ++t) {
       if (old[t] == kNew) continue;
       for (int e = 0; e < 6; ++e)
-        result[next.edge_class(t, e)] = lengths[state_.triangulation.edge_class(old[t], e)];
+        result[next.edge_class(t, e)] = lengths[from.triangulation.edge_class(old[t], e)];
     }
     return result;
   }
 
-  void shake() {
-    const auto below = [&](std::size_t n) {
-      return static_cast<std::size_t>(random_() % static_cast<std::uint64_t>(n));
-    };
-    constexpr std::array kKinds{MoveKind::kTwoThree, MoveKind::kThreeTwo, MoveKind::kFourFour};
-    for (std::size_t made = 0; made < kWalk; ++made) {
-      auto moves = topology::all_moves(state_.triangulation, kKinds);
-      while (!moves.empty()) {
-        const std::size_t k = below(moves.size());
-        const bool grows = moves[k].kind == MoveKind::kTwoThree;
-        const bool may =
-            !grows || (state_.triangulation.tetrahedron_count() < start_size_ + kExtra &&
-                       is_crossed(moves[k].tetrahedron, moves[k].place));
-        if (may && try_move(moves[k])) break;
-        moves.erase(moves.begin() + static_cast<std::ptrdiff_t>(k));
-      }
-    }
-  }
-
   const ProtoCanonicalOptions options_;
-  std::mt19937_64 random_;
   const double volume_;
-  const std::size_t start_size_;
-  ProtoCanonical state_;
+  State state_;
+  FaceKinds faces_;  // of state_
+  std::size_t solves_ = 0;
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "canonical/tilts.hpp"
@@ -11,8 +10,7 @@
 namespace tripus::canonical {
 
 struct ProtoCanonicalOptions {
-  std::uint64_t seed = 0;           ///< of the random walks, where the moves get stuck
-  std::size_t max_attempts = 1000;  ///< random walks at most
+  std::size_t budget = 2000;  ///< triangulations to solve on at most where the moves get stuck
 };
 
 /// A geometric triangulation without concave faces: it subdivides the canonical decomposition.
@@ -21,15 +19,15 @@ struct ProtoCanonical {
   structure::Report report;  ///< the metric on it
   FaceKinds faces;
   std::vector<topology::Move> path;  ///< moves from the start to here
-  bool found = false;                ///< false: attempts ran out, concave faces are left
+  bool found = false;                ///< false: the budget ran out, concave faces are left
 };
 
 /// Moves at concave faces until there are none: 3-2 at an edge of the face, else 2-3 at the face,
 /// else 4-4 at an edge of it; what is reached must carry the metric with the same volume. Where no
-/// such move is possible, a random walk of a few moves through triangulations with the metric
-/// shakes it.
+/// such move is possible (points in one plane can make that happen), a search through neighbouring
+/// triangulations, with the metric or without, finds the next one with the metric to go on from.
 ///   report  of `triangulation`, geometric
-/// Throws InternalError if a move changes the volume, which must not happen.
+/// Deterministic. Throws InternalError if moves change the volume, which must not happen.
 ProtoCanonical proto_canonical(const topology::Triangulation& triangulation,
                                const structure::Report& report,
                                const ProtoCanonicalOptions& options = {});

@@ -74,6 +74,7 @@ void add_verbs(CLI::App& program, Command& command) {
   program.require_subcommand(0, 1);
   add_info(program, command);
   add_solve(program, command);
+  add_check(program, command);
   add_methods(program, command);
   for (CLI::App* verb : program.get_subcommands(nullptr)) verb->group("Verbs");
   program.footer(std::string(kInputHelp) + kExamples + "\n" + kExitStatusHelp);

@@ -54,6 +54,34 @@ void append_angle_table(std::string& text, const Report& report) {
   }
 }
 
+/// The certificate in the words of a person; --json prints it for `tripus check`.
+void append_certificate(std::string& text, const structure::Certificate& certificate) {
+  std::vector<std::string> edges;
+  for (const auto& u : certificate.edge) edges.push_back(u.get_str());
+  text += fmt::format(
+      "  certificate     kind \"{}\"; edge multipliers {} (--json has them all, for tripus "
+      "check)\n",
+      structure::to_string(certificate.kind), shortened(edges));
+}
+
+/// Volume, boundary, curvature, flat tetrahedra.
+void append_numbers_found(std::string& text, const Report& report) {
+  text += fmt::format("  volume          {}\n", report.volume);
+  for (const VertexReport& vertex : report.vertices) {
+    text += fmt::format("  boundary        geodesic surface of genus {}, area {}\n", vertex.genus,
+                        vertex.area);
+  }
+  text += fmt::format("  largest |K|     {:.3g}\n", report.max_curvature);
+  for (const std::size_t t : report.flat_tetrahedra) {
+    const auto& angles = report.dihedral_angles[t];
+    constexpr const char* kPairs[3] = {"01 and 23", "02 and 13", "03 and 12"};
+    const int pair = angles[0] > 3 ? 0 : angles[1] > 3 ? 1 : 2;
+    text +=
+        fmt::format("  flat            tetrahedron {}: angle pi at its edges {}, 0 at the others\n",
+                    t, kPairs[pair]);
+  }
+}
+
 }  // namespace
 
 std::string report_as_json(const Subject& subject, const Report& report) {
@@ -81,8 +109,16 @@ std::string report_as_json(const Subject& subject, const Report& report) {
   append_array(out, report.flat_tetrahedra, [](JsonText& to, std::size_t t) {
     fmt::format_to(std::back_inserter(to), "{}", t);
   });
-  append(out, ", \"certificate\": null, \"message\": ");
+  append(out, ", \"certificate\": ");
+  append(out, report.certificate ? structure::to_json(*report.certificate) : "null");
+  if (report.strict_angles) {
+    append(out, ", \"angle_structure\": ");
+    append(out, structure::to_json(*report.strict_angles));
+  }
+  append(out, ", \"message\": ");
   append_string(out, report.message);
+  append(out, ", \"advice\": ");
+  append_string(out, report.advice);
   out.push_back('}');
   return fmt::to_string(out);
 }
@@ -90,22 +126,21 @@ std::string report_as_json(const Subject& subject, const Report& report) {
 std::string report_as_text(const Subject& subject, const Report& report) {
   std::string text = fmt::format("{}: {}\n  {}\n", printable(subject.input),
                                  structure::to_string(report.outcome), report.message);
+  if (!report.advice.empty()) text += fmt::format("  {}\n", report.advice);
   const auto line = [&](std::string_view label, const std::string& value) {
     text += fmt::format("  {:<16}{}\n", label, value);
   };
   line("triangulation", one_line(subject.triangulation));
-  line("volume", fmt::format("{}", report.volume));
-  for (const VertexReport& vertex : report.vertices) {
-    line("boundary",
-         fmt::format("geodesic surface of genus {}, area {}", vertex.genus, vertex.area));
-  }
-  line("largest |K|", fmt::format("{:.3g}", report.max_curvature));
+  if (report.certificate) append_certificate(text, *report.certificate);
+  if (report.outcome != structure::Outcome::kInfeasible) append_numbers_found(text, report);
   line("method", fmt::format("{}: {}, {}, {:.3g} s", report.method,
                              counted(std::size_t(report.iterations), "iteration", "iterations"),
                              counted(std::size_t(report.evaluations), "evaluation", "evaluations"),
                              report.seconds));
-  append_edge_table(text, subject, report);
-  append_angle_table(text, report);
+  if (report.outcome != structure::Outcome::kInfeasible) {
+    append_edge_table(text, subject, report);
+    append_angle_table(text, report);
+  }
   return text;
 }
 

@@ -190,6 +190,9 @@ void add_solve(CLI::App& program, Command& chosen) {
                                    "longest edge")
                       ->option_text("FILE");
   history->excludes(verb->get_option("--batch"));
+  verb->add_flag("--angle-structure", solve.angle_structure,
+                 "add an exact, rational, strict angle structure to the answer, if\n"
+                 "there is one");
   auto* components = verb->add_flag("--components", command->components,
                                     "solve each connected component by itself")
                          ->option_text(" ");

@@ -15,4 +15,5 @@ install(FILES "${PROJECT_BINARY_DIR}/tripusConfig.cmake"
               "${PROJECT_BINARY_DIR}/tripusConfigVersion.cmake"
               "${PROJECT_SOURCE_DIR}/cmake/FindCholmod.cmake"
               "${PROJECT_SOURCE_DIR}/cmake/FindGlpk.cmake"
+              "${PROJECT_SOURCE_DIR}/cmake/FindGmp.cmake"
         DESTINATION "${TRIPUS_CMAKE_DIR}")

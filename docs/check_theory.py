@@ -178,6 +178,26 @@ def cholesky_definite(m):
     return True
 
 
+def certificate_identities(random_, tetrahedra=5, edges=4):
+    """Largest error of (51) and (52) for random edge classes, multipliers and angles."""
+    corners = [(t, i, j) for t in range(tetrahedra) for i, j in EDGES]
+    edge_of = {c: n % edges for n, c in enumerate(corners)}
+    x = {c: random_.random() for c in corners}
+    for e in range(edges):
+        total = sum(x[c] for c in corners if edge_of[c] == e)
+        x.update({c: 2 * x[c] / total for c in corners if edge_of[c] == e})
+    w = {(t, v): random_.random() for t in range(tetrahedra) for v in range(4)}
+    u = [random_.uniform(-1, 1) for _ in range(edges)]
+    a = {c: w[c[0], c[1]] + w[c[0], c[2]] - u[edge_of[c]] for c in corners}
+    s = {p: sum(x[c] for c in corners if c[0] == p[0] and p[1] in c[1:]) for p in w}
+    R = sum(w.values()) - 2 * sum(u)
+    valence = [sum(edge_of[c] == e for c in corners) for e in range(edges)]
+    return max(
+        abs(R - sum(a[c] * x[c] for c in corners) - sum(w[p] * (1 - s[p]) for p in w)),
+        abs(sum(a.values()) + sum(w.values()) - 4 * sum(w.values())
+            + sum(d * y for d, y in zip(valence, u))))
+
+
 def main():
     random_ = random.Random(20)
     errors = {}
@@ -255,6 +275,7 @@ def main():
     for genus, value in published.items():
         report(f"(28) one-edge triangulation, genus {genus}",
                abs(genus * volume([math.pi / (3 * genus)] * 6) - value), 1e-13)
+    report("(51) (52) certificate identities", certificate_identities(random.Random(7)), 1e-12)
     l = math.acosh((3 + math.sqrt(3)) / 4)
     report("(5) length of the tripus", abs(l - 0.596133894890837), 1e-15)
     report("(5) angles of the tripus", max(abs(x - math.pi / 6) for x in angles([l] * 6)), 1e-14)

@@ -25,6 +25,29 @@ constexpr double kPaddingLength = 1.0;
 
 constexpr double kPi = std::numbers::pi;
 
+/// Whether these are the angles of a flat tetrahedron: the kernel gives it exactly four times 0 and
+/// twice pi.
+bool is_flat(const std::array<double, 6>& theta) {
+  return std::count(theta.begin(), theta.end(), 0.0) == 4 &&
+         std::count_if(theta.begin(), theta.end(), [](double a) { return a > 3.0; }) == 2;
+}
+
+/// A sum that carries its rounding errors along (Neumaier): totals over a million tetrahedra keep
+/// their digits.
+class Sum {
+ public:
+  void add(double x) {
+    const double total = sum_ + x;
+    lost_ += std::fabs(sum_) >= std::fabs(x) ? (sum_ - total) + x : (x - total) + sum_;
+    sum_ = total;
+  }
+  double value() const { return sum_ + lost_; }
+
+ private:
+  double sum_ = 0;
+  double lost_ = 0;
+};
+
 }  // namespace
 
 CoVolume::CoVolume(const topology::Triangulation& triangulation,
@@ -154,28 +177,23 @@ std::vector<std::size_t> CoVolume::flat_tetrahedra() const {
   std::vector<std::size_t> flat;
   if (flat_count_ == 0) return flat;
   for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
-    const auto theta = dihedral_angles(t);
-    // The kernel gives a flat tetrahedron exactly these angles.
-    const auto zeros = std::count(theta.begin(), theta.end(), 0.0);
-    const auto straight =
-        std::count_if(theta.begin(), theta.end(), [](double a) { return a > 3.0; });
-    if (zeros == 4 && straight == 2) flat.push_back(t);
+    if (is_flat(dihedral_angles(t))) flat.push_back(t);
   }
   return flat;
 }
 
 double CoVolume::volume() const {
-  double sum = 0;
+  Sum sum;
   for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t)
-    sum += geometry::volume(dihedral_angles(t));
-  return sum;
+    sum.add(geometry::volume(dihedral_angles(t)));
+  return sum.value();
 }
 
 double CoVolume::convexity_bound() const {
-  if (flat_count_ != 0) return 0;
   using Matrix = Eigen::Matrix<double, 6, 6>;
   double largest_inverse = 0;
   for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
+    if (flat_count_ != 0 && is_flat(dihedral_angles(t))) continue;
     Matrix jacobian;
     Eigen::Index q = 0;
     for (Eigen::Index i = 0; i < 6; ++i)
@@ -189,19 +207,19 @@ double CoVolume::convexity_bound() const {
   std::size_t least_valence = triangulation_.valence(0);
   for (std::size_t e = 1; e < dimension(); ++e)
     least_valence = std::min(least_valence, triangulation_.valence(e));
-  return static_cast<double>(least_valence) / largest_inverse;
+  return largest_inverse > 0 ? static_cast<double>(least_valence) / largest_inverse : 0;
 }
 
 double CoVolume::value_at(std::span<const double> x) const {
-  double sum = 0;
+  Sum sum;
   for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
     const auto theta = dihedral_angles(t);
-    sum += 2 * geometry::volume(theta);
+    sum.add(2 * geometry::volume(theta));
     for (int i = 0; i < 6; ++i)
-      sum += theta[static_cast<std::size_t>(i)] * x[triangulation_.edge_class(t, i)];
+      sum.add(theta[static_cast<std::size_t>(i)] * x[triangulation_.edge_class(t, i)]);
   }
-  for (std::size_t e = 0; e < x.size(); ++e) sum -= cone_angles_[e] * x[e];
-  return sum;
+  for (std::size_t e = 0; e < x.size(); ++e) sum.add(-cone_angles_[e] * x[e]);
+  return sum.value();
 }
 
 }  // namespace tripus::energies

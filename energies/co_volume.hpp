@@ -46,8 +46,9 @@ class CoVolume final : public solver::Problem {
   /// Sum of the volumes of the tetrahedra.
   double volume() const;
   /// A lower bound of the least eigenvalue of the Hessian, from the Jacobians of the latest
-  /// evaluation with second derivatives: min_e valence * min_t 1 / |J_t^-1| (Frobenius norm);
-  /// 0 where a tetrahedron is flat. Source: docs/theory.md (40).
+  /// evaluation with second derivatives: min_e valence * min_t 1 / |J_t^-1| (Frobenius norm), over
+  /// the tetrahedra that are not flat. It is a bound on all of R^E if there are no flat ones, and 0
+  /// where a Jacobian is not positive definite. Source: docs/theory.md (40), (49).
   double convexity_bound() const;
   /// H at x, from the angles of the latest evaluation, which must have been at x.
   double value_at(std::span<const double> x) const;

@@ -43,7 +43,8 @@ inline std::size_t angles_of_pack(const double* lengths, double* theta_out, doub
     s[e] = h.sinh;
     c[e] = h.cosh;
   }
-  const Lanes det = gram_kernel(c, s, UnitDiagonal{}, theta, kWithJacobian ? jacobian : nullptr);
+  const Lanes det = gram_kernel(c, s, UnitDiagonal{}, opposite_products(c, s), theta,
+                                kWithJacobian ? jacobian : nullptr);
   for (std::size_t e = 0; e < 6; ++e) store(theta_out + kLanes * e, theta[e]);
   if constexpr (kWithJacobian) {
     // The diagonal is the one entry that does not vanish by itself where a length is <= 0.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -81,44 +82,79 @@ Exponents scaling_exponents(const double* l) {
                        : exponents_from_face(l, best_apex);
 }
 
-/// One tetrahedron by the scaled Gram matrix; l >= 0, any size.
-double scaled_kernel(const double* l, double* theta, double* jacobian) {
+/// A scaled Gram matrix: cosh, sinh and diagonal, and the products of opposite entries, which are
+/// taken from sums of lengths so that equal pairs have equal products.
+struct ScaledGram {
+  double c[6], s[6], d[4];
+  OppositeProducts<double> products;
+};
+
+ScaledGram scaled_gram(const double* l) {
   // A quarter of the lengths, so that sums of them cannot overflow.
   double quarter[6];
   std::transform(l, l + 6, quarter, [](double x) { return x / 4; });
   const Exponents u = scaling_exponents(quarter);
-
-  double c[6], s[6], d[4];
-  for (int i = 0; i < 4; ++i) d[i] = std::exp(-8 * u[static_cast<std::size_t>(i)]);
+  ScaledGram g;
+  for (std::size_t i = 0; i < 4; ++i) g.d[i] = std::exp(-8 * u[i]);
   for (int e = 0; e < 6; ++e) {
     const EdgeFrame& f = kEdgeFrames[e];
-    const double shift = 4 * (u[static_cast<std::size_t>(f.i)] + u[static_cast<std::size_t>(f.j)]);
+    const double u_i = u[static_cast<std::size_t>(f.i)], u_j = u[static_cast<std::size_t>(f.j)];
     if (l[e] <= 1) {
-      const double factor = std::exp(-shift);
-      s[e] = std::sinh(l[e]) * factor;
-      c[e] = std::cosh(l[e]) * factor;
+      const double factor = std::exp(-4 * (u_i + u_j));
+      g.s[e] = std::sinh(l[e]) * factor;
+      g.c[e] = std::cosh(l[e]) * factor;
     } else {
-      const double grown =
-          4 * ((quarter[e] - u[static_cast<std::size_t>(f.i)]) - u[static_cast<std::size_t>(f.j)]);
-      const double leading = std::exp(grown) / 2;
-      s[e] = -leading * std::expm1(-2 * l[e]);
-      c[e] = leading * (1 + std::exp(-2 * l[e]));
+      const double leading = std::exp(4 * ((quarter[e] - u_i) - u_j)) / 2;
+      g.s[e] = -leading * std::expm1(-2 * l[e]);
+      g.c[e] = leading * (1 + std::exp(-2 * l[e]));
     }
   }
+  const double total = u[0] + u[1] + u[2] + u[3];
+  for (int e = 0; e < 3; ++e) {
+    const double leading = std::exp(4 * ((quarter[e] + quarter[5 - e]) - total)) / 4;
+    g.products.c[e] = leading * ((1 + std::exp(-2 * l[e])) * (1 + std::exp(-2 * l[5 - e])));
+    g.products.s[e] = leading * (std::expm1(-2 * l[e]) * std::expm1(-2 * l[5 - e]));
+  }
+  return g;
+}
+
+/// Where all terms underflow but for two equal products of opposite edges, the tetrahedron is long
+/// and thin, between two ways to be flat: in the limit these four edges have angle pi/2. Returns
+/// false if that is not so.
+bool ridge_angles(const OppositeProducts<double>& products, double* theta) {
+  for (int e = 0; e < 3; ++e) {
+    const int one = (e + 1) % 3, two = (e + 2) % 3;
+    if (products.c[one] != products.c[two] || !(products.c[e] < products.c[one])) continue;
+    theta[e] = theta[5 - e] = 0;
+    theta[one] = theta[5 - one] = theta[two] = theta[5 - two] = kPi / 2;
+    return true;
+  }
+  return false;
+}
+
+/// One tetrahedron by the scaled Gram matrix; l >= 0, any size. Returns -det G, scaled, or the
+/// least positive number where it underflows.
+double scaled_kernel(const double* l, double* theta, double* jacobian) {
+  const ScaledGram g = scaled_gram(l);
   double packed[kPackedJacobian];
-  const double det = gram_kernel(c, s, d, theta, packed);
+  double det = gram_kernel(g.c, g.s, g.d, g.products, theta, packed);
   // Scaled minors can underflow, but only where a change of the lengths far below an ulp makes the
   // tetrahedron flat: it is called flat then.
-  const bool flat = !(det > 0) || !std::all_of(packed, packed + kPackedJacobian,
-                                               [](double x) { return std::isfinite(x); });
-  if (flat) {
-    for (int e = 0; e < 6; ++e) theta[e] = theta[e] > kPi / 2 ? kPi : 0;
+  const bool sound = det > 0 && std::all_of(packed, packed + kPackedJacobian,
+                                            [](double x) { return std::isfinite(x); });
+  if (!sound) {
     std::fill(packed, packed + kPackedJacobian, 0.0);
+    if (det >= 0 && ridge_angles(g.products, theta)) {
+      det = std::numeric_limits<double>::min();
+    } else {
+      for (int e = 0; e < 6; ++e) theta[e] = theta[e] > kPi / 2 ? kPi : 0;
+      det = 0;
+    }
   }
   for (int e = 0; e < 6; ++e)
     if (!(l[e] > 0)) packed[packed_index(e, e)] = 0;
   if (jacobian != nullptr) std::copy(packed, packed + kPackedJacobian, jacobian);
-  return flat ? 0 : det;
+  return det;
 }
 
 /// The unscaled route, in the same operations as the batched kernels.
@@ -129,7 +165,7 @@ double unscaled_kernel(const double* l, double* theta, double* jacobian) {
     s[e] = h.sinh;
     c[e] = h.cosh;
   }
-  const double det = gram_kernel(c, s, UnitDiagonal{}, theta, jacobian);
+  const double det = gram_kernel(c, s, UnitDiagonal{}, opposite_products(c, s), theta, jacobian);
   if (jacobian != nullptr) {
     for (int e = 0; e < 6; ++e)
       if (!(s[e] > 0)) jacobian[packed_index(e, e)] = 0;

@@ -13,7 +13,8 @@ enum class TetrahedronKind { kTruncated, kFlat01_23, kFlat02_13, kFlat03_12 };
 ///   l         [6]   hyperbolic lengths, finite, > 0, order 01 02 03 12 13 23
 ///   theta     [6]   radians in [0, pi]; exactly 0 or pi where it is flat
 ///   jacobian  [36]  d theta_i / d l_j, row-major, symmetric, positive definite where the
-///                   tetrahedron is not flat, zero where it is; empty to skip
+///                   tetrahedron is not flat; zero where it is, or so nearly that an entry would
+///                   exceed 1e8 (sums of such entries have no digits left); empty to skip
 /// Returns the kind of l: a flat tetrahedron is an answer, not an error.
 /// Accuracy: the angles are those of lengths changed by a few ulp, for every positive length a
 /// double can hold (the Gram matrix is scaled where its entries would overflow).

@@ -43,35 +43,67 @@ std::size_t first_nearly_flat(const std::vector<std::array<double, 6>>& angles) 
   return static_cast<std::size_t>(found - angles.begin());
 }
 
-/// Why the numbers are not those of a metric, or empty if they are.
-std::string objection(const topology::Triangulation& triangulation,
-                      const energies::CoVolume& energy, const Report& report, double tolerance,
-                      double norm_of_curvature) {
+/// Why the lengths are not those of a critical point of the energy, or empty if they are.
+std::string not_critical(const energies::CoVolume& energy, const Report& report, double tolerance,
+                         double norm_of_curvature) {
   if (!(report.max_curvature <= tolerance)) {
     return fmt::format("the largest edge curvature {:.3g} is above the tolerance {:.3g}",
                        report.max_curvature, tolerance);
   }
+  const auto [shortest, longest] =
+      std::minmax_element(report.edge_lengths.begin(), report.edge_lengths.end());
+  const double scale = *shortest > 0 ? std::min(1.0, *shortest) : 1.0;
+  if (!(norm_of_curvature <= tolerance::kMaxDistanceToMetric * scale * energy.convexity_bound())) {
+    return fmt::format(
+        "the curvature is small but so is the convexity of the energy (the longest edge has length "
+        "{:.3g}), as when lengths run off to infinity",
+        *longest);
+  }
+  return {};
+}
+
+/// Why a critical point is not a metric, though no tetrahedron is flat; or empty if it is one.
+std::string not_a_metric(const topology::Triangulation& triangulation, const Report& report) {
   const auto shortest = std::min_element(report.edge_lengths.begin(), report.edge_lengths.end());
   if (!(*shortest > 0)) {
     return fmt::format("the length of edge class {} is {:.3g}, not positive",
                        shortest - report.edge_lengths.begin(), *shortest);
   }
-  if (!report.flat_tetrahedra.empty()) {
-    return fmt::format("{} of the {} tetrahedra are flat, the first is tetrahedron {}",
-                       report.flat_tetrahedra.size(), triangulation.tetrahedron_count(),
-                       report.flat_tetrahedra.front());
-  }
   const std::size_t nearly = first_nearly_flat(report.dihedral_angles);
   if (nearly < triangulation.tetrahedron_count())
     return fmt::format("tetrahedron {} is flat within rounding", nearly);
-  const double distance = norm_of_curvature / energy.convexity_bound();
-  if (!(distance <= tolerance::kMaxDistanceToMetric * std::min(1.0, *shortest))) {
-    return fmt::format(
-        "the curvature is small but the energy is nearly flat there (distance estimate {:.3g}, "
-        "longest edge {:.3g}), as when lengths run off to infinity",
-        distance, *std::max_element(report.edge_lengths.begin(), report.edge_lengths.end()));
-  }
   return {};
+}
+
+/// The outcome of what has been computed, and the sentence that goes with it.
+void judge(const topology::Triangulation& triangulation, const energies::CoVolume& energy,
+           double tolerance, double norm_of_curvature, const solver::Summary& summary,
+           Report& report) {
+  std::string why_not = not_critical(energy, report, tolerance, norm_of_curvature);
+  if (why_not.empty() && !report.flat_tetrahedra.empty()) {
+    report.outcome = Outcome::kDegenerate;
+    report.message = fmt::format(
+        "The co-volume is least where {} of the {} tetrahedra {} flat, so this triangulation "
+        "carries no metric; its manifold may.",
+        report.flat_tetrahedra.size(), triangulation.tetrahedron_count(),
+        report.flat_tetrahedra.size() == 1 ? "is" : "are");
+    return;
+  }
+  if (why_not.empty()) why_not = not_a_metric(triangulation, report);
+  if (why_not.empty()) {
+    report.outcome = Outcome::kGeometric;
+    report.message = fmt::format(
+        "This triangulation carries the hyperbolic metric with geodesic boundary; its volume is "
+        "{:.12g}.",
+        report.volume);
+    return;
+  }
+  report.outcome = Outcome::kUnresolved;
+  report.message = fmt::format(
+      "No metric was found on this triangulation: the method {}{}{}, and {}. Nothing follows about "
+      "the manifold.",
+      to_string(summary.termination), summary.message.empty() ? "" : ": ", summary.message,
+      why_not);
 }
 
 }  // namespace
@@ -100,22 +132,7 @@ Report assess(const topology::Triangulation& triangulation, energies::CoVolume& 
   report.volume = energy.volume();
   report.vertices = report_vertices(triangulation, report.dihedral_angles);
 
-  const std::string why_not =
-      objection(triangulation, energy, report, tolerance, std::sqrt(squares));
-  if (why_not.empty()) {
-    report.outcome = Outcome::kGeometric;
-    report.message = fmt::format(
-        "This triangulation carries the hyperbolic metric with geodesic boundary; its volume is "
-        "{:.12g}.",
-        report.volume);
-  } else {
-    report.outcome = Outcome::kUnresolved;
-    report.message = fmt::format(
-        "No metric was found on this triangulation: the method {}{}{}, and {}. Nothing follows "
-        "about the manifold.",
-        to_string(summary.termination), summary.message.empty() ? "" : ": ", summary.message,
-        why_not);
-  }
+  judge(triangulation, energy, tolerance, std::sqrt(squares), summary, report);
   return report;
 }
 

@@ -12,9 +12,12 @@ namespace tripus::structure {
 /// Judges lengths x [E] by the geometry they give and by nothing else: fills everything of the
 /// report but the run's own account (method, counts, seconds), which comes from `summary`.
 ///
-/// "geometric" needs all of: every length positive, every tetrahedron a true truncated one with a
-/// margin above rounding, max|K| <= tolerance, and a nearby critical point: max|K| is also small
-/// where lengths run off to infinity, so the distance estimate of docs/theory.md (49) must hold.
+/// A critical point needs max|K| <= tolerance and the distance estimate of docs/theory.md (49),
+/// because max|K| is also small where lengths run off to infinity. Then the outcome is
+///   geometric    if every length is positive and every tetrahedron a true truncated one, with a
+///                margin above rounding;
+///   degenerate   if some tetrahedra are flat: the minimiser of the boundary case;
+/// and otherwise unresolved.
 Report assess(const topology::Triangulation& triangulation, energies::CoVolume& energy,
               std::span<const double> x, double tolerance, const solver::Summary& summary);
 

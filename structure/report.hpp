@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "solver/method.hpp"
+#include "structure/certificate.hpp"
 
 namespace tripus::structure {
 
@@ -14,6 +16,8 @@ namespace tripus::structure {
 /// (solver::Termination).
 enum class Outcome {
   kGeometric,   ///< every tetrahedron is a true truncated one and max|K| <= tolerance
+  kDegenerate,  ///< the minimiser of the co-volume has flat tetrahedra (listed): the boundary case
+  kInfeasible,  ///< no strict angle structure, by an exact certificate
   kUnresolved,  ///< stopped by a limit; the message says which, and what is known
 };
 std::string_view to_string(Outcome outcome);
@@ -43,7 +47,13 @@ struct Report {
   std::vector<std::array<double, 6>> dihedral_angles;  ///< [T]
   std::vector<VertexReport> vertices;                  ///< [V]
   std::vector<std::size_t> flat_tetrahedra;
+  /// Exact proof that there is no strict angle structure: always there if infeasible, of kind semi
+  /// if degenerate and only semi-angle structures exist.
+  std::optional<Certificate> certificate;
+  /// Exact strict angle structure: where one was decided to exist, or asked for.
+  std::optional<StrictAngles> strict_angles;
   std::string message;  ///< one sentence for a person
+  std::string advice;   ///< and what to do about it; empty if nothing is to be done
 };
 
 }  // namespace tripus::structure

@@ -13,12 +13,17 @@
 #include "integrators/integrate.hpp"
 #include "structure/angle_structure.hpp"
 #include "structure/assess.hpp"
+#include "structure/existence.hpp"
 #include "structure/method.hpp"
 #include "structure/starting_lengths.hpp"
 #include "topology/requirements.hpp"
 
 namespace tripus::structure {
 namespace {
+
+/// Iterations after which Newton's method is not going to find a metric: from random starts over
+/// ten decades of lengths, metrics took at most 14.
+constexpr int kNewtonPatience = 100;
 
 /// Where a run ended: lengths, and the method's own account.
 struct Run {
@@ -119,19 +124,112 @@ void require_options(const SolveOptions& options) {
   }
 }
 
+/// One run of a method, judged. Without a limit of the user's, Newton's method gets one that
+/// metrics do not need: what is still running then is on its way to infinity.
+Report run_method(const topology::Triangulation& triangulation, const SolveOptions& options) {
+  const SolveMethod method = find_solve_method(options.method, triangulation.edge_count());
+  SolveOptions limited = options;
+  if (options.max_iterations == 0 && method.minimiser != nullptr && method.minimiser->second_order)
+    limited.max_iterations = kNewtonPatience;
+  energies::CoVolume energy(triangulation, options.cone_angles);
+  const Run run = method.form == SolveMethod::Form::kAngles
+                      ? run_in_angles(triangulation, limited, method)
+                      : run_in_lengths(triangulation, limited, method, energy);
+  Report report = assess(triangulation, energy, run.lengths, options.tolerance, run.summary);
+  report.method = method.name;
+  return report;
+}
+
+/// Whether a limit that the user set, or the user, ended the run.
+bool was_cut_short(const Report& report, const SolveOptions& options) {
+  switch (report.termination) {
+    case solver::Termination::kTimeLimit:
+    case solver::Termination::kInterrupted:
+      return true;
+    case solver::Termination::kIterationLimit:
+      return options.max_iterations > 0;
+    default:
+      return false;
+  }
+}
+
+/// The run that the outcome rests on where the user's own did not find a metric: Newton's method
+/// from the default start. Limits of time, and the wish to stop, remain.
+Report settling_run(const topology::Triangulation& triangulation, const SolveOptions& options,
+                    Report report) {
+  const bool was_default = (options.method == "auto" || options.method == "newton") &&
+                           options.initial_lengths.empty() && options.initial_length == 0 &&
+                           options.tolerance <= tolerance::kMaxCurvature;
+  if (was_default) return report;
+  SolveOptions settling;
+  settling.cone_angles = options.cone_angles;
+  settling.tolerance = std::min(options.tolerance, tolerance::kMaxCurvature);
+  settling.time_limit = options.time_limit;
+  settling.stop_requested = options.stop_requested;
+  Report settled = run_method(triangulation, settling);
+  settled.iterations += report.iterations;
+  settled.evaluations += report.evaluations;
+  settled.linear_iterations += report.linear_iterations;
+  return settled;
+}
+
+/// The sentence for a certificate.
+std::string certificate_message(const Certificate& certificate) {
+  return certificate.kind == Certificate::Kind::kNone
+             ? "There is no angle structure on this triangulation (exact certificate), so it "
+               "carries no metric; its manifold may."
+             : "Every angle structure on this triangulation has an angle 0 or a vertex sum pi "
+               "(exact certificate), so it carries no metric; its manifold may.";
+}
+
+constexpr const char* kRetriangulate =
+    "Try another triangulation of the manifold: --retriangulate looks for one by moves.";
+
+/// Turns the report of a run that found no metric into a verdict with evidence.
+Report settle(const topology::Triangulation& triangulation, Report report) {
+  Existence found = existence(triangulation);
+  if (auto* certificate = std::get_if<Certificate>(&found)) {
+    // A flat minimiser is more than a certificate says; it contradicts one of kind "none".
+    if (certificate->kind == Certificate::Kind::kNone || report.outcome != Outcome::kDegenerate) {
+      report.outcome = Outcome::kInfeasible;
+      report.message = certificate_message(*certificate);
+    }
+    report.certificate = std::move(*certificate);
+  } else {
+    report.strict_angles = std::move(std::get<StrictAngles>(found));
+    if (report.outcome == Outcome::kUnresolved)
+      report.message += " A strict angle structure exists, so the co-volume has a minimiser.";
+  }
+  report.advice = kRetriangulate;
+  return report;
+}
+
+Report find_outcome(const topology::Triangulation& triangulation, const SolveOptions& options) {
+  Report report = run_method(triangulation, options);
+  if (report.outcome != Outcome::kGeometric && was_cut_short(report, options)) {
+    report.advice = "Give it more time or iterations.";
+    return report;
+  }
+  if (report.outcome != Outcome::kGeometric) {
+    report = settling_run(triangulation, options, std::move(report));
+    if (report.outcome != Outcome::kGeometric && was_cut_short(report, options)) return report;
+  }
+  if (!options.cone_angles.empty()) return report;
+  if (report.outcome != Outcome::kGeometric) return settle(triangulation, std::move(report));
+  if (options.angle_structure) {
+    Existence found = existence(triangulation);
+    if (auto* strict = std::get_if<StrictAngles>(&found)) report.strict_angles = std::move(*strict);
+  }
+  return report;
+}
+
 }  // namespace
 
 Report solve(const topology::Triangulation& triangulation, const SolveOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   require_options(options);
   topology::require_solvable(triangulation);
-  const SolveMethod method = find_solve_method(options.method, triangulation.edge_count());
-  energies::CoVolume energy(triangulation, options.cone_angles);
-  const Run run = method.form == SolveMethod::Form::kAngles
-                      ? run_in_angles(triangulation, options, method)
-                      : run_in_lengths(triangulation, options, method, energy);
-  Report report = assess(triangulation, energy, run.lengths, options.tolerance, run.summary);
-  report.method = method.name;
+  Report report = find_outcome(triangulation, options);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

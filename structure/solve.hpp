@@ -42,9 +42,16 @@ struct SolveOptions {
   /// Called at every iteration if set, with its number and max|gradient|; cheap.
   std::function<void(int iteration, double max_gradient)> on_iteration;
   const std::atomic<bool>* stop_requested = nullptr;  ///< polled at every iteration
+  bool angle_structure = false;  ///< also decide on exact strict angles where a metric was found
 };
 
-/// Finds the hyperbolic metric with totally geodesic boundary.
+/// Finds the hyperbolic metric with totally geodesic boundary, or says with evidence why this
+/// triangulation carries none.
+///
+/// The outcome depends on the triangulation alone, not on method, start or labels, unless a limit
+/// that the options set ends the run: what does not end in a metric is settled by Newton's method
+/// from the default start and by an exact decision about angle structures (docs/theory.md section
+/// 5). With cone angles other than 2 pi there is no exact decision.
 /// Throws InvalidInput for a triangulation outside the domain (see topology::require_solvable) and
 /// for options out of range. A triangulation that carries no metric is an answer, not an error.
 Report solve(const topology::Triangulation& triangulation, const SolveOptions& options = {});

@@ -50,6 +50,19 @@ class Gluings {
     neighbours_.resize(4 * tetrahedron_count, kNoTetrahedron);
     perms_.resize(4 * tetrahedron_count);
   }
+  /// Takes tetrahedron t out and gives its number to the last one. Nothing may be glued to t any
+  /// more, but for t itself.
+  void remove_tetrahedron(std::size_t t) {
+    const std::size_t last = tetrahedron_count() - 1;
+    for (int f = 0; f < 4 && t != last; ++f) {
+      const TetrahedronIndex other = neighbour(last, f);
+      const Perm4 p = gluing(last, f);
+      set_one_side(t, f, other, p);
+      if (other != kNoTetrahedron)
+        glue(t, f, other == last ? static_cast<TetrahedronIndex>(t) : other, p);
+    }
+    resize(last);
+  }
   /// Bytes held on the heap.
   std::size_t memory_bytes() const {
     return neighbours_.capacity() * sizeof(TetrahedronIndex) + perms_.capacity() * sizeof(Perm4);

@@ -40,6 +40,21 @@ inline constexpr EdgeFrame kEdgeFrames[6] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 
 inline constexpr int kEdgeBetween[4][4] = {
     {-1, 0, 1, 2}, {0, -1, 3, 4}, {1, 3, -1, 5}, {2, 4, 5, -1}};
 
+/// The products of the cosh, and of the sinh, at the three pairs of opposite edges 01,23; 02,13;
+/// 03,12. Pairs with the same two lengths must have exactly the same products: on triangulations
+/// with few edge classes that is common, and then long thin tetrahedra lie exactly on the ridge
+/// between two ways to be flat, where a difference of rounding errors decides everything.
+template <class Real>
+struct OppositeProducts {
+  Real c[3];
+  Real s[3];
+};
+
+template <class Real>
+inline OppositeProducts<Real> opposite_products(const Real* c, const Real* s) {
+  return {{c[0] * c[5], c[1] * c[4], c[2] * c[3]}, {s[0] * s[5], s[1] * s[4], s[2] * s[3]}};
+}
+
 /// cosh(l_ij - l_kl) at a pair of opposite edges, scaled, from c = cosh and s = sinh of l_ij, l_kl.
 /// The difference of products is taken as (cosh^2 + sinh^2) / (sum of products): no cancellation.
 template <int E, class Real, class Diagonal>
@@ -55,9 +70,10 @@ inline Real cosh_of_difference(const Real* c, const Real* s, const Diagonal& d, 
 /// -det G, docs/theory.md (48): all terms are positive but for one subtraction in the Heron term of
 /// the products of sinh, which is taken in its stable order, largest product first.
 template <class Real, class Diagonal>
-inline Real minus_determinant(const Real* c, const Real* s, const Diagonal& d) {
-  const Real p = c[0] * c[5], q = c[1] * c[4], r = c[2] * c[3];
-  const Real sp = s[0] * s[5], sq = s[1] * s[4], sr = s[2] * s[3];
+inline Real minus_determinant(const Real* c, const Real* s, const Diagonal& d,
+                              const OppositeProducts<Real>& products) {
+  const auto& [p, q, r] = products.c;
+  const auto& [sp, sq, sr] = products.s;
   const Real kp = cosh_of_difference<0>(c, s, d, p, sp);
   const Real kq = cosh_of_difference<1>(c, s, d, q, sq);
   const Real kr = cosh_of_difference<2>(c, s, d, r, sr);
@@ -82,14 +98,23 @@ inline Real minus_face_minor(const Real* c, const Real* s, const Diagonal& d) {
   return 2.0 * (ij * ik * jk) + d[i] * (jk * jk) + d[j] * (ik * ik) + d[k] * (s_ij * s_ij);
 }
 
-/// The cofactor c_kl that goes with edge e = ij.
+/// The cofactor c_kl that goes with edge e = ij, docs/theory.md (7). Where the product of the cosh
+/// of another pair is about as large as that of ij and kl, -a_kl s_ij^2 is split so that the two
+/// are subtracted from each other.
 template <int E, class Real, class Diagonal>
-inline Real edge_cofactor(const Real* c, const Real* s, const Diagonal& d) {
+inline Real edge_cofactor(const Real* c, const Real* s, const Diagonal& d,
+                          const OppositeProducts<Real>& products) {
   constexpr EdgeFrame f = kEdgeFrames[E];
+  constexpr int own = E < 3 ? E : 5 - E, one = (own + 1) % 3, two = (own + 2) % 3;
   const Real ik = c[kEdgeBetween[f.i][f.k]], il = c[kEdgeBetween[f.i][f.l]];
   const Real jk = c[kEdgeBetween[f.j][f.k]], jl = c[kEdgeBetween[f.j][f.l]];
-  return (c[E] * (ik * jl + il * jk) + d[f.j] * (ik * il) + d[f.i] * (jk * jl)) -
-         c[5 - E] * (s[E] * s[E]);
+  const Real same = products.c[own];
+  const Real large = maximum(products.c[one], products.c[two]);
+  const Real small = minimum(products.c[one], products.c[two]);
+  const Real around = d[f.j] * (ik * il) + d[f.i] * (jk * jl);
+  const Real apart = (c[E] * (large + small) + around) - c[5 - E] * (s[E] * s[E]);
+  const Real close = c[E] * ((large - same) + small) + (around + d[f.i] * (d[f.j] * c[5 - E]));
+  return (large > 0.5 * same) & (large < 2.0 * same) ? close : apart;
 }
 
 /// What the Jacobian needs of one tetrahedron.
@@ -102,11 +127,13 @@ struct GramTerms {
 
 /// d theta_ij / d l_ij, docs/theory.md: Jacobian, diagonal.
 template <int E, class Real, class Diagonal>
-inline Real jacobian_diagonal(const Real* c, const Diagonal& d, const GramTerms<Real>& g) {
+inline Real jacobian_diagonal(const Real* c, const Diagonal& d,
+                              const OppositeProducts<Real>& products, const GramTerms<Real>& g) {
   constexpr EdgeFrame f = kEdgeFrames[E];
   const Real ik = c[kEdgeBetween[f.i][f.k]], il = c[kEdgeBetween[f.i][f.l]];
   const Real jk = c[kEdgeBetween[f.j][f.k]], jl = c[kEdgeBetween[f.j][f.l]];
-  const Real p = c[E] * c[5 - E], q = ik * jl, r = il * jk;
+  constexpr int own = E < 3 ? E : 5 - E, one = (own + 1) % 3, two = (own + 2) % 3;
+  const Real p = products.c[own], q = products.c[one], r = products.c[two];
   const Real along_l = (d[f.l] * c[E] + il * jl) * g.ratio[f.k];
   const Real along_k = (d[f.k] * c[E] + ik * jk) * g.ratio[f.l];
   return (((p - q) + (p - r)) + g.cofactor[E] * (along_l + along_k)) * g.inverse_root;
@@ -130,9 +157,9 @@ inline Real jacobian_off_diagonal(const Real* s, const GramTerms<Real>& g) {
 
 template <int A, int B, class Real, class Diagonal>
 inline Real jacobian_entry(const Real* c, const Real* s, const Diagonal& d,
-                           const GramTerms<Real>& g) {
+                           const OppositeProducts<Real>& products, const GramTerms<Real>& g) {
   if constexpr (A == B) {
-    return jacobian_diagonal<A>(c, d, g);
+    return jacobian_diagonal<A>(c, d, products, g);
   } else {
     return jacobian_off_diagonal<A, B>(s, g);
   }
@@ -149,21 +176,24 @@ inline void for_packed_pairs(F&& f, std::integer_sequence<int, Pairs...>) {
       ...);
 }
 
+/// Where an entry of the Jacobian is larger than this, the tetrahedron is so near to a flat one
+/// that sums of entries, such as those over an edge class, have no digits left.
+inline constexpr double kLargestJacobian = 1e8;
+
 /// Dihedral angles theta [6], and their Jacobian [21] (packed upper triangle) unless null, from
-/// the scaled cosh c [6], sinh s [6] and diagonal d. Flat tetrahedra get their extended angles,
-/// exactly 0 or pi, and a zero Jacobian.
+/// the scaled cosh c [6], sinh s [6], diagonal d and products. Flat tetrahedra get their extended
+/// angles, exactly 0 or pi. The Jacobian is zero for them and beyond kLargestJacobian.
 /// Returns -det G, scaled: positive exactly for true truncated tetrahedra.
 template <class Real, class Diagonal>
-inline Real gram_kernel(const Real* c, const Real* s, const Diagonal& d, Real* theta,
-                        Real* jacobian) {
+inline Real gram_kernel(const Real* c, const Real* s, const Diagonal& d,
+                        const OppositeProducts<Real>& products, Real* theta, Real* jacobian) {
   const Real zero = broadcast<Real>(0.0);
-  const Real det = minus_determinant(c, s, d);
-  const Real clipped = maximum(det, zero);
-  const Real root = square_root(clipped);
+  const Real det = minus_determinant(c, s, d, products);
+  const Real root = square_root(maximum(det, zero));
 
   GramTerms<Real> g;
   [&]<int... E>(std::integer_sequence<int, E...>) {
-    ((g.cofactor[E] = edge_cofactor<E>(c, s, d)), ...);
+    ((g.cofactor[E] = edge_cofactor<E>(c, s, d, products)), ...);
     ((theta[E] = upper_atan2(root * s[E], g.cofactor[E])), ...);
   }
   (std::make_integer_sequence<int, 6>{});
@@ -175,8 +205,17 @@ inline Real gram_kernel(const Real* c, const Real* s, const Diagonal& d, Real* t
   g.ratio[2] = 1.0 / minus_face_minor<2>(c, s, d);
   g.ratio[3] = 1.0 / minus_face_minor<3>(c, s, d);
   for_packed_pairs(
-      [&]<int A, int B>() { jacobian[packed_index(A, B)] = jacobian_entry<A, B>(c, s, d, g); },
+      [&]<int A, int B>() {
+        jacobian[packed_index(A, B)] = jacobian_entry<A, B>(c, s, d, products, g);
+      },
       std::make_integer_sequence<int, 36>{});
+  // The matrix is positive definite: its largest entry lies on the diagonal.
+  const Real largest =
+      maximum(maximum(maximum(jacobian[packed_index(0, 0)], jacobian[packed_index(1, 1)]),
+                      maximum(jacobian[packed_index(2, 2)], jacobian[packed_index(3, 3)])),
+              maximum(jacobian[packed_index(4, 4)], jacobian[packed_index(5, 5)]));
+  const Real limit = broadcast<Real>(kLargestJacobian);
+  for (int q = 0; q < 21; ++q) jacobian[q] = largest < limit ? jacobian[q] : zero;
   return det;
 }
 

@@ -45,6 +45,12 @@
 // limited to kStepGrowth (1 + max|x|) by choosing mu so that |g| / (mu D) has that size: all the
 // saturated variables then move alike, instead of the worst one alone.
 //
+// Saturated starts. Far out f may be piecewise linear but for narrow bends: there a Hessian that
+// vanishes says nothing, and descent zigzags from bend to bend. If at the start the Newton step of
+// some variable would exceed the limit above and f falls towards the origin, the first step goes
+// along that ray to where f stops falling (to kRayRatio, by bisection of log s in s x). f does not
+// rise on it, and it is one step, so that the argument above stands.
+//
 // No minimiser. If the iterate is kRunaway away from the start, it runs away (in a dozen extensions
 // of one step, where f falls linearly). If f falls like exp(-x) the gradient does reach the
 // tolerance, at no minimiser. It betrays itself in the polishing steps: near a minimiser a step is
@@ -64,6 +70,9 @@ constexpr double kPolishForcing = 1e-3;  // and that of the last step
 constexpr double kEscapeStep = 1e-3;     // a polishing step longer than this, in 1 + max|x|,
 constexpr double kEscapeFactor = 0.1;    // which leaves this much of max|g|,
 constexpr int kEscapeSteps = 3;          // so often in a row: a gradient that fades at infinity
+
+constexpr double kRayRatio = 1.05;       // how well the minimum along a ray is located
+constexpr double kShortestRay = 1e-300;  // in units of the start
 
 constexpr char kFadesMessage[] = "the gradient vanishes only at infinity";
 constexpr char kRanAwayMessage[] = "the iterates run away";
@@ -90,6 +99,9 @@ class Loop {
  private:
   enum class Search { kAccepted, kFailed, kRanAway, kStopped };
 
+  bool is_saturated() const;
+  bool shrink();
+  bool evaluate_on_ray(double scale, bool second_derivatives, double& slope);
   bool evaluate_trial(double t, bool second_derivatives);
   void accept_trial();
   void compute_direction(double forcing);
@@ -130,6 +142,9 @@ Summary Loop::minimise() {
   best_ = gradient_;
   double forcing = kForcing;
   if (!run_.observe(x_, gradient_)) return finish(run_.termination);
+  if (gradient_ > run_.tolerance() && is_saturated() && shrink() && !run_.observe(x_, gradient_)) {
+    return finish(run_.termination);
+  }
   while (gradient_ > run_.tolerance()) {
     const double previous = gradient_;
     compute_direction(forcing);
@@ -156,6 +171,44 @@ Summary Loop::minimise() {
                          std::min(kForcing, 0.01 * run_.tolerance() / gradient_), kForcing);
   }
   return polish();
+}
+
+/// Whether f bends too little for some variable's Newton step to mean anything.
+bool Loop::is_saturated() const {
+  run_.problem().hessian_diagonal_blocks(1, d_);
+  const double longest = kStepGrowth * size();
+  for (std::size_t i = 0; i < n_; ++i)
+    if (d_[i] * longest < std::fabs(g_[i])) return true;
+  return false;
+}
+
+/// Evaluates at scale * x; slope is the derivative by scale.
+bool Loop::evaluate_on_ray(double scale, bool second_derivatives, double& slope) {
+  for (std::size_t i = 0; i < n_; ++i) trial_x_[i] = scale * x_[i];
+  const bool defined =
+      run_.evaluate(trial_x_, trial_g_,
+                    {.value = nullptr, .second_derivatives = second_derivatives}, trial_gradient_);
+  slope = dot(trial_g_.data(), x_.data(), n_);
+  return defined;
+}
+
+/// Along the ray to the origin to where f stops falling. Returns false if it does not fall that
+/// way; then the derivatives are again those at x.
+bool Loop::shrink() {
+  if (!(dot(g_.data(), x_.data(), n_) > 0)) return false;
+  double outer = 1, inner = 0.25, slope = 0;
+  while (inner > kShortestRay && evaluate_on_ray(inner, false, slope) && slope > 0) {
+    outer = inner;
+    inner *= inner;
+  }
+  while (outer > kRayRatio * inner) {
+    const double middle = std::sqrt(outer) * std::sqrt(inner);
+    if (!evaluate_on_ray(middle, false, slope)) break;
+    (slope > 0 ? outer : inner) = middle;
+  }
+  const bool moved = evaluate_on_ray(outer, true, slope) && outer < 1;
+  if (moved) accept_trial();
+  return moved;
 }
 
 bool Loop::evaluate_trial(double t, bool second_derivatives) {

@@ -70,6 +70,32 @@ TEST(GramKernel, IsBackwardStableForHugeLengths) {
     worst = std::max(worst, backward_error(testing::log_uniform_lengths(random, 1e-3, 1e5)));
 }
 
+// On triangulations with few edge classes the two longest pairs of opposite edges are often the
+// same lengths. Such a tetrahedron is never flat, however thin; its angles are those of the exact
+// tie.
+TEST(GramKernel, ThinTetrahedraOnTheRidgeBetweenTwoWaysToBeFlat) {
+  std::mt19937_64 random(19);
+  std::uniform_real_distribution<double> small(0.01, 3), large(3, 150);
+  for (int n = 0; n < 2000; ++n) {
+    const double s = small(random), t = small(random), a = large(random), b = large(random);
+    Lengths l{s, a, a, b, b, t};             // 02 = 03, 12 = 13
+    if (n % 3 == 1) l = {s, a, b, a, b, t};  // 02 = 12, 03 = 13
+    if (n % 3 == 2) l = {s, a, a, a, a, t};
+    std::array<double, 6> theta;
+    ASSERT_EQ(dihedral_angles(l, theta), TetrahedronKind::kTruncated);
+    const auto reference = testing::reference_angles(l);
+    for (std::size_t e = 0; e < 6; ++e)
+      EXPECT_NEAR(theta[e], reference.theta[e].convert_to<double>(), 1e-13) << a << " " << b;
+  }
+  for (const double a : {400.0, 1e3, 1e5, 1e10, 1e300}) {
+    const Lengths l{1, a, a, a, a, 2};
+    std::array<double, 6> theta;
+    ASSERT_EQ(dihedral_angles(l, theta), TetrahedronKind::kTruncated);
+    EXPECT_NEAR(theta[0] + theta[5], 0, 1e-15);
+    for (const std::size_t e : {1, 2, 3, 4}) EXPECT_NEAR(theta[e], std::acos(0.0), 1e-15);
+  }
+}
+
 TEST(GramKernel, RegularTetrahedraOfEverySize) {
   for (const double l :
        {1e-308, 1e-300, 1e-100, 1e-8, 1.0, 37.8, 63.9, 64.1, 1e2, 1e5, 1e300, 1.7e308}) {

@@ -10,7 +10,7 @@ from support import DATA, TRIPUS, TRIPUS_LENGTH, TRIPUS_VOLUME, ProgramTest, rea
 KEYS = ["tripus", "input", "isosig", "tetrahedron_count", "edge_count", "orientable",
         "edge_valences", "vertices", "outcome", "method", "iterations", "evaluations", "seconds",
         "max_curvature", "volume", "edge_lengths", "dihedral_angles", "edge_classes",
-        "flat_tetrahedra", "certificate", "message"]
+        "flat_tetrahedra", "certificate", "message", "advice"]
 OUTCOMES = ["geometric", "degenerate", "infeasible", "unresolved"]
 NUMBER = (int, float)
 
@@ -25,8 +25,9 @@ class SolveJson(ProgramTest):
     def check(self, answer, status):
         """The keys in their order, the types and shapes, and the exit status."""
         count, edges = answer["tetrahedron_count"], answer["edge_count"]
-        self.assertEqual([key for key in answer if key != "name"], KEYS)
-        for key in ("tripus", "input", "isosig", "method", "message"):
+        optional = ("name", "angle_structure")
+        self.assertEqual([key for key in answer if key not in optional], KEYS)
+        for key in ("tripus", "input", "isosig", "method", "message", "advice"):
             self.assertIsInstance(answer[key], str, key)
         for key in ("tetrahedron_count", "edge_count", "iterations", "evaluations"):
             self.assertIs(type(answer[key]), int, key)
@@ -47,7 +48,35 @@ class SolveJson(ProgramTest):
             self.assertEqual(vertex["kind"], "geodesic")
             self.assertEqual(vertex["link_euler_characteristic"], 2 - 2 * vertex["genus"])
         self.assertTrue(set(answer["flat_tetrahedra"]) <= set(range(count)))
-        self.assertTrue(answer["certificate"] is None or answer["outcome"] == "infeasible")
+        self.assertEqual(answer["advice"] == "", answer["outcome"] == "geometric")
+        if answer["outcome"] == "geometric":
+            self.assertEqual(answer["flat_tetrahedra"], [])
+        if answer["outcome"] == "degenerate":
+            self.assertNotEqual(answer["flat_tetrahedra"], [])
+        if answer["certificate"] is None:
+            self.assertNotEqual(answer["outcome"], "infeasible")
+        else:
+            self.assertIn(answer["outcome"], ["infeasible", "degenerate"])
+            self.check_certificate(answer)
+
+    def check_certificate(self, answer):
+        """docs/theory.md (43), in integers."""
+        certificate = answer["certificate"]
+        self.assertEqual(list(certificate), ["kind", "edge", "vertex"])
+        edge, vertex = certificate["edge"], certificate["vertex"]
+        self.assertEqual(len(edge), answer["edge_count"])
+        self.assertEqual([len(row) for row in vertex], [4] * answer["tetrahedron_count"])
+        self.assertTrue(all(type(w) is int and w >= 0 for row in vertex for w in row))
+        ends = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)]
+        slack = [row[i] + row[j] - edge[e] for row, classes in zip(vertex, answer["edge_classes"])
+                 for (i, j), e in zip(ends, classes)]
+        self.assertGreaterEqual(min(slack), 0)
+        total = sum(map(sum, vertex)) - 2 * sum(edge)
+        if certificate["kind"] == "none":
+            self.assertLess(total, 0)
+        else:
+            self.assertEqual((certificate["kind"], total), ("semi", 0))
+            self.assertTrue(any(slack) or any(map(any, vertex)))
 
     def test_of_the_tripus(self):
         answer = self.json_answer("solve", TRIPUS)
@@ -191,8 +220,10 @@ class Limits(ProgramTest):
         self.assertLessEqual(tight["max_curvature"], 1e-13)
 
     def test_a_tolerance_below_rounding_is_unresolved(self):
-        answer = self.json_answer("solve", three_tetrahedra()[0], "--tolerance", "1e-300", status=1)
-        self.assertEqual(answer["outcome"], "unresolved")
+        for method in ("newton", "newton-cg", "flow:newton-flow/rk4"):
+            answer = self.json_answer("solve", three_tetrahedra()[0], "--tolerance", "1e-300",
+                                      "--method", method, status=1)
+            self.assertEqual(answer["outcome"], "unresolved")
 
 
 class ConeAngles(ProgramTest):

@@ -1,0 +1,50 @@
+#include "structure/certificate.hpp"
+
+namespace tripus::structure {
+namespace {
+
+/// Appends [a, b, ...], integers.
+template <class Integers>
+void append_integers(std::string& out, const Integers& integers) {
+  out += '[';
+  for (std::size_t i = 0; i < integers.size(); ++i) {
+    if (i > 0) out += ", ";
+    out += integers[i].get_str();
+  }
+  out += ']';
+}
+
+/// Appends [[...], ...].
+template <class Rows>
+void append_rows(std::string& out, const Rows& rows) {
+  out += '[';
+  for (std::size_t t = 0; t < rows.size(); ++t) {
+    if (t > 0) out += ", ";
+    append_integers(out, rows[t]);
+  }
+  out += ']';
+}
+
+}  // namespace
+
+std::string_view to_string(Certificate::Kind kind) {
+  return kind == Certificate::Kind::kNone ? "none" : "semi";
+}
+
+std::string to_json(const Certificate& certificate) {
+  std::string out = "{\"kind\": \"";
+  out += to_string(certificate.kind);
+  out += "\", \"edge\": ";
+  append_integers(out, certificate.edge);
+  out += ", \"vertex\": ";
+  append_rows(out, certificate.vertex);
+  return out + "}";
+}
+
+std::string to_json(const StrictAngles& angles) {
+  std::string out = "{\"denominator\": " + angles.denominator.get_str() + ", \"numerators\": ";
+  append_rows(out, angles.numerator);
+  return out + "}";
+}
+
+}  // namespace tripus::structure

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "topology/triangulation.hpp"
+
+struct glp_prob;
+
+namespace tripus::structure::detail {
+
+/// The linear programme of the widest margin (docs/theory.md (50)), in units of pi:
+///     max m:  angle_c >= m,  vertex sums <= 1 - m,  edge sums = cone angles.
+/// It always has an optimum. GLPK does the work and stays inside.
+class AngleProgramme {
+ public:
+  ///   cone_angles [E] in units of pi; empty for 2
+  explicit AngleProgramme(const topology::Triangulation& triangulation,
+                          std::span<const double> cone_angles = {});
+  ~AngleProgramme();
+  AngleProgramme(const AngleProgramme&) = delete;
+  AngleProgramme& operator=(const AngleProgramme&) = delete;
+
+  /// The simplex method in floating point; false if it fails.
+  bool solve();
+  /// The simplex method in rational arithmetic, from the basis of the last `solve`; false if it
+  /// fails. The basis is then optimal; the numbers below are its, rounded.
+  bool solve_exactly();
+
+  double margin() const;
+  std::vector<double> angles() const;              ///< [T x 6] units of pi
+  std::vector<double> vertex_multipliers() const;  ///< [T x 4] the dual w_v, >= 0 but for rounding
+
+  /// What determines the numbers exactly: the rows that hold with equality, by nonbasic status, and
+  /// the columns not at 0. Rows are edge classes 0..E-1, then tetrahedron vertices E + 4 t + v;
+  /// columns are corners 6 t + e (angle - m), then the margin 6 T. As many rows as columns.
+  struct Basis {
+    std::vector<std::size_t> rows;
+    std::vector<std::size_t> columns;
+  };
+  Basis basis() const;
+
+ private:
+  void add_columns();
+  void add_rows(const topology::Triangulation& triangulation, std::span<const double> cone_angles);
+
+  std::unique_lock<std::mutex> lock_;  // held where GLPK has one environment for all threads
+  int old_term_out_;
+  std::size_t corner_count_;  // 6 T
+  std::size_t edge_count_;
+  glp_prob* programme_;
+};
+
+}  // namespace tripus::structure::detail

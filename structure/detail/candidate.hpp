@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "structure/certificate.hpp"
+#include "topology/triangulation.hpp"
+
+namespace tripus::structure::detail {
+
+/// A certificate from vertex multipliers w >= 0 [T x 4] alone: given w, the largest u_e that (43)
+/// allows is the minimum of w_v + w_v' over the corners of e, and it makes R smallest. Common
+/// factors of w are taken out. Nothing if that R is not <= 0, or w = 0.
+std::optional<Certificate> certificate_from(const topology::Triangulation& triangulation,
+                                            std::vector<std::array<Integer, 4>> w);
+
+/// Exactly: angles >= 0, vertex sums <= 1, edge sums = 2; strict or not.
+bool is_angle_structure(const topology::Triangulation& triangulation, const StrictAngles& angles);
+
+}  // namespace tripus::structure::detail

@@ -1,0 +1,44 @@
+#include "structure/existence.hpp"
+
+#include <optional>
+
+#include "base/error.hpp"
+#include "structure/detail/angle_programme.hpp"
+#include "structure/detail/existence_routes.hpp"
+
+// The programme of the widest margin m (docs/theory.md (50)) decides: m > 0, = 0 or < 0. Its primal
+// optimum is the angle structure, its dual optimum the certificate, both with the same m. Three
+// routes to exact numbers, each followed by an exact check, so that floating point only proposes:
+//   1. round the floating-point optimum to a small common denominator;
+//   2. solve the linear systems of its final basis over the rationals;
+//   3. let the simplex method run over the rationals, and do 2 on its basis.
+
+namespace tripus::structure {
+namespace {
+
+using topology::Triangulation;
+
+std::optional<Existence> search(const Triangulation& triangulation) {
+  detail::AngleProgramme programme(triangulation);
+  std::optional<Existence> found;
+  if (programme.solve()) {
+    found = detail::by_rounding(triangulation, programme);
+    if (!found) found = detail::by_exact_basis(triangulation, programme);
+  }
+  if (!found && programme.solve_exactly()) found = detail::by_exact_basis(triangulation, programme);
+  return found;
+}
+
+}  // namespace
+
+Existence existence(const Triangulation& triangulation) {
+  std::optional<Existence> found = search(triangulation);
+  if (!found) throw InternalError("the existence of a strict angle structure could not be decided");
+  const CheckResult result =
+      std::visit([&](const auto& proof) { return check(triangulation, proof); }, *found);
+  if (!result)
+    throw InternalError("a proof about angle structures does not pass its check: " + result.reason);
+  return *std::move(found);
+}
+
+}  // namespace tripus::structure

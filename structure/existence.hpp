@@ -1,0 +1,26 @@
+#pragma once
+
+#include <variant>
+
+#include "structure/certificate.hpp"
+#include "topology/triangulation.hpp"
+
+namespace tripus::structure {
+
+/// Whether a triangulation has a strict angle structure with cone angles 2 pi, with the exact
+/// proof: the structure itself, or a certificate that there is none.
+using Existence = std::variant<StrictAngles, Certificate>;
+
+/// Decides exactly. The three answers exclude each other:
+///   StrictAngles               a strict angle structure exists: H is coercive, a minimiser exists
+///   Certificate, kind semi     angle structures exist (this too has been proved), none is strict
+///   Certificate, kind none     there is no angle structure
+/// Works for every triangulation, also those that topology::require_solvable refuses; where a
+/// vertex link is a torus or a sphere the answer is never StrictAngles, since vertex sums are < pi.
+/// Time: about the simplex method's. Exact arithmetic is used for the checks, and for more only
+/// where rounding the floating-point optimum does not already give a proof.
+/// Throws InternalError rather than return what does not pass `check`.
+/// Source: docs/theory.md (50)-(52).
+Existence existence(const topology::Triangulation& triangulation);
+
+}  // namespace tripus::structure

@@ -1,0 +1,194 @@
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "structure/certificate.hpp"
+
+// nlohmann's own tree would turn integers beyond 64 bits into doubles. The tree here is made from
+// its events instead, and keeps the text of every number, as a "binary" value: no JSON text makes
+// one.
+
+namespace tripus::structure {
+namespace {
+
+/// Numbers are read as long double on their way, so that the parser lets integers of up to 4,932
+/// digits through; with double it stops at 308.
+using json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
+                                  std::uint64_t, long double>;
+
+/// Deeper nesting than any document of ours has; the parser stops there.
+constexpr std::size_t kDeepest = 32;
+
+json number_token(const std::string& text) {
+  return json::binary(std::vector<std::uint8_t>(text.begin(), text.end()));
+}
+
+/// Receives the parser's events; member names and signatures are nlohmann's.
+class TreeBuilder {
+ public:
+  using number_integer_t = json::number_integer_t;
+  using number_unsigned_t = json::number_unsigned_t;
+  using number_float_t = json::number_float_t;
+  using string_t = json::string_t;
+  using binary_t = json::binary_t;
+
+  bool null() { return add(json()); }
+  bool boolean(bool value) { return add(json(value)); }
+  bool number_integer(number_integer_t value) { return add(number_token(std::to_string(value))); }
+  bool number_unsigned(number_unsigned_t value) { return add(number_token(std::to_string(value))); }
+  bool number_float(number_float_t /*value*/, const string_t& text) {
+    return add(number_token(text));
+  }
+  bool string(string_t& value) { return add(json(std::move(value))); }
+  bool binary(binary_t& /*value*/) { return false; }
+  bool start_object(std::size_t /*size*/) { return open(json::object()); }
+  bool start_array(std::size_t /*size*/) { return open(json::array()); }
+  bool key(string_t& name) {
+    if (open_.back()->contains(name))
+      throw InvalidInput(
+          fmt::format("JSON: the key {} occurs twice in one object", tripus::quoted(name)));
+    key_ = std::move(name);
+    return true;
+  }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+  bool parse_error(std::size_t byte, const std::string& /*token*/, const json::exception& error) {
+    if (dynamic_cast<const json::out_of_range*>(&error) != nullptr)
+      throw InvalidInput(fmt::format("JSON: the number before byte {} is too large", byte));
+    throw InvalidInput(
+        fmt::format("JSON: syntax error at byte {}; expected a certificate {{\"kind\": ..., "
+                    "\"edge\": [...], \"vertex\": [...]}} or an answer of `tripus solve --json`",
+                    byte));
+  }
+
+  json take() { return std::move(root_); }
+
+ private:
+  json* place(json value) {
+    if (open_.empty()) {
+      root_ = std::move(value);
+      return &root_;
+    }
+    json& parent = *open_.back();
+    if (parent.is_array()) {
+      parent.push_back(std::move(value));
+      return &parent.back();
+    }
+    json& member = parent[key_];
+    member = std::move(value);
+    return &member;
+  }
+  bool add(json value) {
+    place(std::move(value));
+    return true;
+  }
+  /// The pointers stay valid: only the innermost open container grows.
+  bool open(json value) {
+    if (open_.size() == kDeepest)
+      throw InvalidInput(fmt::format("JSON: nested more than {} levels deep", kDeepest));
+    open_.push_back(place(std::move(value)));
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  json root_;
+  std::vector<json*> open_;
+  std::string key_;
+};
+
+std::string shown(const json& value) {
+  if (value.is_binary())
+    return tripus::quoted(std::string(value.get_binary().begin(), value.get_binary().end()));
+  if (value.is_string()) return "the string " + tripus::quoted(value.get_ref<const std::string&>());
+  if (value.is_object() || value.is_array())
+    return fmt::format("an {} of {}", value.type_name(), value.size());
+  return value.dump();
+}
+
+[[noreturn]] void refuse(const std::string& place, std::string_view expected, const json& found) {
+  throw InvalidInput(
+      fmt::format("certificate: {}: expected {}, found {}", place, expected, shown(found)));
+}
+
+/// Digits, with a minus sign or without: no fraction, no exponent.
+Integer read_integer(const json& value, const std::string& place) {
+  if (!value.is_binary()) refuse(place, "an integer", value);
+  const std::string text(value.get_binary().begin(), value.get_binary().end());
+  if (text.find_first_not_of("-0123456789") != std::string::npos)
+    refuse(place, "an integer, written without fraction and exponent", value);
+  return Integer(text, 10);
+}
+
+const json& member(const json& object, const char* name, std::string_view expected) {
+  const auto found = object.find(name);
+  if (found == object.end())
+    throw InvalidInput(fmt::format("certificate: \"{}\" is missing; expected {}", name, expected));
+  return *found;
+}
+
+const json& read_array(const json& value, const std::string& place, std::string_view expected) {
+  if (!value.is_array()) refuse(place, expected, value);
+  return value;
+}
+
+/// The certificate object in a document: itself, or the member of an answer.
+const json& find_certificate(const json& document) {
+  if (!document.is_object()) refuse("the document", "an object", document);
+  if (!document.contains("certificate")) return document;
+  const json& certificate = document["certificate"];
+  if (certificate.is_null()) {
+    const auto outcome = document.find("outcome");
+    throw InvalidInput(fmt::format(
+        "certificate: the answer carries none{}",
+        outcome != document.end() && outcome->is_string()
+            ? "; its outcome is " + tripus::quoted(outcome->get_ref<const std::string&>())
+            : std::string()));
+  }
+  if (!certificate.is_object()) refuse("\"certificate\"", "an object", certificate);
+  return certificate;
+}
+
+Certificate::Kind read_kind(const json& value) {
+  if (value == "none") return Certificate::Kind::kNone;
+  if (value == "semi") return Certificate::Kind::kSemi;
+  refuse("\"kind\"", R"("none" or "semi")", value);
+}
+
+}  // namespace
+
+Certificate parse_certificate(std::string_view text) {
+  TreeBuilder builder;
+  json::sax_parse(text.begin(), text.end(), &builder);
+  const json document = builder.take();
+  const json& object = find_certificate(document);
+
+  Certificate certificate;
+  certificate.kind = read_kind(member(object, "kind", R"("none" or "semi")"));
+  constexpr std::string_view kEdgeShape = "an array of integers, one an edge class";
+  for (const json& u : read_array(member(object, "edge", kEdgeShape), "\"edge\"", kEdgeShape)) {
+    certificate.edge.push_back(
+        read_integer(u, fmt::format("multiplier of edge class {}", certificate.edge.size())));
+  }
+  constexpr std::string_view kVertexShape = "an array of four integers a tetrahedron";
+  const json& vertex =
+      read_array(member(object, "vertex", kVertexShape), "\"vertex\"", kVertexShape);
+  for (std::size_t t = 0; t < vertex.size(); ++t) {
+    const json& four = vertex[t];
+    if (!four.is_array() || four.size() != 4)
+      refuse(fmt::format("multipliers of tetrahedron {}", t), "an array of 4 integers", four);
+    auto& w = certificate.vertex.emplace_back();
+    for (std::size_t v = 0; v < 4; ++v)
+      w[v] = read_integer(four[v], fmt::format("multiplier of vertex {} of tetrahedron {}", v, t));
+  }
+  return certificate;
+}
+
+}  // namespace tripus::structure

@@ -1,0 +1,180 @@
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <numeric>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "topology/homology.hpp"
+#include "topology/isosig.hpp"
+#include "topology/moves/moves.hpp"
+
+// Laws M1 to M5 of topology/README.md over the listed triangulations.
+
+namespace tripus::topology {
+namespace {
+
+std::vector<std::string> signatures(const std::string& file, std::size_t stride) {
+  std::ifstream in(std::string(TRIPUS_DATA_DIR) + "/" + file);
+  std::vector<std::string> found;
+  std::size_t number = 0;
+  for (std::string line; std::getline(in, line);)
+    if (!line.empty() && line[0] != '#' && number++ % stride == 0) found.push_back(line);
+  return found;
+}
+
+std::vector<MoveKind> every_kind() {
+  std::vector<MoveKind> kinds;
+  for (const MoveInfo& line : move_table()) kinds.push_back(line.kind);
+  return kinds;
+}
+
+/// What no move may change; finite vertices are counted apart.
+struct Invariants {
+  AbelianGroup homology;
+  std::vector<std::tuple<int, bool>> links;  // Euler characteristic, orientable; no spheres
+  std::ptrdiff_t spheres = 0;
+  bool orientable = false;
+  std::size_t components = 0;
+
+  explicit Invariants(const Triangulation& triangulation)
+      : homology(first_homology(triangulation)),
+        orientable(triangulation.is_orientable()),
+        components(triangulation.component_count()) {
+    for (std::size_t v = 0; v < triangulation.vertex_count(); ++v) {
+      const VertexLink& link = triangulation.link(v);
+      if (link.euler_characteristic == 2)
+        ++spheres;
+      else
+        links.emplace_back(link.euler_characteristic, link.orientable);
+    }
+    std::ranges::sort(links);
+  }
+};
+
+void expect_kept(const Invariants& before, const Invariants& after, int finite_vertices) {
+  ASSERT_EQ(after.homology, before.homology);
+  ASSERT_EQ(after.links, before.links);
+  ASSERT_EQ(after.spheres, before.spheres + finite_vertices);
+  ASSERT_EQ(after.orientable, before.orientable);
+  ASSERT_EQ(after.components, before.components);
+}
+
+/// The change accounts for every number, and faces between tetrahedra that stay are glued as they
+/// were, or cut open for new ones.
+void expect_told(const Gluings& before, const Gluings& after, const MoveChange& change) {
+  std::vector<TetrahedronIndex> number(before.tetrahedron_count());
+  std::iota(number.begin(), number.end(), TetrahedronIndex{0});
+  for (const auto& [from, to] : change.renumbered) number.at(from) = to;
+  for (const TetrahedronIndex t : change.removed) number.at(t) = kNoTetrahedron;
+  std::vector<TetrahedronIndex> all(change.added.begin(), change.added.end());
+  std::ranges::copy_if(number, std::back_inserter(all),
+                       [](TetrahedronIndex t) { return t != kNoTetrahedron; });
+  std::ranges::sort(all);
+  ASSERT_EQ(all.size(), after.tetrahedron_count());
+  for (std::size_t t = 0; t < all.size(); ++t) ASSERT_EQ(all[t], t);
+  for (std::size_t t = 0; t < number.size(); ++t)
+    for (int f = 0; f < 4 && number[t] != kNoTetrahedron; ++f) {
+      const TetrahedronIndex behind = number[before.neighbour(t, f)];
+      const TetrahedronIndex now = after.neighbour(number[t], f);
+      if (behind == kNoTetrahedron || std::ranges::count(change.added, now) > 0) continue;
+      ASSERT_EQ(now, behind);
+      ASSERT_EQ(after.gluing(number[t], f), before.gluing(t, f));
+    }
+}
+
+/// Whether some move of the inverse kind brings the signature back.
+bool is_undone(const Gluings& gluings, MoveKind inverse, const std::string& signature) {
+  for (const Move& move : all_moves(Triangulation(gluings), std::array{inverse})) {
+    Gluings undone = gluings;
+    apply(undone, move);
+    if (isosig(undone) == signature) return true;
+  }
+  return false;
+}
+
+void check_every_move(const Gluings& gluings, bool search_for_inverses) {
+  const Triangulation triangulation(gluings);
+  const Invariants before(triangulation);
+  const std::string signature = isosig(gluings);
+  for (const Move& move : all_moves(triangulation, every_kind())) {
+    SCOPED_TRACE(signature + ": " + to_string(move));
+    const MoveInfo& line = info(move.kind);
+    Gluings moved = gluings;
+    const MoveChange change = apply(moved, move);
+    ASSERT_EQ(static_cast<std::ptrdiff_t>(moved.tetrahedron_count()),
+              static_cast<std::ptrdiff_t>(gluings.tetrahedron_count()) + line.tetrahedra);
+    expect_told(gluings, moved, change);
+    ASSERT_NO_THROW(expect_kept(before, Invariants(Triangulation(moved)), line.finite_vertices));
+    if (testing::Test::HasFatalFailure()) return;
+    if (change.inverse) {
+      ASSERT_EQ(change.inverse->kind, line.inverse);
+      Gluings undone = moved;
+      apply(undone, *change.inverse);
+      ASSERT_EQ(isosig(undone), signature);
+    } else if (search_for_inverses) {
+      ASSERT_TRUE(is_undone(moved, line.inverse, signature));
+    }
+  }
+}
+
+struct List {
+  const char* file;
+  std::size_t stride;
+};
+
+class MoveLists : public testing::TestWithParam<List> {};
+
+TEST_P(MoveLists, EveryLegalMoveKeepsTheManifoldAndIsUndone) {
+  const auto list = signatures(GetParam().file, GetParam().stride);
+  ASSERT_FALSE(list.empty());
+  for (const std::string& signature : list) {
+    check_every_move(decode_isosig(signature), true);
+    if (HasFatalFailure()) return;
+  }
+}
+
+// Away from the lists: edges of every small valence, finite vertices, many faces of one
+// tetrahedron glued to each other.
+TEST_P(MoveLists, RandomWalksKeepTheManifold) {
+  const auto list = signatures(GetParam().file, GetParam().stride);
+  const auto kinds = every_kind();
+  std::uint64_t seed = 1;
+  for (const std::string& signature : list) {
+    SCOPED_TRACE(signature + ", seed " + std::to_string(seed));
+    Gluings gluings = decode_isosig(signature);
+    const Invariants before{Triangulation(gluings)};
+    const auto made =
+        randomize(gluings, {.count = 30, .seed = seed++, .kinds = kinds, .max_tetrahedra = 9});
+    ASSERT_EQ(made.size(), 30u);
+    int finite_vertices = 0;
+    for (const Move& move : made) finite_vertices += info(move.kind).finite_vertices;
+    expect_kept(before, Invariants(Triangulation(gluings)), finite_vertices);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST_P(MoveLists, EveryLegalMoveAfterAWalkKeepsTheManifold) {
+  const auto list = signatures(GetParam().file, 10 * GetParam().stride);
+  const auto kinds = every_kind();
+  std::uint64_t seed = 1;
+  for (const std::string& signature : list) {
+    Gluings gluings = decode_isosig(signature);
+    randomize(gluings, {.count = 20, .seed = seed++, .kinds = kinds, .max_tetrahedra = 7});
+    check_every_move(gluings, true);
+    if (HasFatalFailure()) return;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Data, MoveLists,
+                         testing::Values(List{"triangulations-2.txt", 1},
+                                         List{"triangulations-3.txt", 1},
+                                         List{"triangulations-4.txt", 22},
+                                         List{"triangulations-cusped.txt", 1}));
+
+}  // namespace
+}  // namespace tripus::topology

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "topology/moves/moves.hpp"
+
+namespace tripus::topology::detail {
+
+// One function a kind, each at the end of the file that holds the move. The table in moves.cpp
+// lists them; refusal and apply may assume that tetrahedron, place and choice are in range.
+MoveInfo two_three_info();
+MoveInfo three_two_info();
+MoveInfo four_four_info();
+MoveInfo two_zero_edge_info();
+MoveInfo zero_two_edge_info();
+MoveInfo two_zero_vertex_info();
+MoveInfo zero_two_face_info();
+MoveInfo two_one_info();
+MoveInfo one_two_info();
+MoveInfo one_four_info();
+MoveInfo four_one_info();
+
+}  // namespace tripus::topology::detail

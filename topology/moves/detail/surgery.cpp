@@ -1,0 +1,174 @@
+#include "topology/moves/detail/surgery.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace tripus::topology::detail {
+
+void Surgery::flatten(TetrahedronIndex t, int f, TetrahedronIndex other, Perm4 q) {
+  ports_.push_back({t, f, true, other, q});
+  ports_.push_back({other, q(f), true, t, q.inverse()});
+}
+
+const Surgery::Port* Surgery::port(TetrahedronIndex t, int f) const {
+  for (const Port& candidate : ports_)
+    if (candidate.t == t && candidate.f == f) return &candidate;
+  return nullptr;
+}
+
+bool Surgery::is_sealed() const {
+  for (const Port& start : ports_) {
+    if (!start.flat) continue;
+    // Every step can be undone, so a way that does not get out comes back to its start.
+    const Port* here = &start;
+    do {
+      const Perm4 p = gluings_->gluing(here->t, here->f);
+      here = port(gluings_->neighbour(here->t, here->f), p(here->f));
+      if (here != nullptr) here = here->flat ? port(here->to, here->map(here->f)) : nullptr;
+    } while (here != nullptr && here != &start);
+    if (here == &start) return true;
+  }
+  return false;
+}
+
+Surgery::End Surgery::follow(TetrahedronIndex t, int f) const {
+  Perm4 map;
+  while (true) {
+    const Perm4 p = gluings_->gluing(t, f);
+    t = gluings_->neighbour(t, f);
+    f = p(f);
+    map = p * map;
+    const Port* behind = port(t, f);
+    if (behind == nullptr) return {false, t, map};
+    map = behind->map * map;
+    f = behind->map(f);
+    t = behind->to;
+    if (!behind->flat) return {true, t, map};
+  }
+}
+
+MoveChange Surgery::apply(Gluings& gluings) const {
+  MoveChange change;
+  change.removed = removed_;
+  std::ranges::sort(change.removed);
+  const std::size_t before = gluings.tetrahedron_count();
+  const std::size_t reused =
+      std::min<std::size_t>(removed_.size(), static_cast<std::size_t>(added_));
+  for (std::size_t k = 0; k < static_cast<std::size_t>(added_); ++k)
+    change.added.push_back(k < reused ? change.removed[k]
+                                      : static_cast<TetrahedronIndex>(before + k - reused));
+  const auto number = [&](bool fresh, TetrahedronIndex t) { return fresh ? change.added[t] : t; };
+
+  // Everything is read before anything is written.
+  struct Glue {
+    TetrahedronIndex t;
+    int f;
+    TetrahedronIndex other;
+    Perm4 map;
+  };
+  SmallList<Glue, 24> glues;
+  for (const Join& join : joins_)
+    glues.push_back({change.added[static_cast<std::size_t>(join.fresh)], join.f,
+                     change.added[static_cast<std::size_t>(join.other)], join.map});
+  for (const Port& start : ports_) {
+    const End far = follow(start.t, start.f);
+    if (!start.flat) {
+      glues.push_back({change.added[start.to], start.map(start.f), number(far.fresh, far.t),
+                       far.map * start.map.inverse()});
+      continue;
+    }
+    // The other end of the chain, from the face upon which this one is laid.
+    const int f = start.map(start.f);
+    const End near = follow(start.to, f);
+    if (near.fresh) continue;  // glued from there
+    glues.push_back({near.t, near.map(f), number(far.fresh, far.t),
+                     far.map * start.map.inverse() * near.map.inverse()});
+  }
+
+  gluings.resize(before + static_cast<std::size_t>(added_) - reused);
+  for (const Glue& glue : glues) gluings.glue(glue.t, glue.f, glue.other, glue.map);
+
+  for (std::size_t k = change.removed.size(); k-- > reused;) {
+    const TetrahedronIndex hole = change.removed[k];
+    const auto last = static_cast<TetrahedronIndex>(gluings.tetrahedron_count() - 1);
+    gluings.remove_tetrahedron(hole);
+    if (hole == last) continue;
+    auto* known = std::ranges::find(change.renumbered, last, &MoveChange::Renumbered::to);
+    if (known != change.renumbered.end())
+      known->to = hole;
+    else
+      change.renumbered.push_back({last, hole});
+  }
+  return change;
+}
+
+int vertex_at(const Points& points, int point) {
+  return static_cast<int>(std::ranges::find(points, point) - points.begin());
+}
+
+int edge_at(const Points& points, int first, int second) {
+  return kEdgeNumber[static_cast<std::size_t>(vertex_at(points, first))]
+                    [static_cast<std::size_t>(vertex_at(points, second))];
+}
+
+namespace {
+
+unsigned face_mask(const Points& points, int f) {
+  return point_mask(points) & ~(1u << points[static_cast<std::size_t>(f)]);
+}
+
+/// From face f of one tetrahedron to the face with the same points of another, if it has one.
+std::optional<Perm4> matching(const Points& from, int f, const Points& to) {
+  if ((face_mask(from, f) & ~point_mask(to)) != 0) return std::nullopt;
+  std::array<int, 4> images{};
+  int left = 6;
+  for (int v = 0; v < 4; ++v)
+    if (v != f)
+      left -= images[static_cast<std::size_t>(v)] =
+          vertex_at(to, from[static_cast<std::size_t>(v)]);
+  images[static_cast<std::size_t>(f)] = left;
+  return Perm4::from_images(images[0], images[1], images[2], images[3]);
+}
+
+/// Swaps two vertices of new tetrahedra that lie the other way round than the old ones.
+void orient(std::span<const Piece> old, unsigned core, std::span<Points> fresh) {
+  for (Points& points : fresh)
+    for (const Piece& piece : old)
+      for (int f = 0; f < 4; ++f) {
+        if ((face_mask(piece.points, f) & core) == core) continue;
+        const auto q = matching(piece.points, f, points);
+        if (q && q->is_odd()) std::swap(points[2], points[3]);
+      }
+}
+
+}  // namespace
+
+Surgery plan_ball(const Gluings& gluings, std::span<const Piece> old, unsigned core,
+                  std::span<Points> fresh) {
+  orient(old, core, fresh);
+  Surgery surgery(gluings);
+  unsigned taken[4] = {0, 0, 0, 0};  // faces of the new tetrahedra
+  for (const Piece& piece : old) surgery.remove(piece.t);
+  for (std::size_t k = 0; k < fresh.size(); ++k) surgery.add();
+  for (std::size_t i = 0; i < old.size(); ++i)
+    for (int f = 0; f < 4; ++f) {
+      if ((face_mask(old[i].points, f) & core) == core) continue;
+      for (std::size_t k = 0; k < fresh.size(); ++k)
+        if (const auto q = matching(old[i].points, f, fresh[k])) {
+          surgery.carry(old[i].t, f, static_cast<int>(k), *q);
+          taken[k] |= 1u << (*q)(f);
+        }
+      for (std::size_t j = i + 1; j < old.size(); ++j)
+        if (const auto q = matching(old[i].points, f, old[j].points))
+          surgery.flatten(old[i].t, f, old[j].t, *q);
+    }
+  for (std::size_t k = 0; k < fresh.size(); ++k)
+    for (int f = 0; f < 4; ++f)
+      for (std::size_t j = k + 1; j < fresh.size() && (taken[k] >> f & 1) == 0; ++j)
+        if (const auto q = matching(fresh[k], f, fresh[j]))
+          surgery.join(static_cast<int>(k), f, static_cast<int>(j), *q);
+  return surgery;
+}
+
+}  // namespace tripus::topology::detail

@@ -1,0 +1,61 @@
+#include <array>
+
+#include "topology/moves/detail/kinds.hpp"
+#include "topology/moves/detail/local.hpp"
+#include "topology/moves/detail/surgery.hpp"
+
+// 4-4: the four tetrahedra around an edge of valence 4 make up an octahedron with that edge as its
+// axis; they are replaced by the four around another of its three axes. The four must be distinct,
+// then the inside of the octahedron is embedded; nothing else is needed (see two_three.cpp).
+
+namespace tripus::topology::detail {
+namespace {
+
+MoveRefusal refuse(const Gluings& gluings, const Move& move) {
+  std::array<EdgeWalk, 4> corners{};
+  return collect_corners(gluings, move.tetrahedron, move.place, corners);
+}
+
+// Points 0 and 1 are the ends of the old axis, 2, 3, 4, 5 lie around it. The walk starts in the
+// tetrahedron with points 2 and 3: choice 0 is the axis 2 4, choice 1 the axis 3 5.
+MoveChange apply_here(Gluings& gluings, const Move& move) {
+  std::array<EdgeWalk, 4> corners{};
+  collect_corners(gluings, move.tetrahedron, move.place, corners);
+  std::array<Piece, 4> old{};
+  for (std::size_t i = 0; i < 4; ++i) old[i] = piece_around(corners[i], i, 4);
+  const int bottom = 2 + move.choice;
+  const int top = 4 + move.choice;
+  const std::array<int, 4> ring{0, 3 + move.choice, 1, move.choice == 0 ? 5 : 2};
+  std::array<Points, 4> fresh{};
+  for (std::size_t i = 0; i < 4; ++i) fresh[i] = {bottom, top, ring[i], ring[(i + 1) % 4]};
+  MoveChange change = plan_ball(gluings, old, 0b11, fresh).apply(gluings);
+  // The first new tetrahedron has old end 0; that axis is choice 0 if its vertex comes first.
+  const bool second = vertex_at(fresh[0], ring[0]) > vertex_at(fresh[0], ring[1]);
+  change.inverse = Move{.kind = MoveKind::kFourFour,
+                        .tetrahedron = change.added[0],
+                        .place = static_cast<std::uint8_t>(edge_at(fresh[0], bottom, top)),
+                        .choice = static_cast<std::uint8_t>(second)};
+  return change;
+}
+
+}  // namespace
+
+MoveInfo four_four_info() {
+  return {.kind = MoveKind::kFourFour,
+          .name = "4-4",
+          .arrow = "4-4",
+          .description = "the octahedron around an edge gets another axis",
+          .place = MovePlace::kEdge,
+          .choice_name = "axis",
+          .has_steps = false,
+          .tetrahedra = 0,
+          .finite_vertices = 0,
+          .inverse = MoveKind::kFourFour,
+          .refusal = refuse,
+          .apply = apply_here,
+          .candidates = [](const Triangulation& triangulation, std::vector<Move>& moves) {
+            edge_candidates(triangulation, MoveKind::kFourFour, 2, moves);
+          }};
+}
+
+}  // namespace tripus::topology::detail

@@ -18,6 +18,7 @@
 #include "cli/progress.hpp"
 #include "cli/report_text.hpp"
 #include "structure/method.hpp"
+#include "structure/retriangulate.hpp"
 #include "structure/solve.hpp"
 #include "topology/components.hpp"
 
@@ -31,6 +32,8 @@ struct SolveCommandOptions {
   std::vector<std::string> cone_angles;  ///< EDGE=ANGLE
   std::string history;
   bool components = false;
+  bool retriangulate = false;
+  structure::RetriangulateOptions search;
 };
 
 /// Cone angles [E] with the ones that were asked for changed; empty if none were.
@@ -61,6 +64,18 @@ std::vector<double> cone_angles_of(const std::vector<std::string>& assignments,
   return angles;
 }
 
+/// Goes on from a report without a metric; the answer is about the triangulation found.
+Outcome retriangulate_subject(const SolveCommandOptions& command,
+                              const structure::SolveOptions& options, const Subject& subject,
+                              structure::Report report) {
+  structure::Retriangulation found =
+      structure::retriangulate(subject.triangulation, std::move(report), options, command.search);
+  const Subject result = make_subject(subject.input, subject.name, found.gluings);
+  return {command.common.json ? report_as_json(result, found.report, &found)
+                              : report_as_text(result, found.report, &found),
+          found.report.outcome == structure::Outcome::kGeometric ? kSuccess : kNoAnswer};
+}
+
 Outcome solve_subject(const SolveCommandOptions& command, const Subject& subject) {
   structure::SolveOptions options = command.solve;
   options.cone_angles = cone_angles_of(command.cone_angles, subject.triangulation.edge_count());
@@ -79,11 +94,14 @@ Outcome solve_subject(const SolveCommandOptions& command, const Subject& subject
         progress.show(fmt::format("iteration {}, max|K| {:.3g}", iteration, max_curvature));
     };
   }
-  const structure::Report report = structure::solve(subject.triangulation, options);
+  structure::Report report = structure::solve(subject.triangulation, options);
   if (history) history->close();
-  const int status = report.outcome == structure::Outcome::kGeometric ? kSuccess : kNoAnswer;
-  return {command.common.json ? report_as_json(subject, report) : report_as_text(subject, report),
-          status};
+  const bool geometric = report.outcome == structure::Outcome::kGeometric;
+  if (geometric || !command.retriangulate || interrupt_requested()) {
+    return {command.common.json ? report_as_json(subject, report) : report_as_text(subject, report),
+            geometric ? kSuccess : kNoAnswer};
+  }
+  return retriangulate_subject(command, options, subject, std::move(report));
 }
 
 /// As solve_subject, but says which component could not be solved.
@@ -190,6 +208,23 @@ void add_solve(CLI::App& program, Command& chosen) {
                                    "longest edge")
                       ->option_text("FILE");
   history->excludes(verb->get_option("--batch"));
+  auto* retriangulate =
+      verb->add_flag("--retriangulate", command->retriangulate,
+                     "where the triangulation carries no metric, look for one of the same\n"
+                     "manifold that does, by moves")
+          ->option_text(" ");
+  verb->add_option("--budget", command->search.budget,
+                   fmt::format("triangulations that --retriangulate may try (default: {})",
+                               command->search.budget))
+      ->option_text("N")
+      ->check(whole_number(std::numeric_limits<int>::max()))
+      ->needs(retriangulate);
+  verb->add_option("--seed", command->search.seed,
+                   "orders the moves of --retriangulate that look equally good")
+      ->option_text("N")
+      ->check(whole_number(std::numeric_limits<int>::max()))
+      ->needs(retriangulate);
+  verb->get_option("--cone-angle")->excludes(retriangulate);
   verb->add_flag("--angle-structure", solve.angle_structure,
                  "add an exact, rational, strict angle structure to the answer, if\n"
                  "there is one");

@@ -32,9 +32,9 @@ std::string_view to_string(Certificate::Kind kind) {
 }
 
 std::string to_json(const Certificate& certificate) {
-  std::string out = "{\"kind\": \"";
+  std::string out = R"({"kind": ")";
   out += to_string(certificate.kind);
-  out += "\", \"edge\": ";
+  out += R"(", "edge": )";
   append_integers(out, certificate.edge);
   out += ", \"vertex\": ";
   append_rows(out, certificate.vertex);

@@ -60,10 +60,11 @@ class Search {
       : options_(options),
         solve_options_(plain(solve_options)),
         start_(std::move(start)),
+        signature_(topology::isosig(triangulation.gluings())),
         homology_(topology::first_homology(triangulation)),
         random_(options.seed),
         limit_(triangulation.tetrahedron_count() + options.extra) {
-    known_.insert(topology::isosig(triangulation.gluings()));
+    known_.insert(signature_);
     nodes_.push_back({triangulation.gluings(), 0, {}, trouble_of(triangulation, start_)});
     open_.push({triangulation.tetrahedron_count(), 0});
   }
@@ -84,6 +85,7 @@ class Search {
     result.tolerance = options.tolerance;
     result.time_limit = options.time_limit;
     result.stop_requested = options.stop_requested;
+    result.evidence = false;
     return result;
   }
 
@@ -132,6 +134,7 @@ class Search {
 
   Retriangulation success() {
     Retriangulation result;
+    result.start = signature_;
     for (std::size_t node = nodes_.size() - 1; node != 0; node = nodes_[node].parent)
       result.path.push_back(nodes_[node].move);
     std::reverse(result.path.begin(), result.path.end());
@@ -143,12 +146,15 @@ class Search {
 
   Retriangulation failure() {
     Retriangulation result;
+    result.start = signature_;
     result.report = std::move(start_);
+    result.report.outcome = Outcome::kUnresolved;
     result.report.message += fmt::format(
         " {} other triangulations of the manifold were tried, of up to {} tetrahedra, and none was "
         "found to carry the metric; nothing follows about the manifold.",
         tried_, limit_);
-    result.report.advice = "Try a larger --retriangulate-budget, or another --seed.";
+    result.report.advice =
+        "If the manifold should be hyperbolic, try a larger --budget or another --seed.";
     result.gluings = std::move(nodes_.front().gluings);
     result.tried = tried_;
     return result;
@@ -160,6 +166,7 @@ class Search {
   const RetriangulateOptions options_;
   const SolveOptions solve_options_;
   Report start_, report_;
+  const std::string signature_;  ///< of the start
   const topology::AbelianGroup homology_;
   std::mt19937_64 random_;
   std::size_t limit_;

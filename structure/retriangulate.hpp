@@ -12,13 +12,14 @@
 namespace tripus::structure {
 
 struct RetriangulateOptions {
-  std::uint64_t seed = 0;     ///< orders moves that look equally good
-  std::size_t budget = 2000;  ///< triangulations to try at most, > 0
-  std::size_t extra = 3;      ///< tetrahedra beyond those of the start (or of its simplification)
+  std::uint64_t seed = 0;    ///< orders moves that look equally good
+  std::size_t budget = 500;  ///< triangulations to try at most, > 0
+  std::size_t extra = 2;     ///< tetrahedra beyond those of the start (or of its simplification)
 };
 
 /// What a search through the triangulations of one manifold found.
 struct Retriangulation {
+  std::string start;          ///< signature of the start
   Report report;              ///< of `gluings`
   topology::Gluings gluings;  ///< carries the metric if report.outcome is geometric, else the start
   std::vector<topology::Move> path;  ///< from the start to `gluings`, to be applied in order

@@ -214,7 +214,7 @@ Report find_outcome(const topology::Triangulation& triangulation, const SolveOpt
     report = settling_run(triangulation, options, std::move(report));
     if (report.outcome != Outcome::kGeometric && was_cut_short(report, options)) return report;
   }
-  if (!options.cone_angles.empty()) return report;
+  if (!options.cone_angles.empty() || !options.evidence) return report;
   if (report.outcome != Outcome::kGeometric) return settle(triangulation, std::move(report));
   if (options.angle_structure) {
     Existence found = existence(triangulation);

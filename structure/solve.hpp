@@ -42,6 +42,8 @@ struct SolveOptions {
   /// Called at every iteration if set, with its number and max|gradient|; cheap.
   std::function<void(int iteration, double max_gradient)> on_iteration;
   const std::atomic<bool>* stop_requested = nullptr;  ///< polled at every iteration
+  /// Whether to decide exactly about angle structures where no metric is found.
+  bool evidence = true;
   bool angle_structure = false;  ///< also decide on exact strict angles where a metric was found
 };
 

@@ -13,7 +13,8 @@ namespace tripus::structure::detail {
 
 /// The linear programme of the widest margin (docs/theory.md (50)), in units of pi:
 ///     max m:  angle_c >= m,  vertex sums <= 1 - m,  edge sums = cone angles.
-/// It always has an optimum. GLPK does the work and stays inside.
+/// It always has an optimum. GLPK does the work and stays inside; programmes of
+/// one thread must be destroyed in the reverse of the order in which they were made.
 class AngleProgramme {
  public:
   ///   cone_angles [E] in units of pi; empty for 2
@@ -47,6 +48,7 @@ class AngleProgramme {
   void add_rows(const topology::Triangulation& triangulation, std::span<const double> cone_angles);
 
   std::unique_lock<std::mutex> lock_;  // held where GLPK has one environment for all threads
+  bool owns_environment_;              // GLPK had none in this thread: it goes with the programme
   int old_term_out_;
   std::size_t corner_count_;  // 6 T
   std::size_t edge_count_;

@@ -101,6 +101,7 @@ std::optional<Existence> semi_by_rounding(const Triangulation& triangulation,
 
 std::optional<Existence> by_rounding(const Triangulation& triangulation,
                                      const AngleProgramme& programme) {
+  // The tolerance only chooses what is tried: a wrong guess finds nothing.
   if (programme.margin() > tolerance::kAngleMargin)
     return strict_by_rounding(triangulation, programme);
   if (programme.margin() < -tolerance::kAngleMargin)

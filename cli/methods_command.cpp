@@ -64,7 +64,8 @@ int run(bool json) {
   write_output(section("Energies", energies));
   write_output(
       section("Methods: --method NAME minimises the co-volume over the edge lengths,\n"
-              "--method angles:NAME the volume energy over the dihedral angles",
+              "--method angles:NAME the volume energy over the dihedral angles;\n"
+              "auto, the default, is newton, or newton-cg for large triangulations",
               methods));
   write_output(section("Flows of the edge lengths: --method flow:FLOW/STEPPER", flows));
   write_output(section("Steppers", steppers));

@@ -282,6 +282,36 @@ class Histories(ProgramTest):
         self.assertIn("cannot write the history", result.err)
 
 
+class Retriangulations(ProgramTest):
+    def test_of_a_boundary_case_find_the_metric(self):
+        lines = (DATA / "boundary-case-4.tsv").read_text().splitlines()
+        for line in [x for x in lines if x and not x.startswith("#")][1:]:
+            signature = line.split("\t")[0]
+            with self.subTest(signature):
+                plain = self.json_answer("solve", signature, status=1)
+                self.assertEqual(plain["outcome"], "degenerate")
+                answer = self.json_answer("solve", signature, "--retriangulate")
+                self.assertEqual([key for key in answer if key not in KEYS], ["retriangulation"])
+                self.assertEqual(answer["outcome"], "geometric")
+                search = answer["retriangulation"]
+                self.assertEqual(list(search), ["from", "tried", "path"])
+                self.assertEqual(search["from"], signature)
+                self.assertGreater(len(search["path"]), 0)
+                again = self.json_answer("solve", answer["isosig"])
+                self.assertAlmostEqual(again["volume"], answer["volume"], delta=1e-11)
+
+    def test_that_give_up_say_so(self):
+        result = self.run_program("solve", "dLQbcbcaekw", "--retriangulate", "--budget", "1",
+                                  "--json")
+        self.assertEqual(result.status, 1)
+        self.assertNotEqual(read_json(result.text)["outcome"], "geometric")
+
+    def test_options_are_checked(self):
+        for options in (["--budget", "-1"], ["--seed", "x"]):
+            self.assert_refused("solve", TRIPUS, "--retriangulate", *options, says=options[0])
+        self.assert_refused("solve", TRIPUS, "--seed", "1", says="--retriangulate")
+
+
 class Components(ProgramTest):
     def setUp(self):
         super().setUp()

@@ -67,7 +67,7 @@ Outcome check_one(const CheckOptions& options) {
 
 void add_check(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
-      "check", "whether a certificate of \"infeasible\" is valid, by integer arithmetic");
+      "check", "check a certificate of \"infeasible\" in integer arithmetic");
   auto options = std::make_shared<CheckOptions>();
   verb->add_option("CERTIFICATE", options->certificate,
                    "the JSON of a certificate, or an answer of solve --json that has one")

@@ -226,8 +226,8 @@ void add_solve(CLI::App& program, Command& chosen) {
       ->needs(retriangulate);
   verb->get_option("--cone-angle")->excludes(retriangulate);
   verb->add_flag("--angle-structure", solve.angle_structure,
-                 "add an exact, rational, strict angle structure to the answer, if\n"
-                 "there is one");
+                 "also print an exact rational strict angle structure, if there is one")
+      ->option_text(" ");
   auto* components = verb->add_flag("--components", command->components,
                                     "solve each connected component by itself")
                          ->option_text(" ");

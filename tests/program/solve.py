@@ -236,8 +236,13 @@ class ConeAngles(ProgramTest):
         c = math.cos(math.pi / 18)
         self.assertAlmostEqual(lengths[0], math.acosh(c / (2 * c - 1)), delta=1e-12)
 
+    def test_are_said_to_be_there(self):
+        answer = self.json_answer("solve", TRIPUS, "--cone-angle", "0=pi")
+        self.assertIn("cone metric", answer["message"])
+
     def test_of_a_full_turn_changes_nothing(self):
         answer = self.json_answer("solve", TRIPUS, "--cone-angle", "0=2pi")
+        self.assertNotIn("cone", answer["message"])
         self.assertAlmostEqual(answer["volume"], TRIPUS_VOLUME, delta=1e-12)
 
     def test_repeated(self):

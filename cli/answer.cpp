@@ -2,12 +2,18 @@
 
 #include <new>
 
+#include "cli/arguments.hpp"
 #include "cli/batch.hpp"
 #include "cli/json.hpp"
+#include "cli/numbers.hpp"
 #include "cli/output.hpp"
 
 namespace tripus::cli {
 namespace {
+
+constexpr int kMostThreads = 1024;
+constexpr const char* kNoStandardInput =
+    "a line of a batch cannot be standard input; give a signature or a file";
 
 /// An exception as an answer: a JSON object for standard output, a line for standard error.
 Answer error_answer(const std::string& input, bool json, const std::exception& error) {
@@ -15,7 +21,7 @@ Answer error_answer(const std::string& input, bool json, const std::exception& e
   const std::string message =
       out_of_memory ? "out of memory: the input is too large for this machine" : error.what();
   Answer answer;
-  answer.message = fmt::format("tripus: {}", message);
+  answer.message = message;
   if (json) {
     JsonText out;
     append_error(out, input, error_kind(error), message);
@@ -30,31 +36,38 @@ int status_of(const std::exception& error) {
 
 int answer_one(const CommonOptions& options,
                const std::function<Outcome(const std::string&)>& answer) {
+  Outcome outcome;
+  std::string message;
   try {
-    const Outcome outcome = answer(options.input);
-    write_output(outcome.text);
-    if (options.json) write_output("\n");
-    flush_output();
-    return outcome.status;
+    outcome = answer(options.input);
   } catch (const std::exception& error) {
-    const Answer failure = error_answer(options.input, options.json, error);
-    if (!failure.text.empty()) write_output(failure.text + "\n");
-    write_message(failure.message + "\n");
-    return status_of(error);
+    Answer failure = error_answer(options.input, options.json, error);
+    outcome = {std::move(failure.text), status_of(error)};
+    message = fmt::format("tripus: {}\n", failure.message);
   }
+  write_message(message);
+  write_output(outcome.text);
+  if (options.json) write_output("\n");
+  flush_output();
+  return outcome.status;
 }
 
 }  // namespace
 
 void add_common_options(CLI::App& verb, CommonOptions& options) {
   auto* input = verb.add_option("INPUT", options.input,
-                                "an isomorphism signature, a file, or - for standard input");
+                                "an isomorphism signature, a file, or - for standard input")
+                    ->option_text(" ")
+                    ->transform(unshield());
   auto* batch = verb.add_option("--batch", options.batch,
-                                "a file with one INPUT a line, or - for standard input");
+                                "a file with one INPUT a line and # comments, or - for standard\n"
+                                "input; one answer for each, in the same order")
+                    ->option_text("FILE");
   input->excludes(batch);
-  verb.add_flag("--json", options.json, "one JSON object an input on standard output");
-  verb.add_option("--threads", options.threads, "threads for --batch; 0, the default: all cores")
-      ->check(CLI::Range(0u, 1024u));
+  verb.add_flag("--json", options.json, "one JSON object for each INPUT, one a line");
+  verb.add_option("--threads", options.threads, "threads for --batch (default: all cores)")
+      ->option_text("N")
+      ->check(whole_number(kMostThreads));
   verb.add_flag("--quiet", options.quiet, "no progress on standard error");
   verb.parse_complete_callback([input, batch] {
     if (input->count() == 0 && batch->count() == 0)
@@ -68,6 +81,7 @@ int answer_inputs(const CommonOptions& options,
   return run_batch({options.batch, options.threads, options.quiet},
                    [&](const std::string& input) -> Answer {
                      try {
+                       if (input == "-") throw InvalidInput(kNoStandardInput);
                        std::string text = answer(input).text;
                        if (!text.empty() && text.back() == '\n') text.pop_back();
                        return {std::move(text), {}};

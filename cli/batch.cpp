@@ -19,9 +19,11 @@
 namespace tripus::cli {
 namespace {
 
-/// Consecutive lines answered by one thread in one go: large enough that handing them over costs
-/// nothing, small enough that the answers flow.
-constexpr std::size_t kChunk = 64;
+/// Consecutive lines answered by one thread in one go: enough that handing them over costs nothing,
+/// few enough that the answers flow and that every thread has its share of a short batch.
+std::size_t chunk_size(std::size_t lines, unsigned threads) {
+  return std::clamp<std::size_t>(lines / (8 * std::size_t{threads}), 1, 64);
+}
 
 /// The answers of one chunk, and whether its thread is through with it.
 struct Chunk {
@@ -33,25 +35,31 @@ struct Chunk {
 
 class Batch {
  public:
-  Batch(std::vector<topology::BatchLine> lines,
+  Batch(std::vector<topology::BatchLine> lines, unsigned threads,
         const std::function<Answer(const std::string&)>& answer)
-      : lines_(std::move(lines)), answer_(answer), chunks_((lines_.size() + kChunk - 1) / kChunk) {}
+      : lines_(std::move(lines)),
+        answer_(answer),
+        chunk_size_(chunk_size(lines_.size(), threads)),
+        chunks_((lines_.size() + chunk_size_ - 1) / chunk_size_),
+        threads_(unsigned(std::min<std::size_t>(threads, chunks_.size()))),
+        running_(threads_) {}
 
   /// Writes every answer in order; an interrupted run writes those that were ready.
-  int run(unsigned threads, bool quiet) {
-    running_ = threads;
+  int run(bool quiet) {
     std::vector<std::jthread> workers;
-    for (unsigned i = 0; i < threads; ++i) workers.emplace_back([this] { work(); });
+    for (unsigned i = 0; i < threads_; ++i) workers.emplace_back([this] { work(); });
     Progress progress(!quiet);
     std::size_t answered = 0;
     for (std::size_t k = 0; k < chunks_.size(); ++k) {
       const Chunk chunk = wait_for(k, progress, answered);
       answered += chunk.answered;
       write_output(chunk.text);
+      flush_output();
       write_message(chunk.messages);
     }
     if (answered == lines_.size()) return kSuccess;
-    write_message(fmt::format("interrupted: {} of {} inputs answered\n", answered, lines_.size()));
+    write_message(
+        fmt::format("tripus: interrupted: {} of {} inputs answered\n", answered, lines_.size()));
     return kNoAnswer;
   }
 
@@ -81,33 +89,38 @@ class Batch {
   Chunk answer_chunk(std::size_t k) const {
     Chunk chunk;
     chunk.done = true;
-    const std::size_t end = std::min((k + 1) * kChunk, lines_.size());
-    for (std::size_t i = k * kChunk; i < end && !interrupt_requested(); ++i) {
+    const std::size_t end = std::min((k + 1) * chunk_size_, lines_.size());
+    for (std::size_t i = k * chunk_size_; i < end && !interrupt_requested(); ++i) {
       const Answer answer = answer_(lines_[i].text);
       ++chunk.answered;
       if (!answer.text.empty()) chunk.text += answer.text + '\n';
       if (!answer.message.empty())
-        chunk.messages += fmt::format("line {}: {}\n", lines_[i].line_number, answer.message);
+        chunk.messages +=
+            fmt::format("tripus: line {}: {}\n", lines_[i].line_number, answer.message);
     }
     return chunk;
   }
 
   const std::vector<topology::BatchLine> lines_;
   const std::function<Answer(const std::string&)>& answer_;
+  const std::size_t chunk_size_;
   std::vector<Chunk> chunks_;
+  const unsigned threads_;
   std::atomic<std::size_t> next_{0};
   std::mutex mutex_;
   std::condition_variable ready_;
-  unsigned running_ = 0;
+  unsigned running_;
 };
 
 }  // namespace
 
 int run_batch(const BatchOptions& options,
               const std::function<Answer(const std::string&)>& answer) {
-  Batch batch(topology::read_batch(read_file(options.file)), answer);
   const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-  return batch.run(options.threads == 0 ? cores : options.threads, options.quiet);
+  const unsigned threads = options.threads == 0 ? cores : options.threads;
+  Batch batch(topology::read_batch(read_file(options.file)), threads, answer);
+  catch_interrupts();
+  return batch.run(options.quiet);
 }
 
 }  // namespace tripus::cli

@@ -14,22 +14,34 @@ namespace {
 /// Faces visited before the search for the signature is given up: some tenths of a second.
 constexpr std::size_t kSignatureWorkLimit = 20'000'000;
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 }  // namespace
 
 Subject make_subject(std::string input, std::string name, topology::Gluings gluings) {
-  std::optional<std::string> isosig;
   topology::Triangulation triangulation(std::move(gluings));
-  isosig = topology::isosig(triangulation.gluings(), kSignatureWorkLimit);
+  auto isosig = topology::isosig(triangulation.gluings(), kSignatureWorkLimit);
   return {std::move(input), std::move(name), std::move(triangulation), std::move(isosig)};
 }
 
 Subject load_subject(const std::string& input) {
   topology::NamedGluings loaded = load_input(input);
   return make_subject(input, std::move(loaded.name), std::move(loaded.gluings));
+}
+
+std::string printable(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7f) {
+      out += fmt::format("\\x{:02x}", byte);
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 std::string_view link_kind(const topology::VertexLink& link) {
@@ -85,6 +97,7 @@ std::string one_line(const topology::Triangulation& m) {
     ++links[kind == "geodesic" ? fmt::format("genus {}", link.genus()) : std::string(kind)];
   }
   std::vector<std::string> boundary;
+  boundary.reserve(links.size());
   for (const auto& [name, count] : links)
     boundary.push_back(count == 1 ? name : fmt::format("{} x {}", count, name));
   return fmt::format(

@@ -22,6 +22,12 @@ Subject load_subject(const std::string& input);
 /// The same for gluings that are already there.
 Subject make_subject(std::string input, std::string name, topology::Gluings gluings);
 
+/// Text from outside made fit for a terminal: control characters as \xHH, all else as it is.
+std::string printable(std::string_view text);
+
+/// "1 edge class", "2 edge classes".
+std::string counted(std::size_t count, std::string_view one, std::string_view many);
+
 /// The kind of a vertex link in a word: geodesic, cusp, finite, or unsupported.
 std::string_view link_kind(const topology::VertexLink& link);
 

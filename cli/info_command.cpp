@@ -4,6 +4,7 @@
 #include "cli/answer.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
+#include "cli/help.hpp"
 #include "topology/homology.hpp"
 #include "topology/requirements.hpp"
 
@@ -57,8 +58,9 @@ std::string as_json(const Subject& subject) {
 
 std::string as_text(const Subject& subject) {
   const topology::Triangulation& m = subject.triangulation;
-  std::string text = fmt::format("{}{}\n", subject.input,
-                                 subject.name.empty() ? "" : fmt::format(" ({})", subject.name));
+  std::string text =
+      fmt::format("{}{}\n", printable(subject.input),
+                  subject.name.empty() ? "" : fmt::format(" ({})", printable(subject.name)));
   const auto line = [&](std::string_view label, const std::string& value) {
     text += fmt::format("  {:<14}{}\n", label, value);
   };
@@ -87,9 +89,12 @@ std::string as_text(const Subject& subject) {
 
 void add_info(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
-      "info", "what it is: tetrahedra, edge classes and valences, vertex links, H1, signature");
+      "info", "what a triangulation is: edge classes, links, homology, signature");
   auto options = std::make_shared<CommonOptions>();
   add_common_options(*verb, *options);
+  verb->footer(std::string(kInputHelp) +
+               "\nExit status: 0 done, 1 interrupted, 2 bad usage or bad input, 3 a failure of the "
+               "program itself.");
   verb->final_callback([options, &chosen] {
     chosen = [options] {
       return answer_inputs(*options, [options](const std::string& input) {

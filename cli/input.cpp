@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
-#include <sstream>
+#include <istream>
+#include <vector>
 
 #include "base/error.hpp"
 #include "topology/isosig.hpp"
@@ -33,24 +33,31 @@ topology::NamedGluings read_single(const std::string& text, const std::string& s
   }
 }
 
+/// Enough for ten million tetrahedra in any format; some files, such as /dev/zero, have no end.
+constexpr std::size_t kLargestInput = std::size_t{1} << 30;
+
+std::string read_all(std::istream& in, const std::string& source) {
+  std::string content;
+  std::vector<char> block(1 << 16);
+  while (in.read(block.data(), std::ptrdiff_t(block.size())) || in.gcount() > 0) {
+    content.append(block.data(), std::size_t(in.gcount()));
+    if (content.size() > kLargestInput) throw InvalidInput(source + " is longer than 1 GiB");
+  }
+  if (in.bad()) throw InvalidInput("cannot read " + source + ": " + std::strerror(errno));
+  return content;
+}
+
 }  // namespace
 
 std::string read_file(const std::string& path) {
-  if (path == "-") {
-    return {std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
-  }
+  if (path == "-") return read_all(std::cin, "standard input");
   std::error_code status;
   if (std::filesystem::is_directory(path, status))
     throw InvalidInput(quoted(path) + " is a folder; name a file in it");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    throw InvalidInput("cannot open " + quoted(path) + ": " + std::strerror(errno));
-  }
-  std::ostringstream content;
-  content << file.rdbuf();
-  if (file.bad()) throw InvalidInput("cannot read " + quoted(path) + ": " + std::strerror(errno));
-  return std::move(content).str();
+  if (!file) throw InvalidInput("cannot open " + quoted(path) + ": " + std::strerror(errno));
+  return read_all(file, quoted(path));
 }
 
 topology::NamedGluings load_input(const std::string& input) {

@@ -18,8 +18,12 @@ void on_signal(int signal) {
 const std::atomic<bool>& interrupt_requested() { return requested; }
 
 void catch_interrupts() {
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
+  static const bool installed = [] {
+    std::signal(SIGINT, on_signal);
+    std::signal(SIGTERM, on_signal);
+    return true;
+  }();
+  (void)installed;
 }
 
 }  // namespace tripus::cli

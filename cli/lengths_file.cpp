@@ -1,6 +1,5 @@
 #include "cli/lengths_file.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -10,24 +9,33 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "cli/numbers.hpp"
 
 namespace tripus::cli {
 namespace {
 
 constexpr std::string_view kWhite = " \t\r\n\v\f";
 
-/// The number that the whole text is, or nothing.
-std::optional<double> whole_number(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
+/// Deeper nesting than an answer of `tripus solve` has; the parser stops there.
+constexpr int kDeepest = 32;
+
+nlohmann::json parse_json(std::string_view text) {
+  const auto stop_deep = [](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+    if (depth > kDeepest)
+      throw InvalidInput(fmt::format("the JSON is nested more than {} levels deep", kDeepest));
+    return true;
+  };
+  try {
+    return nlohmann::json::parse(text, stop_deep);
+  } catch (const nlohmann::json::parse_error& error) {
+    throw InvalidInput(fmt::format("it is not valid JSON: syntax error at byte {}", error.byte));
+  } catch (const nlohmann::json::exception& error) {
+    throw InvalidInput("it is not valid JSON: " + quoted(error.what(), 120));
+  }
 }
 
 std::vector<double> from_json(std::string_view text) {
-  const nlohmann::json document = nlohmann::json::parse(text, nullptr, false);
-  if (document.is_discarded()) throw InvalidInput("the lengths are not valid JSON");
+  const nlohmann::json document = parse_json(text);
   const nlohmann::json* list = &document;
   if (document.is_object()) {
     const auto found = document.find("edge_lengths");
@@ -62,7 +70,7 @@ std::vector<double> parse_lengths(std::string_view text) {
          at = line.find_first_not_of(kSeparators)) {
       line.remove_prefix(at);
       const std::string_view token = line.substr(0, line.find_first_of(kSeparators));
-      const auto value = whole_number(token);
+      const auto value = parse_number(token);
       if (!value) {
         throw InvalidInput(
             fmt::format("line {}: {} is not a number", line_number, quoted(std::string(token))));
@@ -79,14 +87,14 @@ double parse_angle(std::string_view text) {
   double value = 1;
   const std::size_t pi = text.find("pi");
   if (pi == std::string_view::npos) {
-    const auto number = whole_number(text);
+    const auto number = parse_number(text);
     if (number && std::isfinite(*number)) return *number;
     throw InvalidInput(quoted(whole) + " is not an angle; write radians, such as 6.28 or 2pi/3");
   }
-  std::optional<double> factor = pi == 0 ? 1.0 : whole_number(text.substr(0, pi));
+  std::optional<double> factor = pi == 0 ? 1.0 : parse_number(text.substr(0, pi));
   const std::string_view rest = text.substr(pi + 2);
   std::optional<double> divisor = 1.0;
-  if (!rest.empty()) divisor = rest.front() == '/' ? whole_number(rest.substr(1)) : std::nullopt;
+  if (!rest.empty()) divisor = rest.front() == '/' ? parse_number(rest.substr(1)) : std::nullopt;
   if (factor && divisor) value = *factor * std::numbers::pi / *divisor;
   if (!factor || !divisor || !std::isfinite(value))
     throw InvalidInput(quoted(whole) + " is not an angle; write radians, such as 6.28 or 2pi/3");

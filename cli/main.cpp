@@ -1,14 +1,18 @@
 // The program `tripus`: parses the command line and runs the chosen verb.
 #include <algorithm>
 #include <exception>
+#include <sstream>
 #include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/version.hpp"
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_status.hpp"
+#include "cli/help.hpp"
 #include "cli/json.hpp"
 #include "cli/output.hpp"
 
@@ -17,73 +21,110 @@ namespace {
 using namespace tripus::cli;
 
 constexpr const char* kDescription =
-    "Tripus finds the hyperbolic metric with totally geodesic boundary on a compact 3-manifold.";
+    "Tripus finds the hyperbolic metric with totally geodesic boundary on a compact 3-manifold,\n"
+    "given by an ideal triangulation whose vertex links all have genus 2 or more.";
 
-constexpr const char* kFooter = R"(
-INPUT is an isomorphism signature, a file (JSON gluing table, Regina or SnapPea), or - for
-standard input.
-
+constexpr const char* kExamples = R"(
 Examples:
   tripus info cPcbbbihq                     what the triangulation is
   tripus solve cPcbbbihq                    its metric: volume, edge lengths, dihedral angles
-  tripus solve --json FILE                  the same for a program to read
-  tripus solve --batch LIST --json          one answer a line
+  tripus solve cPcbbbihq --json             the same as one JSON object
+  tripus solve --batch list.txt --json      one INPUT a line, one JSON object a line
   tripus solve cPcbbbihq --method flow:curvature/rk4 --initial 1 --history run.csv
-
-Exit status: 0 a geometric answer (for --batch: the run finished), 1 a mathematical "no" or
-"unresolved", 2 bad usage or bad input, 3 a failure of the program itself.)";
+  tripus solve --help                       the options of a verb
+)";
 
 /// --json may stand anywhere on a command line that could not be parsed.
-bool wants_json(int argc, char** argv) {
-  return std::any_of(argv, argv + argc,
-                     [](const char* a) { return std::string_view(a) == "--json"; });
+bool wants_json(const std::vector<std::string>& arguments) {
+  return std::ranges::find(arguments, "--json") != arguments.end();
 }
 
 void report_failure(bool json, std::string_view kind, std::string_view message) {
-  if (json) {
-    JsonText out;
-    append_error(out, "", kind, message);
-    write_output({out.data(), out.size()});
-    write_output("\n");
-  }
   write_message(fmt::format("tripus: {}\n", message));
+  if (!json) return;
+  JsonText out;
+  append_error(out, "", kind, message);
+  write_output({out.data(), out.size()});
+  write_output("\n");
+  flush_output();
 }
 
-int run(int argc, char** argv) {
-  CLI::App program{kDescription, "tripus"};
-  program.footer(kFooter);
-  program.set_version_flag("--version", std::string("tripus ") + tripus::kVersion);
-  program.require_subcommand(1);
-  Command command;
+/// What was wrong with a command line, in our words where the parser's would mislead.
+std::string usage_message(const CLI::App& program, const CLI::ParseError& error) {
+  const auto chosen = program.get_subcommands();
+  if (!chosen.empty()) {
+    return fmt::format("{}; `tripus {} --help` tells what there is", error.what(),
+                       chosen.front()->get_name());
+  }
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : program.get_subcommands(nullptr)) verbs.push_back(verb->get_name());
+  const auto extras = program.remaining();
+  const std::string what = extras.empty() || extras.front().starts_with('-')
+                               ? std::string(error.what())
+                               : "there is no verb " + tripus::quoted(extras.front());
+  return fmt::format("{}; the verbs are {}, and `tripus --help` tells more", what,
+                     fmt::join(verbs, ", "));
+}
+
+void add_verbs(CLI::App& program, Command& command) {
+  program.formatter(std::make_shared<HelpFormatter>());
+  program.set_help_flag("-h,--help", "print this text");
+  program.set_version_flag("--version", std::string("tripus ") + tripus::kVersion,
+                           "print the version");
+  program.require_subcommand(0, 1);
   add_info(program, command);
   add_solve(program, command);
   add_check(program, command);
   add_methods(program, command);
+  for (CLI::App* verb : program.get_subcommands(nullptr)) verb->group("Verbs");
+  program.footer(std::string(kInputHelp) + kExamples + "\n" + kExitStatusHelp);
+}
+
+int run(const std::vector<std::string>& arguments) {
+  CLI::App program{kDescription, "tripus"};
+  Command command;
+  add_verbs(program, command);
+  if (arguments.empty()) {
+    write_message(program.help());
+    return kBadInput;
+  }
   try {
-    program.parse(argc, argv);
+    auto reversed = shield_signatures(arguments);
+    std::ranges::reverse(reversed);
+    program.parse(std::move(reversed));
+    if (!command) throw CLI::RequiredError("a verb");
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
-    report_failure(wants_json(argc, argv), "usage",
-                   fmt::format("{}; `tripus --help` tells what there is", error.what()));
+    if (error.get_exit_code() == 0) {  // --help, --version
+      std::ostringstream text;
+      program.exit(error, text, text);
+      write_output(text.str());
+      flush_output();
+      return kSuccess;
+    }
+    report_failure(wants_json(arguments), "usage", usage_message(program, error));
     return kBadInput;
   }
-  try {
-    const int status = command();
-    flush_output();
-    return status;
-  } catch (const tripus::InvalidInput& error) {
-    report_failure(wants_json(argc, argv), error_kind(error), error.what());
-    return kBadInput;
-  }
+  const int status = command();
+  flush_output();
+  return status;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  const std::vector<std::string> arguments(argv + 1, argv + std::max(argc, 1));
   try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
+    return run(arguments);
+  } catch (const OutputError& error) {
     write_message(fmt::format("tripus: {}\n", error.what()));
-    return kInternalFailure;
+  } catch (const std::exception& error) {
+    try {
+      report_failure(wants_json(arguments), error_kind(error), error.what());
+    } catch (const OutputError&) {
+      return kInternalFailure;
+    }
+    return dynamic_cast<const tripus::InvalidInput*>(&error) != nullptr ? kBadInput
+                                                                        : kInternalFailure;
   }
+  return kInternalFailure;
 }

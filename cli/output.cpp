@@ -5,13 +5,11 @@
 #include <cstring>
 #include <string>
 
-#include "base/error.hpp"
-
 namespace tripus::cli {
 namespace {
 
 [[noreturn]] void fail() {
-  throw Error(std::string("cannot write to standard output: ") + std::strerror(errno));
+  throw OutputError(std::string("cannot write to standard output: ") + std::strerror(errno));
 }
 
 }  // namespace

@@ -2,12 +2,20 @@
 
 #include <string_view>
 
+#include "base/error.hpp"
+
 namespace tripus::cli {
 
-/// Writes to standard output. Throws Error when it cannot be written (a full disk).
+/// Standard output cannot be written (a full disk): there is no point in writing about it there.
+class OutputError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Writes to standard output. Throws OutputError.
 void write_output(std::string_view text);
 
-/// Flushes standard output; throws as write_output.
+/// Flushes standard output. Throws OutputError.
 void flush_output();
 
 /// Writes to standard error; does nothing for an empty text.

@@ -64,6 +64,24 @@ void append_certificate(std::string& text, const structure::Certificate& certifi
       structure::to_string(certificate.kind), shortened(edges));
 }
 
+void append_retriangulation(JsonText& out, const structure::Retriangulation& found) {
+  append(out, ", \"retriangulation\": {\"from\": ");
+  append_string(out, found.start);
+  fmt::format_to(std::back_inserter(out), ", \"tried\": {}, \"path\": ", found.tried);
+  append_array(out, found.path, [](JsonText& to, const topology::Move& move) {
+    append_string(to, topology::to_string(move));
+  });
+  out.push_back('}');
+}
+
+/// The moves of a search, for people.
+void append_path(std::string& text, const structure::Retriangulation& found) {
+  text += fmt::format("  retriangulated  from {}: {} tried\n", found.start,
+                      counted(found.tried, "triangulation", "triangulations"));
+  for (const topology::Move& move : found.path)
+    text += fmt::format("                  {}\n", topology::to_string(move));
+}
+
 /// Volume, boundary, curvature, flat tetrahedra.
 void append_numbers_found(std::string& text, const Report& report) {
   text += fmt::format("  volume          {}\n", report.volume);
@@ -84,7 +102,8 @@ void append_numbers_found(std::string& text, const Report& report) {
 
 }  // namespace
 
-std::string report_as_json(const Subject& subject, const Report& report) {
+std::string report_as_json(const Subject& subject, const Report& report,
+                           const structure::Retriangulation* retriangulation) {
   JsonText out;
   append_header(out, subject.input);
   append_subject(out, subject);
@@ -115,27 +134,36 @@ std::string report_as_json(const Subject& subject, const Report& report) {
     append(out, ", \"angle_structure\": ");
     append(out, structure::to_json(*report.strict_angles));
   }
+  if (retriangulation != nullptr) append_retriangulation(out, *retriangulation);
+  if (!report.advice.empty()) {
+    append(out, ", \"advice\": ");
+    append_string(out, report.advice);
+  }
   append(out, ", \"message\": ");
   append_string(out, report.message);
-  append(out, ", \"advice\": ");
-  append_string(out, report.advice);
   out.push_back('}');
   return fmt::to_string(out);
 }
 
-std::string report_as_text(const Subject& subject, const Report& report) {
-  std::string text = fmt::format("{}: {}\n  {}\n", subject.input,
+std::string report_as_text(const Subject& subject, const Report& report,
+                           const structure::Retriangulation* retriangulation) {
+  std::string text = fmt::format("{}: {}\n  {}\n", printable(subject.input),
                                  structure::to_string(report.outcome), report.message);
   if (!report.advice.empty()) text += fmt::format("  {}\n", report.advice);
   const auto line = [&](std::string_view label, const std::string& value) {
     text += fmt::format("  {:<16}{}\n", label, value);
   };
   line("triangulation", one_line(subject.triangulation));
+  if (retriangulation != nullptr) append_path(text, *retriangulation);
   if (report.certificate) append_certificate(text, *report.certificate);
-  if (report.outcome != structure::Outcome::kInfeasible) append_numbers_found(text, report);
-  line("found by", fmt::format("{}: {} iterations, {} evaluations, {:.3g} s", report.method,
-                               report.iterations, report.evaluations, report.seconds));
-  if (report.outcome != structure::Outcome::kInfeasible) {
+  const bool meaningful = report.outcome != structure::Outcome::kInfeasible && !report.certificate;
+  if (meaningful || report.outcome == structure::Outcome::kDegenerate)
+    append_numbers_found(text, report);
+  line("method", fmt::format("{}: {}, {}, {:.3g} s", report.method,
+                             counted(std::size_t(report.iterations), "iteration", "iterations"),
+                             counted(std::size_t(report.evaluations), "evaluation", "evaluations"),
+                             report.seconds));
+  if (meaningful || report.outcome == structure::Outcome::kDegenerate) {
     append_edge_table(text, subject, report);
     append_angle_table(text, report);
   }

@@ -4,13 +4,17 @@
 
 #include "cli/describe.hpp"
 #include "structure/report.hpp"
+#include "structure/retriangulate.hpp"
 
 namespace tripus::cli {
 
-/// The JSON of `tripus solve`, with its keys in the documented order; no line end.
-std::string report_as_json(const Subject& subject, const structure::Report& report);
+/// The JSON of `tripus solve`, with its keys in the documented order; no line end. After a
+/// retriangulation, subject and report are those of the triangulation that it ended with.
+std::string report_as_json(const Subject& subject, const structure::Report& report,
+                           const structure::Retriangulation* retriangulation = nullptr);
 
 /// The same for people, over several lines.
-std::string report_as_text(const Subject& subject, const structure::Report& report);
+std::string report_as_text(const Subject& subject, const structure::Report& report,
+                           const structure::Retriangulation* retriangulation = nullptr);
 
 }  // namespace tripus::cli

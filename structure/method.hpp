@@ -13,7 +13,7 @@ namespace tripus::structure {
 /// A way to solve, as named after --method:
 ///     newton, ceres-lbfgs, ...       minimise the co-volume in lengths
 ///     angles:ceres-lbfgs, ...        maximise the volume in angles, from an interior angle
-///     structure flow:curvature/dopri5, ...     integrate a flow of the lengths
+///     flow:curvature/dopri5, ...     integrate a flow of the lengths
 struct SolveMethod {
   enum class Form { kLengths, kAngles, kFlow };
   std::string name;

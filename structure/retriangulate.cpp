@@ -60,10 +60,11 @@ class Search {
       : options_(options),
         solve_options_(plain(solve_options)),
         start_(std::move(start)),
+        signature_(topology::isosig(triangulation.gluings())),
         homology_(topology::first_homology(triangulation)),
         random_(options.seed),
         limit_(triangulation.tetrahedron_count() + options.extra) {
-    known_.insert(topology::isosig(triangulation.gluings()));
+    known_.insert(signature_);
     nodes_.push_back({triangulation.gluings(), 0, {}, trouble_of(triangulation, start_)});
     open_.push({triangulation.tetrahedron_count(), 0});
   }
@@ -133,6 +134,7 @@ class Search {
 
   Retriangulation success() {
     Retriangulation result;
+    result.start = signature_;
     for (std::size_t node = nodes_.size() - 1; node != 0; node = nodes_[node].parent)
       result.path.push_back(nodes_[node].move);
     std::reverse(result.path.begin(), result.path.end());
@@ -144,6 +146,7 @@ class Search {
 
   Retriangulation failure() {
     Retriangulation result;
+    result.start = signature_;
     result.report = std::move(start_);
     result.report.outcome = Outcome::kUnresolved;
     result.report.message += fmt::format(
@@ -163,6 +166,7 @@ class Search {
   const RetriangulateOptions options_;
   const SolveOptions solve_options_;
   Report start_, report_;
+  const std::string signature_;  ///< of the start
   const topology::AbelianGroup homology_;
   std::mt19937_64 random_;
   std::size_t limit_;

@@ -19,6 +19,7 @@ struct RetriangulateOptions {
 
 /// What a search through the triangulations of one manifold found.
 struct Retriangulation {
+  std::string start;          ///< signature of the start
   Report report;              ///< of `gluings`
   topology::Gluings gluings;  ///< carries the metric if report.outcome is geometric, else the start
   std::vector<topology::Move> path;  ///< from the start to `gluings`, to be applied in order

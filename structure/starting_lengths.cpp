@@ -5,6 +5,8 @@
 #include <numeric>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "base/error.hpp"
 
 namespace tripus::structure {
@@ -12,8 +14,8 @@ namespace {
 
 void require_length(double length, const std::string& name) {
   if (!std::isfinite(length) || length <= 0) {
-    throw InvalidInput(name + " is " + std::to_string(length) +
-                       "; lengths are finite and greater than 0");
+    throw InvalidInput(
+        fmt::format("{} is {}; lengths are finite and greater than 0", name, length));
   }
 }
 

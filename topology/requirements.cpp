@@ -28,7 +28,7 @@ void require_solvable(const Triangulation& triangulation) {
   if (!triangulation.is_connected())
     throw InvalidInput("the triangulation has " + std::to_string(triangulation.component_count()) +
                        " components; a metric is found for one connected manifold at a time: "
-                       "split it and give each component by itself");
+                       "tripus solve --components takes each by itself");
   for (std::size_t v = 0; v < triangulation.vertex_count(); ++v) {
     const VertexLink& link = triangulation.link(v);
     if (!link.orientable)

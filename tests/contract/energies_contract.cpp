@@ -8,6 +8,7 @@
 #include "energies/co_volume.hpp"
 #include "energies/energies.hpp"
 #include "tests/support/data_files.hpp"
+#include "tests/support/printers.hpp"
 #include "tests/support/ridders.hpp"
 #include "topology/isomorphism.hpp"
 #include "topology/isosig.hpp"
@@ -205,9 +206,7 @@ TEST_P(EnergyContract, RelabellingChangesNoValue) {
 }
 
 std::string energy_test_name(const ::testing::TestParamInfo<Energy>& parameter) {
-  std::string name(parameter.param.name);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
+  return testing::test_name(parameter.param.name);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EnergyContract,

@@ -1,5 +1,4 @@
 // What every registered minimiser promises, on convex functions with known properties.
-#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -9,6 +8,7 @@
 #include "solver/method.hpp"
 #include "solver/run.hpp"
 #include "tests/support/analytic_problems.hpp"
+#include "tests/support/printers.hpp"
 
 namespace tripus::testing {
 namespace {
@@ -75,9 +75,7 @@ void show(const Case& c, const Summary& s) {
 }
 
 std::string name_of(const ::testing::TestParamInfo<Method>& method) {
-  std::string name(method.param.name);
-  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-  return name;
+  return test_name(method.param.name);
 }
 
 TEST_P(SolverContract, ConvergesOnWellConditionedProblems) {

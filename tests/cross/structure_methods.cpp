@@ -5,6 +5,7 @@
 #include "structure/method.hpp"
 #include "structure/solve.hpp"
 #include "tests/support/data_files.hpp"
+#include "tests/support/printers.hpp"
 #include "topology/isosig.hpp"
 
 namespace tripus::structure {
@@ -31,14 +32,11 @@ TEST_P(Methods, FindEveryManifoldsMetric) {
   }
 }
 
-std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
-  std::string name = info.param;
-  for (char& c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-  return name;
+std::string name_of(const ::testing::TestParamInfo<std::string>& method) {
+  return testing::test_name(method.param);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Methods, ::testing::ValuesIn(solve_method_names()), test_name);
+INSTANTIATE_TEST_SUITE_P(All, Methods, ::testing::ValuesIn(solve_method_names()), name_of);
 
 }  // namespace
 }  // namespace tripus::structure

@@ -1,5 +1,4 @@
 // Limits, interruptions and broken input: every method stops as documented, with a finite point.
-#include <cctype>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -9,6 +8,7 @@
 #include "base/error.hpp"
 #include "solver/method.hpp"
 #include "tests/support/analytic_problems.hpp"
+#include "tests/support/printers.hpp"
 
 namespace tripus::testing {
 namespace {
@@ -160,9 +160,7 @@ TEST_P(SolverDomain, SurvivesNaNGradients) {
 }
 
 std::string name_of(const ::testing::TestParamInfo<Method>& method) {
-  std::string name(method.param.name);
-  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-  return name;
+  return test_name(method.param.name);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, SolverDomain,

@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <fstream>
 #include <numeric>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "tests/support/data_files.hpp"
 #include "topology/homology.hpp"
 #include "topology/isosig.hpp"
 #include "topology/triangulation.hpp"
@@ -13,19 +13,11 @@
 namespace tripus::topology {
 namespace {
 
-std::vector<std::string> signatures(const std::string& file) {
-  std::ifstream in(std::string(TRIPUS_DATA_DIR) + "/" + file);
-  std::vector<std::string> found;
-  for (std::string line; std::getline(in, line);)
-    if (!line.empty() && line[0] != '#') found.push_back(line);
-  return found;
-}
-
-class Lists : public testing::TestWithParam<const char*> {};
+class Lists : public ::testing::TestWithParam<const char*> {};
 
 // Laws T1, T2 and S1 of topology/README.md over every listed triangulation.
 TEST_P(Lists, SkeletonAndSignatureLaws) {
-  const auto list = signatures(GetParam());
+  const auto list = tripus::testing::data_lines(GetParam());
   ASSERT_FALSE(list.empty());
   std::uint64_t seed = 1;
   for (const std::string& signature : list) {
@@ -61,42 +53,26 @@ TEST_P(Lists, SkeletonAndSignatureLaws) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Data, Lists,
-                         testing::Values("triangulations-2.txt", "triangulations-3.txt",
-                                         "triangulations-4.txt", "triangulations-cusped.txt"));
+                         ::testing::Values("triangulations-2.txt", "triangulations-3.txt",
+                                           "triangulations-4.txt", "triangulations-cusped.txt"));
 
-std::vector<std::string> fields(const std::string& line) {
-  std::vector<std::string> found(1);
-  for (const char c : line) {
-    if (c == '\t')
-      found.emplace_back();
-    else
-      found.back() += c;
-  }
-  return found;
-}
-
-// Columns: n_tets boundary volume H1 kojima isosig canonical_isosig ...
 TEST(ManifoldTable, SignaturesRoundTripAndHomologyIsAsListed) {
-  std::size_t count = 0;
-  for (const std::string& line : signatures("manifolds-2-3.tsv")) {
-    if (line.starts_with("n_tets")) continue;
-    SCOPED_TRACE(line);
-    const auto row = fields(line);
-    for (const std::size_t column : {5u, 6u})
+  const auto rows = tripus::testing::data_table("manifolds-2-3.tsv");
+  for (const auto& row : rows) {
+    SCOPED_TRACE(row.at("isosig"));
+    for (const char* column : {"isosig", "canonical_isosig"})
       EXPECT_EQ(isosig(decode_isosig(row.at(column))), row.at(column));
-    EXPECT_EQ(to_string(first_homology(Triangulation(decode_isosig(row.at(5))))), row.at(3));
-    ++count;
+    EXPECT_EQ(to_string(first_homology(Triangulation(decode_isosig(row.at("isosig"))))),
+              row.at("H1"));
   }
-  EXPECT_EQ(count, 159u);
+  EXPECT_EQ(rows.size(), 159u);
 }
 
-// Columns: isosig boundary edge_valences angle_margin H1
 TEST(NongeometricTable, HomologyIsAsListed) {
-  for (const std::string& line : signatures("nongeometric-3.tsv")) {
-    if (line.starts_with("isosig")) continue;
-    const auto row = fields(line);
-    EXPECT_EQ(to_string(first_homology(Triangulation(decode_isosig(row.at(0))))), row.at(4))
-        << line;
+  for (const auto& row : tripus::testing::data_table("nongeometric-3.tsv")) {
+    EXPECT_EQ(to_string(first_homology(Triangulation(decode_isosig(row.at("isosig"))))),
+              row.at("H1"))
+        << row.at("isosig");
   }
 }
 

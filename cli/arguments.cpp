@@ -1,0 +1,34 @@
+#include "cli/arguments.hpp"
+
+#include "topology/isosig.hpp"
+
+namespace tripus::cli {
+namespace {
+
+/// 63 tetrahedra take more characters than this, and no option has a name or a value like it.
+constexpr std::size_t kLongestOption = 64;
+
+bool is_shielded(const std::string& text) {
+  return text.size() > kLongestOption && text.starts_with(" -");
+}
+
+}  // namespace
+
+std::vector<std::string> shield_signatures(std::vector<std::string> arguments) {
+  for (std::string& argument : arguments) {
+    if (argument.size() > kLongestOption && argument.front() == '-' &&
+        topology::looks_like_isosig(argument))
+      argument.insert(0, " ");
+  }
+  return arguments;
+}
+
+CLI::Validator unshield() {
+  return {[](std::string& text) {
+            if (is_shielded(text)) text.erase(0, 1);
+            return std::string();
+          },
+          ""};
+}
+
+}  // namespace tripus::cli

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace tripus::cli {
+
+// A signature of 63 tetrahedra or more begins with "-", as options do. A space before it makes it
+// an INPUT to the parser of the command line, and is taken off again when INPUT is parsed.
+
+/// Puts a space before every argument that begins with "-" and can only be a signature.
+std::vector<std::string> shield_signatures(std::vector<std::string> arguments);
+
+/// For INPUT options: takes the space of shield_signatures off.
+CLI::Validator unshield();
+
+}  // namespace tripus::cli

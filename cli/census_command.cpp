@@ -44,12 +44,12 @@ class Journal {
     std::error_code error;
     if (std::filesystem::exists(path, error)) read();
     out_.open(path, std::ios::app | std::ios::binary);
-    if (!out_) throw InvalidInput("the journal " + quoted(path) + " cannot be written");
+    if (!out_) throw InvalidInput("the journal " + tripus::quoted(path) + " cannot be written");
   }
 
   void add(const CensusLine& line) {
     out_ << canonical::to_journal(line) << '\n' << std::flush;
-    if (!out_) throw InvalidInput("the journal " + quoted(path_) + " cannot be written");
+    if (!out_) throw InvalidInput("the journal " + tripus::quoted(path_) + " cannot be written");
   }
   std::vector<CensusLine>& lines() { return lines_; }
 
@@ -86,7 +86,7 @@ void write_text(const std::string& path, const std::string& text) {
   }
   std::ofstream out(path, std::ios::binary);
   out << text << std::flush;
-  if (!out) throw InvalidInput(quoted(path) + " cannot be written");
+  if (!out) throw InvalidInput(tripus::quoted(path) + " cannot be written");
 }
 
 /// The journal's name if none was given: beside the result.
@@ -127,8 +127,7 @@ int make(CensusCommand& command) {
     lines.push_back(std::move(line));
   if (lines.size() < total) {
     write_message(fmt::format("tripus: interrupted after {} of {} triangulations{}\n", lines.size(),
-                              total,
-                              path.empty() ? "" : "; the same command goes on from there"));
+                              total, path.empty() ? "" : "; the same command goes on from there"));
     return kNoAnswer;
   }
   std::size_t own = 0, moved = 0, refused = 0;
@@ -149,8 +148,7 @@ int make(CensusCommand& command) {
       total, census.manifolds.size(), own, moved, census.unresolved.size(), refused,
       resumed == 0 ? "" : fmt::format(" ({} known from an earlier run)", resumed));
   write_message(command.quiet ? "" : summary);
-  if (command.tsv.empty() && command.database.empty())
-    write_text("-", canonical::to_tsv(census));
+  if (command.tsv.empty() && command.database.empty()) write_text("-", canonical::to_tsv(census));
   return kSuccess;
 }
 
@@ -161,7 +159,7 @@ Census load_census(const std::string& path) {
   try {
     return canonical::parse_tsv(text);
   } catch (const InvalidInput& error) {
-    throw InvalidInput(quoted(path) + ": " + error.what());
+    throw InvalidInput(tripus::quoted(path) + ": " + error.what());
   }
 }
 
@@ -171,11 +169,12 @@ void parse_volumes(const std::string& text, canonical::CensusQuery& query) {
   const auto bound = [&](std::string_view part, double& value) {
     if (part.empty()) return;
     const auto number = parse_number(part);
-    if (!number) throw InvalidInput("--volume " + quoted(text) + ": write FROM:TO, such as 6.4:7");
+    if (!number)
+      throw InvalidInput("--volume " + tripus::quoted(text) + ": write FROM:TO, such as 6.4:7");
     value = *number;
   };
   if (colon == std::string::npos)
-    throw InvalidInput("--volume " + quoted(text) + ": write FROM:TO, such as 6.4:7");
+    throw InvalidInput("--volume " + tripus::quoted(text) + ": write FROM:TO, such as 6.4:7");
   bound(std::string_view(text).substr(0, colon), query.least_volume);
   bound(std::string_view(text).substr(colon + 1), query.greatest_volume);
 }
@@ -239,7 +238,8 @@ void add_making_options(CLI::App& verb, CensusCommand& command) {
 }  // namespace
 
 void add_census(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand("census", "tables of manifolds: make one, or look in one");
+  CLI::App* verb =
+      program.add_subcommand("census", "tables of manifolds: make one, or look in one");
   auto command = std::make_shared<CensusCommand>();
   command->classify.canonize.retriangulation.budget = canonical::kCensusBudget;
   add_query_options(*verb, *command);

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include <Eigen/SparseCholesky>
-#include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <fmt/format.h>
 
@@ -24,6 +23,8 @@ using Factor = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
 /// Curvatures below this are those of the metric as far as 50 digits can tell.
 const Real kCurvature("1e-46");
 constexpr int kMaxSteps = 12;
+/// Curvatures above this are not those of a metric that was found in double precision.
+constexpr double kStartingCurvature = 1e-7;
 
 /// The Hessian of the co-volume, factorised.
 void factorise(const Triangulation& triangulation, std::span<const double> lengths,
@@ -62,20 +63,35 @@ std::vector<Real> cosines(const std::vector<Real>& x) {
   return result;
 }
 
-/// Edge curvatures, by docs/theory.md (9).
+/// Edge curvatures without a transcendental function beyond cosh. By docs/theory.md (10) the
+/// numbers c_kl + i sqrt(D) s_ij have the dihedral angles as arguments, so that their product
+/// around an edge has the argument -K, up to 2 pi; the lengths are those of the metric to double
+/// precision already, so that K is small and three terms of the arc sine leave an error of K^7.
 std::vector<Real> curvatures(const Triangulation& triangulation, const std::vector<Real>& x) {
-  std::vector<Real> K(x.size(), 2 * boost::math::constants::pi<Real>());
   const std::vector<Real> a = cosines(x);
+  std::vector<Real> s, re(x.size(), Real(1)), im(x.size(), Real(0));
+  for (const Real& c : a) s.push_back(sqrt((c - 1) * (c + 1)));
   for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t) {
     const Cofactors<Real> g = cofactors_of(triangulation, a, t);
+    const Real root = sqrt(g.D);
     for (int e = 0; e < 6; ++e) {
       const auto opposite = topology::kEdgeEnds[static_cast<std::size_t>(5 - e)];
-      const std::size_t c = triangulation.edge_class(t, e);
-      const Real s = sqrt((a[c] - 1) * (a[c] + 1));
-      K[c] -=
-          atan2(Real(sqrt(g.D) * s),
-                g.c[static_cast<std::size_t>(opposite[0])][static_cast<std::size_t>(opposite[1])]);
+      const std::size_t k = triangulation.edge_class(t, e);
+      const Real& u =
+          g.c[static_cast<std::size_t>(opposite[0])][static_cast<std::size_t>(opposite[1])];
+      const Real v = root * s[k];
+      const Real product = re[k] * u - im[k] * v;
+      im[k] = re[k] * v + im[k] * u;
+      re[k] = product;
     }
+  }
+  std::vector<Real> K;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const Real y = -im[k] / sqrt(re[k] * re[k] + im[k] * im[k]);
+    if (re[k] < 0 || abs(y) > kStartingCurvature)
+      throw InternalError("the lengths are not those of a metric to double precision");
+    const Real y2 = y * y;
+    K.push_back(y * (1 + y2 * (Real(1) / 6 + y2 * (Real(3) / 40))));
   }
   return K;
 }

@@ -79,7 +79,8 @@ class Census(ProgramTest):
     def test_make_and_resume(self):
         list_file = str(DATA / "triangulations-3.txt")
         whole = self.run_program("census", "--from", list_file, "--tsv", "-", "--quiet").text
-        self.assertEqual(len([line for line in whole.splitlines() if line.startswith("t3")]), 150)
+        # Eight of them have triangulations with two tetrahedra, which are not in this list.
+        self.assertEqual(len([line for line in whole.splitlines() if line.startswith("t3")]), 158)
         # The journal of an interrupted run: some lines, the last of them torn.
         journal = self.folder / "j"
         self.run_program("census", "--from", list_file, "--journal", str(journal), "--tsv", "-")

@@ -168,10 +168,12 @@ std::string report_as_json(const Subject& subject, const Report& report,
     append(out, structure::to_json(*report.strict_angles));
   }
   if (retriangulation != nullptr) append_retriangulation(out, *retriangulation);
+  if (!report.advice.empty()) {
+    append(out, ", \"advice\": ");
+    append_string(out, report.advice);
+  }
   append(out, ", \"message\": ");
   append_string(out, report.message);
-  append(out, ", \"advice\": ");
-  append_string(out, report.advice);
   out.push_back('}');
   return fmt::to_string(out);
 }

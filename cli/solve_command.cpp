@@ -221,13 +221,14 @@ void add_solve(CLI::App& program, Command& chosen) {
       ->check(whole_number(std::numeric_limits<int>::max()))
       ->needs(retriangulate);
   verb->add_option("--seed", command->search.seed,
-                   "orders the moves of --retriangulate that look equally good (default: 0)")
+                   "orders the moves of --retriangulate that look equally good\n"
+                   "(default: 0)")
       ->option_text("N")
       ->check(whole_number(std::numeric_limits<int>::max()))
       ->needs(retriangulate);
   verb->get_option("--cone-angle")->excludes(retriangulate);
   verb->add_flag("--angle-structure", solve.angle_structure,
-                 "also print an exact rational strict angle structure, where there is one")
+                 "also print an exact rational strict angle structure, if there is one")
       ->option_text(" ");
   auto* components = verb->add_flag("--components", command->components,
                                     "solve each connected component by itself")

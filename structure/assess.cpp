@@ -94,10 +94,12 @@ void judge(const topology::Triangulation& triangulation, const energies::CoVolum
   if (why_not.empty()) why_not = not_a_metric(triangulation, report);
   if (why_not.empty()) {
     report.outcome = Outcome::kGeometric;
+    const bool smooth = std::ranges::all_of(energy.cone_angles(),
+                                            [](double k) { return k == 2 * std::numbers::pi; });
     report.message = fmt::format(
-        "This triangulation carries the hyperbolic metric with geodesic boundary; its volume is "
+        "This triangulation carries the hyperbolic {} with geodesic boundary{}; its volume is "
         "{:.12g}.",
-        report.volume);
+        smooth ? "metric" : "cone metric", smooth ? "" : " and these cone angles", report.volume);
     return;
   }
   report.outcome = Outcome::kUnresolved;

@@ -26,6 +26,10 @@ namespace {
 /// ten decades of lengths, metrics took at most 14.
 constexpr int kNewtonPatience = 100;
 
+/// The exact decision about angle structures is a linear programme that takes the better part of a
+/// minute at this size, and grows with its square.
+constexpr std::size_t kExactLimit = 10000;
+
 /// Where a run ended: lengths, and the method's own account.
 struct Run {
   std::vector<double> lengths;
@@ -164,6 +168,7 @@ Report settling_run(const topology::Triangulation& triangulation, const SolveOpt
   if (was_default) return report;
   SolveOptions settling;
   settling.cone_angles = options.cone_angles;
+  settling.tolerance = std::min(options.tolerance, tolerance::kMaxCurvature);
   settling.time_limit =
       std::max(options.time_limit - report.seconds, std::numeric_limits<double>::min());
   settling.stop_requested = options.stop_requested;
@@ -190,6 +195,13 @@ constexpr const char* kMoreTime = "Give it more time or iterations.";
 
 /// Turns the report of a run that found no metric into a verdict with evidence.
 Report settle(const topology::Triangulation& triangulation, Report report) {
+  report.advice = kRetriangulate;
+  if (triangulation.tetrahedron_count() > kExactLimit) {
+    report.message += fmt::format(
+        " Whether it has angle structures is decided exactly for up to {} tetrahedra only.",
+        kExactLimit);
+    return report;
+  }
   Existence found = existence(triangulation);
   if (auto* certificate = std::get_if<Certificate>(&found)) {
     // A flat minimiser is more than a certificate says; it contradicts one of kind "none".
@@ -203,7 +215,6 @@ Report settle(const topology::Triangulation& triangulation, Report report) {
     if (report.outcome == Outcome::kUnresolved)
       report.message += " A strict angle structure exists, so the co-volume has a minimiser.";
   }
-  report.advice = kRetriangulate;
   return report;
 }
 

@@ -108,7 +108,7 @@ class Certificates(ProgramTest):
     def test_of_another_triangulation(self):
         good = self.certificate(NONE)["certificate"]
         self.rejected(good, TRIPUS, "2 edge multipliers, the triangulation 1 edge class")
-        self.rejected(good, "dLQacccjnjv", "below 0")
+        self.rejected(good, SEMI, "below 0")
         self.rejected(good, BOUNDARY_CASE, "edge multipliers")
 
     def test_that_are_none(self):

@@ -40,7 +40,7 @@ TEST(Verdicts, OfTwoAndThreeTetrahedra) {
   EXPECT_EQ(three.infeasible_none, 50);
 }
 
-// Strict and semi add up to the counts of the angle programme in structure_certificates_test.cpp.
+// Strict and semi add up to the counts of the angle programme in structure_certificates.cpp.
 TEST(Verdicts, OfFourTetrahedra) {
   const auto four = count("triangulations-4.txt");
   EXPECT_THAT(four.wrong, IsEmpty());

@@ -25,8 +25,17 @@ inline constexpr double kMaxDistanceToMetric = 1e-2;
 /// linear programme is solved in floating point with feasibility tolerances of 1e-7.
 inline constexpr double kAngleMargin = 1e-6;
 
-/// Relative difference of the volumes of one manifold on two triangulations. At max|K| = 1e-12 each
-/// is accurate to some 1e-12; two manifolds that share a homology seldom are as close as this.
-inline constexpr double kSameVolume = 1e-9;
+/// A sum of two tilts below this, relative to 1 or the larger of the two, may be 0: it is taken again
+/// in 50 digits. Rounding leaves some 1e-13; the smallest sum that is not 0 among the triangulations
+/// with up to 4 tetrahedra is some thousand times this bound.
+inline constexpr double kTiltDoubt = 1e-6;
+
+/// A sum of two tilts that were computed in 50 digits is 0 if it is below this: what is 0 comes out
+/// as 1e-45 and less. Between this and kTiltDoubt nothing was ever seen.
+inline constexpr double kPreciseTiltZero = 1e-36;
+
+/// Two triangulations of one manifold give its volume to within this, relatively: the curvatures of
+/// 1e-12 that are left change it by less than 1e-11 (docs/canonical.md (T6)).
+inline constexpr double kVolumeAgreement = 1e-9;
 
 }  // namespace tripus::tolerance

@@ -210,7 +210,7 @@ class Search {
       if (report.outcome != Outcome::kGeometric) continue;
       result.volumes.push_back({topology::isosig(gluings), report.outcome, report.volume});
       if (!(std::fabs(report.volume - result.report.volume) <=
-            tolerance::kSameVolume * result.report.volume)) {
+            tolerance::kVolumeAgreement * result.report.volume)) {
         throw InternalError(fmt::format("the move {} of {} changed the volume from {} to {}",
                                         topology::to_string(move), topology::isosig(result.gluings),
                                         result.report.volume, report.volume));

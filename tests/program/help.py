@@ -2,7 +2,7 @@
 
 from support import ProgramTest
 
-VERBS = ["info", "solve", "check", "methods"]
+VERBS = ["info", "solve", "canonize", "compare", "identify", "census", "check", "methods"]
 
 
 class Help(ProgramTest):

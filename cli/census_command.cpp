@@ -44,12 +44,12 @@ class Journal {
     std::error_code error;
     if (std::filesystem::exists(path, error)) read();
     out_.open(path, std::ios::app | std::ios::binary);
-    if (!out_) throw InvalidInput("the journal " + quoted(path) + " cannot be written");
+    if (!out_) throw InvalidInput("the journal " + tripus::quoted(path) + " cannot be written");
   }
 
   void add(const CensusLine& line) {
     out_ << canonical::to_journal(line) << '\n' << std::flush;
-    if (!out_) throw InvalidInput("the journal " + quoted(path_) + " cannot be written");
+    if (!out_) throw InvalidInput("the journal " + tripus::quoted(path_) + " cannot be written");
   }
   std::vector<CensusLine>& lines() { return lines_; }
 
@@ -86,7 +86,7 @@ void write_text(const std::string& path, const std::string& text) {
   }
   std::ofstream out(path, std::ios::binary);
   out << text << std::flush;
-  if (!out) throw InvalidInput(quoted(path) + " cannot be written");
+  if (!out) throw InvalidInput(tripus::quoted(path) + " cannot be written");
 }
 
 /// The journal's name if none was given: beside the result.
@@ -161,7 +161,7 @@ Census load_census(const std::string& path) {
   try {
     return canonical::parse_tsv(text);
   } catch (const InvalidInput& error) {
-    throw InvalidInput(quoted(path) + ": " + error.what());
+    throw InvalidInput(tripus::quoted(path) + ": " + error.what());
   }
 }
 
@@ -171,11 +171,11 @@ void parse_volumes(const std::string& text, canonical::CensusQuery& query) {
   const auto bound = [&](std::string_view part, double& value) {
     if (part.empty()) return;
     const auto number = parse_number(part);
-    if (!number) throw InvalidInput("--volume " + quoted(text) + ": write FROM:TO, such as 6.4:7");
+    if (!number) throw InvalidInput("--volume " + tripus::quoted(text) + ": write FROM:TO, such as 6.4:7");
     value = *number;
   };
   if (colon == std::string::npos)
-    throw InvalidInput("--volume " + quoted(text) + ": write FROM:TO, such as 6.4:7");
+    throw InvalidInput("--volume " + tripus::quoted(text) + ": write FROM:TO, such as 6.4:7");
   bound(std::string_view(text).substr(0, colon), query.least_volume);
   bound(std::string_view(text).substr(colon + 1), query.greatest_volume);
 }

@@ -93,11 +93,10 @@ CanonizeAnswer canonize(const Triangulation& input, const CanonizeOptions& optio
   answer.report = structure::solve(triangulation, solve);
   std::vector<topology::Move> path;
   if (answer.report.outcome == Outcome::kGeometric) {
-    answer.manifold =
-        canonize_metric(triangulation, answer.report, options.proto_canonical);
+    answer.manifold = canonize_metric(triangulation, answer.report, options.proto_canonical);
   } else if (options.retriangulate) {
-    structure::Retriangulation found = structure::retriangulate(
-        triangulation, answer.report, solve, options.retriangulation);
+    structure::Retriangulation found =
+        structure::retriangulate(triangulation, answer.report, solve, options.retriangulation);
     if (found.report.outcome != Outcome::kGeometric) {
       answer.message = found.report.message;
       return answer;

@@ -13,8 +13,8 @@
 namespace tripus::canonical {
 
 struct CanonizeOptions {
-  structure::SolveOptions solve;                    ///< of the first solve; its `evidence` is unused
-  bool retriangulate = true;                        ///< where the triangulation carries no metric
+  structure::SolveOptions solve;  ///< of the first solve; its `evidence` is unused
+  bool retriangulate = true;      ///< where the triangulation carries no metric
   structure::RetriangulateOptions retriangulation;  ///< budget and seed of that
   ProtoCanonicalOptions proto_canonical;
 };

@@ -99,8 +99,8 @@ std::vector<CensusLine> classify(const std::vector<std::string>& triangulations,
       stop = true;
     }
   };
-  const unsigned wanted = options.threads != 0 ? options.threads
-                                               : std::max(1u, std::thread::hardware_concurrency());
+  const unsigned wanted =
+      options.threads != 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
   {
     std::vector<std::jthread> threads;
     for (unsigned k = 1; k < wanted && k < triangulations.size(); ++k) threads.emplace_back(work);
@@ -129,8 +129,7 @@ Census make_census(const std::vector<CensusLine>& lines) {
     });
     // The numbers are those of the first triangulation, whatever order the lines came in.
     CensusEntry entry = group.front()->entry;
-    entry.tetrahedra =
-        topology::decode_isosig(group.front()->triangulation).tetrahedron_count();
+    entry.tetrahedra = topology::decode_isosig(group.front()->triangulation).tetrahedron_count();
     for (const CensusLine* line : group)
       if (entry.triangulations.empty() || entry.triangulations.back() != line->triangulation)
         entry.triangulations.push_back(line->triangulation);
@@ -156,12 +155,11 @@ const CensusEntry* Census::find(std::string_view text) const {
 std::vector<const CensusEntry*> select(const Census& census, const CensusQuery& query) {
   std::vector<const CensusEntry*> result;
   for (const CensusEntry& entry : census.manifolds) {
-    const bool fits =
-        entry.volume >= query.least_volume && entry.volume <= query.greatest_volume &&
-        (query.boundary.empty() || entry.boundary == query.boundary) &&
-        (query.homology.empty() || entry.homology == query.homology) &&
-        (query.cells.empty() || entry.cells == query.cells) &&
-        (query.tetrahedra == 0 || entry.tetrahedra == query.tetrahedra);
+    const bool fits = entry.volume >= query.least_volume && entry.volume <= query.greatest_volume &&
+                      (query.boundary.empty() || entry.boundary == query.boundary) &&
+                      (query.homology.empty() || entry.homology == query.homology) &&
+                      (query.cells.empty() || entry.cells == query.cells) &&
+                      (query.tetrahedra == 0 || entry.tetrahedra == query.tetrahedra);
     if (fits) result.push_back(&entry);
   }
   return result;

@@ -19,10 +19,10 @@ struct CensusEntry {
   std::size_t tetrahedra = 0;  ///< least number among `triangulations`
   std::string boundary;        ///< "g2", "g2+g3": genera of the components, ascending
   double volume = 0;
-  std::string homology;  ///< first homology, "2 Z + Z_3"
-  std::string cells;     ///< of the canonical decomposition, "4 tetrahedra"
-  std::size_t keeping = 0, reversing = 0;  ///< isometries by what they do to the orientation
-  std::string signature;                   ///< IsometrySignature::unoriented
+  std::string homology;                     ///< first homology, "2 Z + Z_3"
+  std::string cells;                        ///< of the canonical decomposition, "4 tetrahedra"
+  std::size_t keeping = 0, reversing = 0;   ///< isometries by what they do to the orientation
+  std::string signature;                    ///< IsometrySignature::unoriented
   std::vector<std::string> triangulations;  ///< by isomorphism signature, shortest first
 
   friend bool operator==(const CensusEntry&, const CensusEntry&) = default;
@@ -63,8 +63,8 @@ inline constexpr std::size_t kCensusBudget = 20;
 std::vector<CensusLine> classify(const std::vector<std::string>& triangulations,
                                  const ClassifyOptions& options = {});
 
-/// Sorts lines into manifolds and names them: by tetrahedra, boundary (largest genus first), volume,
-/// signature. The result does not depend on the order of the lines.
+/// Sorts lines into manifolds and names them: by tetrahedra, boundary (largest genus first),
+/// volume, signature. The result does not depend on the order of the lines.
 Census make_census(const std::vector<CensusLine>& lines);
 
 /// One line of the journal that makes a census resumable, without the line end; and back. A line

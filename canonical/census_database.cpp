@@ -36,7 +36,7 @@ class Database {
   void check(int code) const {
     if (code == SQLITE_OK || code == SQLITE_ROW || code == SQLITE_DONE) return;
     const char* why = handle_ != nullptr ? sqlite3_errmsg(handle_) : sqlite3_errstr(code);
-    throw InvalidInput(fmt::format("the database {}: {}", quoted(path_), why));
+    throw InvalidInput(fmt::format("the database {}: {}", tripus::quoted(path_), why));
   }
 
  private:
@@ -54,8 +54,8 @@ class Statement {
   ~Statement() { sqlite3_finalize(handle_); }
 
   Statement& bind(const std::string& text) {
-    database_.check(sqlite3_bind_text(handle_, ++bound_, text.data(),
-                                      static_cast<int>(text.size()), SQLITE_TRANSIENT));
+    database_.check(sqlite3_bind_text(handle_, ++bound_, text.data(), static_cast<int>(text.size()),
+                                      SQLITE_TRANSIENT));
     return *this;
   }
   Statement& bind(double value) {
@@ -122,7 +122,7 @@ void write_database(const Census& census, const std::string& path) {
   std::error_code error;
   std::filesystem::rename(draft, path, error);
   if (error)
-    throw InvalidInput(fmt::format("the database {}: {}", quoted(path), error.message()));
+    throw InvalidInput(fmt::format("the database {}: {}", tripus::quoted(path), error.message()));
 }
 
 Census read_database(const std::string& path) {
@@ -131,8 +131,7 @@ Census read_database(const std::string& path) {
   Statement manifold(database,
                      "SELECT name, tetrahedra, boundary, volume, homology, cells, keeping, "
                      "reversing, signature FROM manifold ORDER BY rowid");
-  Statement triangulation(
-      database, "SELECT isosig, manifold FROM triangulation ORDER BY rowid");
+  Statement triangulation(database, "SELECT isosig, manifold FROM triangulation ORDER BY rowid");
   bool more = triangulation.step();
   while (manifold.step()) {
     CensusEntry e;

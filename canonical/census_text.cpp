@@ -73,8 +73,7 @@ std::optional<CensusLine> parse_journal(std::string_view text) {
       return std::nullopt;
     return line;
   }
-  if (cells.size() != 4 || (cells[1] != "unresolved" && cells[1] != "refused"))
-    return std::nullopt;
+  if (cells.size() != 4 || (cells[1] != "unresolved" && cells[1] != "refused")) return std::nullopt;
   line.reason = cells[2];
   return line;
 }

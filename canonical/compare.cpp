@@ -8,6 +8,7 @@
 
 #include "topology/homology.hpp"
 #include "topology/isomorphism.hpp"
+#include "topology/requirements.hpp"
 
 namespace tripus::canonical {
 namespace {
@@ -33,9 +34,8 @@ Comparison different(std::string by, std::string message) {
 /// By what needs no geometry.
 std::optional<Comparison> compare_topology(const Triangulation& a, const Triangulation& b) {
   if (const auto x = genera(a), y = genera(b); x != y) {
-    return different("boundary",
-                     fmt::format("the boundary components have genera {} and {}.",
-                                 fmt::join(x, ", "), fmt::join(y, ", ")));
+    return different("boundary", fmt::format("the boundary components have genera {} and {}.",
+                                             fmt::join(x, ", "), fmt::join(y, ", ")));
   }
   if (a.is_orientable() != b.is_orientable())
     return different("orientability", "one is orientable, the other is not.");
@@ -53,9 +53,9 @@ void compare_manifolds(Comparison& result) {
   if (difference > 1000 * error) {
     result.verdict = Verdict::kDifferent;
     result.decided_by = "volume";
-    result.message = fmt::format(
-        "Not homeomorphic: the volumes are {:.15g} and {:.15g}, to within {:.1g}.",
-        a.report.volume, b.report.volume, error);
+    result.message =
+        fmt::format("Not homeomorphic: the volumes are {:.15g} and {:.15g}, to within {:.1g}.",
+                    a.report.volume, b.report.volume, error);
     return;
   }
   result.decided_by = "decomposition";
@@ -63,11 +63,12 @@ void compare_manifolds(Comparison& result) {
     result.verdict = Verdict::kDifferent;
     result.message =
         a.cells == b.cells
-            ? fmt::format("Not homeomorphic: the canonical decompositions, of {} both, are not "
-                          "isomorphic.",
-                          a.cells)
-            : fmt::format("Not homeomorphic: the canonical decompositions have {} and {}.",
-                          a.cells, b.cells);
+            ? fmt::format(
+                  "Not homeomorphic: the canonical decompositions, of {} both, are not "
+                  "isomorphic.",
+                  a.cells)
+            : fmt::format("Not homeomorphic: the canonical decompositions have {} and {}.", a.cells,
+                          b.cells);
     return;
   }
   result.verdict = Verdict::kHomeomorphic;
@@ -103,6 +104,8 @@ std::string_view to_string(Verdict verdict) {
 
 Comparison compare(const Triangulation& first, const Triangulation& second,
                    const CanonizeOptions& options) {
+  topology::require_solvable(first);
+  topology::require_solvable(second);
   if (auto decided = compare_topology(first, second)) return *decided;
   Comparison result;
   CanonizeAnswer a = canonize(first, options), b = canonize(second, options);
@@ -119,7 +122,9 @@ Comparison compare(const Triangulation& first, const Triangulation& second,
     return result;
   }
   result.message = fmt::format("Unresolved: no canonical decomposition of the {}. {}",
-                               result.first ? "second" : result.second ? "first" : "two",
+                               result.first    ? "second"
+                               : result.second ? "first"
+                                               : "two",
                                result.first ? b.message : a.message);
   return result;
 }

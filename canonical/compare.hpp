@@ -32,6 +32,7 @@ struct Comparison {
 /// orientability, first homology, volume, canonical decomposition.
 /// "Different" by volume or by decomposition and "homeomorphic" by decomposition rest on
 /// floating-point metrics and on tilt signs with the margins of FaceKinds.
+/// Throws InvalidInput for triangulations that structure::solve refuses.
 Comparison compare(const topology::Triangulation& first, const topology::Triangulation& second,
                    const CanonizeOptions& options = {});
 

@@ -67,9 +67,9 @@ class FlagBuilder {
     return faces_.kind[place.t][static_cast<std::size_t>(place.p(3))] == FaceKind::kTrue;
   }
   std::size_t edge_class(Place place) const {
-    return triangulation_.edge_class(
-        place.t, topology::kEdgeNumber[static_cast<std::size_t>(place.p(0))]
-                                      [static_cast<std::size_t>(place.p(1))]);
+    return triangulation_.edge_class(place.t,
+                                     topology::kEdgeNumber[static_cast<std::size_t>(place.p(0))]
+                                                          [static_cast<std::size_t>(place.p(1))]);
   }
   Place across(Place place) const {
     const Gluings& gluings = triangulation_.gluings();
@@ -104,8 +104,8 @@ class FlagBuilder {
       }
       true_faces_[e] /= 2;
       if (true_faces_[e] == 1) {
-        throw InternalError(fmt::format(
-            "edge class {} has one true face around it: a tilt has the wrong sign", e));
+        throw InternalError(
+            fmt::format("edge class {} has one true face around it: a tilt has the wrong sign", e));
       }
     }
   }
@@ -247,8 +247,7 @@ CellType cell_type(const Decomposition& decomposition, std::size_t cell) {
         named.valences == valences)
       type.name = named.name;
   }
-  if (type.name.empty())
-    type.name = fmt::format("polyhedron {}", fmt::join(type.face_sizes, "."));
+  if (type.name.empty()) type.name = fmt::format("polyhedron {}", fmt::join(type.face_sizes, "."));
   return type;
 }
 

@@ -16,8 +16,8 @@ struct CanonicalOrder {
   /// [4 F] the places that the four steps lead to, place by place: equal codes, isomorphic
   /// decompositions. It is the lexicographically least over all flags that an order may begin with.
   std::vector<std::uint32_t> code;
-  /// All flags that begin an order with this code; the first is flags[0]. One for each automorphism:
-  /// automorphism k carries flags[0] to starts[k].
+  /// All flags that begin an order with this code; the first is flags[0]. One for each
+  /// automorphism: automorphism k carries flags[0] to starts[k].
   std::vector<FlagIndex> starts;
 };
 

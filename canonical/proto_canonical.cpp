@@ -1,7 +1,7 @@
-// The moves at concave faces are those of J. Weeks, Convex hulls and isometries of cusped hyperbolic
-// 3-manifolds (1993), carried over to geodesic boundary. Each makes the hull of the vertices lower,
-// so that they come to an end; where four vertices of two tetrahedra lie in one plane, they may come
-// to it too early.
+// The moves at concave faces are those of J. Weeks, Convex hulls and isometries of cusped
+// hyperbolic 3-manifolds (1993), carried over to geodesic boundary. Each makes the hull of the
+// vertices lower, so that they come to an end; where four vertices of two tetrahedra lie in one
+// plane, they may come to it too early.
 #include "canonical/proto_canonical.hpp"
 
 #include <algorithm>
@@ -100,7 +100,8 @@ class Walker {
         if (!trouble.empty() && !trouble[move.tetrahedron]) continue;
         if (solves_ >= options_.budget) break;
         auto next = after(here, move);
-        if (!next || !known.insert(topology::isosig(next->triangulation.gluings())).second) continue;
+        if (!next || !known.insert(topology::isosig(next->triangulation.gluings())).second)
+          continue;
         if (next->report.outcome == structure::Outcome::kGeometric) {
           state_ = std::move(*next);
           if (descend()) return;
@@ -127,7 +128,8 @@ class Walker {
     for (const std::size_t t : state.report.flat_tetrahedra) trouble[t] = true;
     for (std::size_t t = 0; t < count; ++t)
       for (int e = 0; e < 6; ++e)
-        if (state.triangulation.valence(state.triangulation.edge_class(t, e)) < 4) trouble[t] = true;
+        if (state.triangulation.valence(state.triangulation.edge_class(t, e)) < 4)
+          trouble[t] = true;
     return trouble;
   }
 
@@ -152,9 +154,7 @@ class Walker {
     return moves;
   }
 
-  FaceKind kind(std::size_t t, int f) const {
-    return faces_.kind[t][static_cast<std::size_t>(f)];
-  }
+  FaceKind kind(std::size_t t, int f) const { return faces_.kind[t][static_cast<std::size_t>(f)]; }
 
   static Move two_three(std::size_t t, int f) {
     return {MoveKind::kTwoThree, static_cast<topology::TetrahedronIndex>(t),

@@ -60,7 +60,8 @@ void add_canonize_options(CLI::App& verb, canonical::CanonizeOptions& options) {
 }
 
 const char* const kCanonicalStatusHelp =
-    "Exit status: 0 an answer (for --batch: the run finished), 1 \"no\", unresolved or interrupted,\n"
+    "Exit status: 0 an answer (for --batch: the run finished), 1 \"no\", unresolved or "
+    "interrupted,\n"
     "2 bad usage or bad input, 3 a failure of the program itself.";
 
 void add_canonize(CLI::App& program, Command& chosen) {
@@ -72,9 +73,8 @@ void add_canonize(CLI::App& program, Command& chosen) {
   verb->footer(std::string(kInputHelp) + "\n" + kCanonicalStatusHelp);
   verb->final_callback([command, &chosen] {
     chosen = [command] {
-      return answer_inputs(command->common, [&](const std::string& input) {
-        return canonize_one(*command, input);
-      });
+      return answer_inputs(command->common,
+                           [&](const std::string& input) { return canonize_one(*command, input); });
     };
   });
 }

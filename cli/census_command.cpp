@@ -127,8 +127,7 @@ int make(CensusCommand& command) {
     lines.push_back(std::move(line));
   if (lines.size() < total) {
     write_message(fmt::format("tripus: interrupted after {} of {} triangulations{}\n", lines.size(),
-                              total,
-                              path.empty() ? "" : "; the same command goes on from there"));
+                              total, path.empty() ? "" : "; the same command goes on from there"));
     return kNoAnswer;
   }
   std::size_t own = 0, moved = 0, refused = 0;
@@ -149,8 +148,7 @@ int make(CensusCommand& command) {
       total, census.manifolds.size(), own, moved, census.unresolved.size(), refused,
       resumed == 0 ? "" : fmt::format(" ({} known from an earlier run)", resumed));
   write_message(command.quiet ? "" : summary);
-  if (command.tsv.empty() && command.database.empty())
-    write_text("-", canonical::to_tsv(census));
+  if (command.tsv.empty() && command.database.empty()) write_text("-", canonical::to_tsv(census));
   return kSuccess;
 }
 
@@ -171,7 +169,8 @@ void parse_volumes(const std::string& text, canonical::CensusQuery& query) {
   const auto bound = [&](std::string_view part, double& value) {
     if (part.empty()) return;
     const auto number = parse_number(part);
-    if (!number) throw InvalidInput("--volume " + tripus::quoted(text) + ": write FROM:TO, such as 6.4:7");
+    if (!number)
+      throw InvalidInput("--volume " + tripus::quoted(text) + ": write FROM:TO, such as 6.4:7");
     value = *number;
   };
   if (colon == std::string::npos)
@@ -239,7 +238,8 @@ void add_making_options(CLI::App& verb, CensusCommand& command) {
 }  // namespace
 
 void add_census(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand("census", "tables of manifolds: make one, or look in one");
+  CLI::App* verb =
+      program.add_subcommand("census", "tables of manifolds: make one, or look in one");
   auto command = std::make_shared<CensusCommand>();
   command->classify.canonize.retriangulation.budget = canonical::kCensusBudget;
   add_query_options(*verb, *command);

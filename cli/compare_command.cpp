@@ -90,8 +90,8 @@ Outcome compare_two(const CompareCommand& command) {
 void add_compare(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand("compare", "same manifold or not, and how that is known");
   auto command = std::make_shared<CompareCommand>();
-  for (auto [name, value] : {std::pair("FIRST", &command->common.input),
-                             std::pair("SECOND", &command->second)}) {
+  for (auto [name, value] :
+       {std::pair("FIRST", &command->common.input), std::pair("SECOND", &command->second)}) {
     verb->add_option(name, *value, "an INPUT: a signature, a file, or - for standard input")
         ->option_text(" ")
         ->transform(unshield())
@@ -99,9 +99,10 @@ void add_compare(CLI::App& program, Command& chosen) {
   }
   verb->add_flag("--json", command->common.json, "one JSON object");
   add_canonize_options(*verb, command->canonize);
-  verb->footer(std::string(kInputHelp) +
-               "\nExit status: 0 homeomorphic, 1 not homeomorphic or unresolved, 2 bad usage or bad "
-               "input,\n3 a failure of the program itself.");
+  verb->footer(
+      std::string(kInputHelp) +
+      "\nExit status: 0 homeomorphic, 1 not homeomorphic or unresolved, 2 bad usage or bad "
+      "input,\n3 a failure of the program itself.");
   verb->final_callback([command, &chosen] {
     chosen = [command] {
       return answer_inputs(command->common,

@@ -89,9 +89,8 @@ void add_identify(CLI::App& program, Command& chosen) {
   verb->footer(std::string(kInputHelp) + "\n" + kCanonicalStatusHelp);
   verb->final_callback([command, &chosen] {
     chosen = [command] {
-      return answer_inputs(command->common, [&](const std::string& input) {
-        return identify_one(*command, input);
-      });
+      return answer_inputs(command->common,
+                           [&](const std::string& input) { return identify_one(*command, input); });
     };
   });
 }

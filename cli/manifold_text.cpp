@@ -117,8 +117,8 @@ std::string manifold_as_text(const CanonicalManifold& manifold) {
   };
   const canonical::IsometryGroup& group = manifold.isometries;
   line("cells", manifold.cells);
-  line("volume", fmt::format("{:.15g}, to within {:.1g}", manifold.report.volume,
-                             manifold.volume_error));
+  line("volume",
+       fmt::format("{:.15g}, to within {:.1g}", manifold.report.volume, manifold.volume_error));
   line("signature", manifold.signature.unoriented);
   line("oriented", manifold.signature.oriented);
   line("isometries",
@@ -128,14 +128,13 @@ std::string manifold_as_text(const CanonicalManifold& manifold) {
                          chirality(manifold))
            : fmt::format("{} (non-orientable)", group.order));
   for (const auto& generator : group.generators) {
-    line("generator", cell_map_as_text(canonical::as_cell_map(
-                          manifold.decomposition, manifold.decomposition, generator)));
+    line("generator", cell_map_as_text(canonical::as_cell_map(manifold.decomposition,
+                                                              manifold.decomposition, generator)));
   }
-  line("tilt sums",
-       manifold.faces.precise
-           ? fmt::format("0 to within {:.1g} in 50 digits, or at least {:.3g} in size",
-                         manifold.faces.largest_zero, manifold.faces.margin)
-           : fmt::format("at least {:.3g} in size", manifold.faces.margin));
+  line("tilt sums", manifold.faces.precise
+                        ? fmt::format("0 to within {:.1g} in 50 digits, or at least {:.3g} in size",
+                                      manifold.faces.largest_zero, manifold.faces.margin)
+                        : fmt::format("at least {:.3g} in size", manifold.faces.margin));
   line("moves", std::to_string(manifold.path.size()));
   return text;
 }

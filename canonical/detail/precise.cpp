@@ -72,9 +72,9 @@ std::vector<Real> curvatures(const Triangulation& triangulation, const std::vect
       const auto opposite = topology::kEdgeEnds[static_cast<std::size_t>(5 - e)];
       const std::size_t c = triangulation.edge_class(t, e);
       const Real s = sqrt((a[c] - 1) * (a[c] + 1));
-      K[c] -= atan2(Real(sqrt(g.D) * s),
-                    g.c[static_cast<std::size_t>(opposite[0])][static_cast<std::size_t>(
-                        opposite[1])]);
+      K[c] -=
+          atan2(Real(sqrt(g.D) * s),
+                g.c[static_cast<std::size_t>(opposite[0])][static_cast<std::size_t>(opposite[1])]);
     }
   }
   return K;
@@ -100,9 +100,10 @@ std::vector<Real> improved(const Triangulation& triangulation, std::span<const d
     for (std::size_t e = 0; e < x.size(); ++e)
       x[e] += largest * Real(direction[static_cast<Eigen::Index>(e)]);
   }
-  throw InternalError(fmt::format("the lengths could not be improved to 50 digits: the curvature "
-                                  "{:.3g} remains",
-                                  static_cast<double>(largest)));
+  throw InternalError(
+      fmt::format("the lengths could not be improved to 50 digits: the curvature "
+                  "{:.3g} remains",
+                  static_cast<double>(largest)));
 }
 
 }  // namespace

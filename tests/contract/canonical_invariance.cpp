@@ -79,9 +79,9 @@ TEST(Signature, IsUnchangedByMoves) {
     const CanonicalManifold manifold = found(gluings);
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
       Gluings walked = gluings;
-      topology::randomize(walked, {.count = 1 + seed % 4,
-                                   .seed = seed,
-                                   .max_tetrahedra = gluings.tetrahedron_count() + 2});
+      topology::randomize(
+          walked,
+          {.count = 1 + seed % 4, .seed = seed, .max_tetrahedra = gluings.tetrahedron_count() + 2});
       CanonizeOptions options;
       options.retriangulation.budget = 200;
       const CanonizeAnswer answer = canonize(Triangulation(walked), options);
@@ -121,8 +121,8 @@ TEST(Isometries, AreAutomorphismsAndMakeTheGroup) {
         found(topology::cyclic_cover(tripus.gluings(), *shifts, degree));
     EXPECT_NEAR(cover.report.volume, 6.4519902708350328653 * static_cast<double>(degree), 1e-12);
     EXPECT_EQ(cover.isometries.order % degree, 0u);  // deck transformations
-    const auto all = topology::all_isomorphisms(cover.triangulation.gluings(),
-                                                cover.triangulation.gluings());
+    const auto all =
+        topology::all_isomorphisms(cover.triangulation.gluings(), cover.triangulation.gluings());
     EXPECT_EQ(cover.isometries.order, all.size());
     for (const auto& generator : cover.isometries.generators)
       EXPECT_TRUE(is_automorphism(cover.decomposition, generator));
@@ -136,8 +136,7 @@ TEST(Compare, AgreesWithTheSignatures) {
     manifolds.push_back(found(topology::decode_isosig(sample()[k])));
   for (std::size_t a = 0; a < manifolds.size(); ++a) {
     for (std::size_t b = 0; b < manifolds.size(); ++b) {
-      const Comparison comparison =
-          compare(manifolds[a].triangulation, manifolds[b].triangulation);
+      const Comparison comparison = compare(manifolds[a].triangulation, manifolds[b].triangulation);
       const bool same = manifolds[a].signature.unoriented == manifolds[b].signature.unoriented;
       EXPECT_EQ(comparison.verdict, same ? Verdict::kHomeomorphic : Verdict::kDifferent);
       EXPECT_FALSE(comparison.decided_by.empty());

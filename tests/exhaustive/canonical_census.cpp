@@ -17,7 +17,8 @@ namespace {
 const std::vector<CensusLine>& all_lines() {
   static const std::vector<CensusLine> kLines = [] {
     std::vector<std::string> list;
-    for (const char* file : {"triangulations-2.txt", "triangulations-3.txt", "triangulations-4.txt"})
+    for (const char* file :
+         {"triangulations-2.txt", "triangulations-3.txt", "triangulations-4.txt"})
       for (const auto& signature : testing::data_lines(file)) list.push_back(signature);
     ClassifyOptions options;
     options.canonize.retriangulation.budget = 2;
@@ -48,11 +49,11 @@ TEST(Census, HasTheKnownCells) {
   for (const CensusEntry& entry : whole_census().manifolds)
     ++found[std::to_string(entry.tetrahedra) + " " + entry.boundary + " " + entry.cells];
   const std::map<std::string, std::size_t> expected{
-      {"2 g2 2 tetrahedra", 8},      {"3 g3 3 tetrahedra", 74},    {"3 g2 3 tetrahedra", 73},
-      {"3 g2 4 tetrahedra", 3},      {"4 g4 4 tetrahedra", 2340},  {"4 g3 4 tetrahedra", 1936},
-      {"4 g3 5 tetrahedra", 42},     {"4 g3 1 octahedron", 56},    {"4 g2 4 tetrahedra", 555},
-      {"4 g2 5 tetrahedra", 41},     {"4 g2 6 tetrahedra", 3},     {"4 g2 8 tetrahedra", 3},
-      {"4 g2 1 octahedron", 22},     {"4 g2 2 pyramids", 4},
+      {"2 g2 2 tetrahedra", 8},  {"3 g3 3 tetrahedra", 74},   {"3 g2 3 tetrahedra", 73},
+      {"3 g2 4 tetrahedra", 3},  {"4 g4 4 tetrahedra", 2340}, {"4 g3 4 tetrahedra", 1936},
+      {"4 g3 5 tetrahedra", 42}, {"4 g3 1 octahedron", 56},   {"4 g2 4 tetrahedra", 555},
+      {"4 g2 5 tetrahedra", 41}, {"4 g2 6 tetrahedra", 3},    {"4 g2 8 tetrahedra", 3},
+      {"4 g2 1 octahedron", 22}, {"4 g2 2 pyramids", 4},
   };
   EXPECT_EQ(found, expected);
 }

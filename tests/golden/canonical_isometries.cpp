@@ -30,12 +30,12 @@ TEST_P(TwoTetrahedra, HaveTheKnownIsometryGroups) {
             group.order);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Isometries, TwoTetrahedra,
-    ::testing::Values(Known{"cMcabbjdw", 1, 1}, Known{"cMcabbjij", 1, 0}, Known{"cMcabbjds", 2, 0},
-                      Known{"cMcabbjik", 2, 0}, Known{"cMcabbjmk", 2, 0}, Known{"cPcbbbdht", 2, 0},
-                      Known{"cPcbbbdhq", 6, 0}, Known{"cPcbbbihq", 6, 0}),
-    [](const auto& known) { return std::string(known.param.isosig); });
+INSTANTIATE_TEST_SUITE_P(Isometries, TwoTetrahedra,
+                         ::testing::Values(Known{"cMcabbjdw", 1, 1}, Known{"cMcabbjij", 1, 0},
+                                           Known{"cMcabbjds", 2, 0}, Known{"cMcabbjik", 2, 0},
+                                           Known{"cMcabbjmk", 2, 0}, Known{"cPcbbbdht", 2, 0},
+                                           Known{"cPcbbbdhq", 6, 0}, Known{"cPcbbbihq", 6, 0}),
+                         [](const auto& known) { return std::string(known.param.isosig); });
 
 }  // namespace
 }  // namespace tripus::canonical

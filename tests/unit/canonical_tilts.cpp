@@ -53,7 +53,8 @@ TEST(Tilts, AgreeWithTheirDefinition) {
         const int e = 5 - topology::kEdgeNumber[i][j];
         expected -= R[j] * std::cos(theta[static_cast<std::size_t>(e)]);
       }
-      EXPECT_NEAR(found[static_cast<std::size_t>(i)], expected, 1e-8 * (1 + std::fabs(expected) + R[i]));
+      EXPECT_NEAR(found[static_cast<std::size_t>(i)], expected,
+                  1e-8 * (1 + std::fabs(expected) + R[i]));
     }
   }
 }

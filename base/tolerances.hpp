@@ -8,6 +8,10 @@ namespace tripus::tolerance {
 /// sums of about 6 to 100 angles of size 1, so rounding alone leaves some 1e-15 to 1e-14.
 inline constexpr double kMaxCurvature = 1e-12;
 
+/// What a computed edge curvature of exactly 0 may really be: 2 pi itself is rounded by up to half
+/// an ulp, 4.4e-16, and so is a sum of angles near it.
+inline constexpr double kCurvatureRounding = 1e-15;
+
 /// A tetrahedron with an angle within this of pi is not called a true one: the angle is then
 /// pi - O(sqrt(-det G)), and rounding alone moves det G across 0.
 inline constexpr double kFlatAngleMargin = 1e-6;

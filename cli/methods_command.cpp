@@ -67,7 +67,10 @@ int run(bool json) {
                        "auto, the default, is newton, or newton-cg for large triangulations",
                        methods) +
                "\n");
-  write_output(section("Flows of the edge lengths: --method flow:FLOW/STEPPER", flows) + "\n");
+  write_output(section("Flows of the edge lengths: --method flow:FLOW/STEPPER; g = -K is the "
+                       "gradient, H the Hessian",
+                       flows) +
+               "\n");
   write_output(section("Steppers", steppers));
   return kSuccess;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -168,7 +169,8 @@ Report settling_run(const topology::Triangulation& triangulation, const SolveOpt
   SolveOptions settling;
   settling.cone_angles = options.cone_angles;
   settling.tolerance = std::min(options.tolerance, tolerance::kMaxCurvature);
-  settling.time_limit = options.time_limit;
+  settling.time_limit =
+      std::max(options.time_limit - report.seconds, std::numeric_limits<double>::min());
   settling.stop_requested = options.stop_requested;
   Report settled = run_method(triangulation, settling);
   settled.iterations += report.iterations;
@@ -188,6 +190,8 @@ std::string certificate_message(const Certificate& certificate) {
 
 constexpr const char* kRetriangulate =
     "Try another triangulation of the manifold: --retriangulate looks for one by moves.";
+
+constexpr const char* kMoreTime = "Give it more time or iterations.";
 
 /// Turns the report of a run that found no metric into a verdict with evidence.
 Report settle(const topology::Triangulation& triangulation, Report report) {
@@ -217,12 +221,15 @@ Report settle(const topology::Triangulation& triangulation, Report report) {
 Report find_outcome(const topology::Triangulation& triangulation, const SolveOptions& options) {
   Report report = run_method(triangulation, options);
   if (report.outcome != Outcome::kGeometric && was_cut_short(report, options)) {
-    report.advice = "Give it more time or iterations.";
+    report.advice = kMoreTime;
     return report;
   }
   if (report.outcome != Outcome::kGeometric) {
     report = settling_run(triangulation, options, std::move(report));
-    if (report.outcome != Outcome::kGeometric && was_cut_short(report, options)) return report;
+    if (report.outcome != Outcome::kGeometric && was_cut_short(report, options)) {
+      report.advice = kMoreTime;
+      return report;
+    }
   }
   if (!options.cone_angles.empty() || !options.evidence) return report;
   if (report.outcome != Outcome::kGeometric) return settle(triangulation, std::move(report));

@@ -299,7 +299,7 @@ class Retriangulations(ProgramTest):
                 self.assertEqual([key for key in answer if key not in KEYS], ["retriangulation"])
                 self.assertEqual(answer["outcome"], "geometric")
                 search = answer["retriangulation"]
-                self.assertEqual(list(search), ["from", "tried", "path"])
+                self.assertEqual(list(search), ["from", "tried", "ended", "path", "volumes"])
                 self.assertEqual(search["from"], signature)
                 self.assertGreater(len(search["path"]), 0)
                 again = self.json_answer("solve", answer["isosig"])

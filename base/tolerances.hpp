@@ -8,6 +8,10 @@ namespace tripus::tolerance {
 /// sums of about 6 to 100 angles of size 1, so rounding alone leaves some 1e-15 to 1e-14.
 inline constexpr double kMaxCurvature = 1e-12;
 
+/// What a computed edge curvature of exactly 0 may really be: 2 pi itself is rounded by up to half
+/// an ulp, 4.4e-16, and so is a sum of angles near it.
+inline constexpr double kCurvatureRounding = 1e-15;
+
 /// A tetrahedron with an angle within this of pi is not called a true one: the angle is then
 /// pi - O(sqrt(-det G)), and rounding alone moves det G across 0.
 inline constexpr double kFlatAngleMargin = 1e-6;
@@ -20,5 +24,18 @@ inline constexpr double kMaxDistanceToMetric = 1e-2;
 /// An angle structure whose margin (radians) is below this is not used as a starting point: the
 /// linear programme is solved in floating point with feasibility tolerances of 1e-7.
 inline constexpr double kAngleMargin = 1e-6;
+
+/// A sum of two tilts below this, relative to 1 or the larger of the two, may be 0: it is taken again
+/// in 50 digits. Rounding leaves some 1e-13; the smallest sum that is not 0 among the triangulations
+/// with up to 4 tetrahedra is some thousand times this bound.
+inline constexpr double kTiltDoubt = 1e-6;
+
+/// A sum of two tilts that were computed in 50 digits is 0 if it is below this: what is 0 comes out
+/// as 1e-45 and less. Between this and kTiltDoubt nothing was ever seen.
+inline constexpr double kPreciseTiltZero = 1e-36;
+
+/// Two triangulations of one manifold give its volume to within this, relatively: the curvatures of
+/// 1e-12 that are left change it by less than 1e-11 (docs/canonical.md (T6)).
+inline constexpr double kVolumeAgreement = 1e-9;
 
 }  // namespace tripus::tolerance

@@ -63,6 +63,7 @@ BENCHMARK(BM_SkeletonFour);
 
 void BM_HomologyFour(benchmark::State& state) {
   std::vector<Triangulation> inputs;
+  inputs.reserve(kFour.size());
   for (const std::string& signature : kFour) inputs.emplace_back(decode_isosig(signature));
   std::size_t i = 0;
   for (auto _ : state) benchmark::DoNotOptimize(first_homology(inputs[i++ % inputs.size()]));

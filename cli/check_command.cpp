@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "cli/answer.hpp"
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/input.hpp"
 #include "cli/json.hpp"
@@ -69,15 +70,22 @@ void add_check(CLI::App& program, Command& chosen) {
       "check", "check a certificate of \"infeasible\" in integer arithmetic");
   auto options = std::make_shared<CheckOptions>();
   verb->add_option("CERTIFICATE", options->certificate,
-                   "the JSON of a certificate, or a whole answer of solve --json that has one")
+                   "the JSON of a certificate, or an answer of solve --json that has one")
+      ->option_text(" ")
       ->required();
   verb->add_option("INPUT", options->input,
                    "the triangulation, labelled as when the certificate was made")
+      ->option_text(" ")
+      ->transform(unshield())
       ->required();
   verb->add_flag("--json", options->json, "one JSON object on standard output");
   verb->footer(
-      "Exit status: 0 valid, 1 not valid (the message says which inequality fails), 2 bad "
-      "input.");
+      "A certificate proves that a triangulation has no strict angle structure, so that it "
+      "carries\n"
+      "no metric: docs/theory.md (43).\n\n"
+      "Exit status: 0 valid, 1 not valid (the message says which inequality fails), 2 bad usage "
+      "or\n"
+      "bad input, 3 a failure of the program itself.");
   verb->final_callback([options, &chosen] {
     chosen = [options] {
       return answer_inputs(*options, [options](const std::string&) { return check_one(*options); });

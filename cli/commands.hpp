@@ -26,6 +26,10 @@ using Command = std::function<int()>;
 // One verb, one file.
 void add_info(CLI::App& program, Command& chosen);
 void add_solve(CLI::App& program, Command& chosen);
+void add_canonize(CLI::App& program, Command& chosen);
+void add_compare(CLI::App& program, Command& chosen);
+void add_identify(CLI::App& program, Command& chosen);
+void add_census(CLI::App& program, Command& chosen);
 void add_check(CLI::App& program, Command& chosen);
 void add_study(CLI::App& program, Command& chosen);
 void add_methods(CLI::App& program, Command& chosen);

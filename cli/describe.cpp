@@ -97,6 +97,7 @@ std::string one_line(const topology::Triangulation& m) {
     ++links[kind == "geodesic" ? fmt::format("genus {}", link.genus()) : std::string(kind)];
   }
   std::vector<std::string> boundary;
+  boundary.reserve(links.size());
   for (const auto& [name, count] : links)
     boundary.push_back(count == 1 ? name : fmt::format("{} x {}", count, name));
   return fmt::format(

@@ -4,9 +4,14 @@ namespace tripus::cli {
 
 std::string HelpFormatter::make_usage(const CLI::App* app, std::string name) const {
   if (app->get_parent() == nullptr) return "\nUsage: tripus VERB [INPUT] [OPTIONS]\n";
-  const bool takes_input = app->get_option_no_throw("INPUT") != nullptr;
-  return "\nUsage: " + name + (takes_input ? " INPUT" : "") + " [OPTIONS]\n" +
-         (takes_input ? "       " + name + " --batch FILE [OPTIONS]\n" : "");
+  std::string usage = "\nUsage: " + name;
+  for (const CLI::Option* positional :
+       app->get_options([](const CLI::Option* option) { return option->get_positional(); }))
+    usage += " " + positional->get_name(true, false);
+  usage += " [OPTIONS]\n";
+  if (app->get_option_no_throw("--batch") != nullptr)
+    usage += "       " + name + " --batch FILE [OPTIONS]\n";
+  return usage;
 }
 
 const char* const kInputHelp =

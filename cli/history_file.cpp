@@ -14,9 +14,10 @@ HistoryFile::HistoryFile(const std::string& path)
     : path_(path), file_(std::fopen(path.c_str(), "w")) {
   if (file_ == nullptr)
     throw InvalidInput("cannot write the history to " + quoted(path) + ": " + std::strerror(errno));
-  fmt::print(file_,
-             "iteration,evaluations,seconds,max_curvature,energy,volume,shortest_edge,"
-             "longest_edge\n");
+  std::setvbuf(file_, nullptr, _IOLBF, BUFSIZ);  // whoever watches a long run sees every row
+  std::fputs(
+      "iteration,evaluations,seconds,max_curvature,energy,volume,shortest_edge,longest_edge\n",
+      file_);
 }
 
 HistoryFile::~HistoryFile() {
@@ -24,8 +25,12 @@ HistoryFile::~HistoryFile() {
 }
 
 void HistoryFile::add(const structure::HistoryRow& row) {
-  fmt::print(file_, "{},{},{},{},{},{},{},{}\n", row.iteration, row.evaluations, row.seconds,
-             row.max_curvature, row.energy, row.volume, row.shortest_edge, row.longest_edge);
+  // A failure is kept by the stream until `close` reports it.
+  std::fputs(
+      fmt::format("{},{},{},{},{},{},{},{}\n", row.iteration, row.evaluations, row.seconds,
+                  row.max_curvature, row.energy, row.volume, row.shortest_edge, row.longest_edge)
+          .c_str(),
+      file_);
 }
 
 void HistoryFile::close() {

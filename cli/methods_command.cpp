@@ -42,7 +42,7 @@ void append_rows(JsonText& out, std::string_view key, const std::vector<Row>& ro
 std::string section(std::string_view title, const std::vector<Row>& rows) {
   std::string text = fmt::format("{}\n", title);
   for (const Row& row : rows) text += fmt::format("  {:<24}{}\n", row.name, row.description);
-  return text + "\n";
+  return text;
 }
 
 int run(bool json) {
@@ -61,12 +61,16 @@ int run(bool json) {
     write_output({out.data(), out.size()});
     return kSuccess;
   }
-  write_output(section("Energies", energies));
-  write_output(
-      section("Methods: --method NAME minimises the co-volume over the edge lengths,\n"
-              "--method angles:NAME the volume energy over the dihedral angles",
-              methods));
-  write_output(section("Flows of the edge lengths: --method flow:FLOW/STEPPER", flows));
+  write_output(section("Energies", energies) + "\n");
+  write_output(section("Methods: --method NAME minimises the co-volume over the edge lengths,\n"
+                       "--method angles:NAME the volume energy over the dihedral angles;\n"
+                       "auto, the default, is newton, or newton-cg for large triangulations",
+                       methods) +
+               "\n");
+  write_output(section("Flows of the edge lengths: --method flow:FLOW/STEPPER; g = -K is the "
+                       "gradient, H the Hessian",
+                       flows) +
+               "\n");
   write_output(section("Steppers", steppers));
   return kSuccess;
 }

@@ -64,12 +64,39 @@ void append_certificate(std::string& text, const structure::Certificate& certifi
       structure::to_string(certificate.kind), shortened(edges));
 }
 
+/// An exact strict angle structure: integers over one denominator.
+void append_strict_angles(std::string& text, const structure::StrictAngles& angles) {
+  text += fmt::format(
+      "  tetrahedron  strict angle structure at 01 02 03 12 13 23, exact, in units of pi/{}\n",
+      angles.denominator.get_str());
+  for (std::size_t t = 0; t < angles.numerator.size(); ++t) {
+    if (t == kRowsShown) {
+      text += fmt::format("  ... ({} in all; --json prints every one)\n", angles.numerator.size());
+      return;
+    }
+    text += fmt::format("  {:>11} ", t);
+    for (const auto& angle : angles.numerator[t]) text += " " + angle.get_str();
+    text += '\n';
+  }
+}
+
 void append_retriangulation(JsonText& out, const structure::Retriangulation& found) {
   append(out, ", \"retriangulation\": {\"from\": ");
   append_string(out, found.start);
-  fmt::format_to(std::back_inserter(out), ", \"tried\": {}, \"path\": ", found.tried);
+  fmt::format_to(std::back_inserter(out),
+                 ", \"tried\": {}, \"ended\": \"{}\", \"path\": ", found.tried,
+                 structure::to_string(found.end));
   append_array(out, found.path, [](JsonText& to, const topology::Move& move) {
     append_string(to, topology::to_string(move));
+  });
+  append(out, ", \"volumes\": ");
+  append_array(out, found.volumes, [](JsonText& to, const structure::OtherVolume& other) {
+    append(to, "{\"isosig\": ");
+    append_string(to, other.isosig);
+    fmt::format_to(std::back_inserter(to), ", \"outcome\": \"{}\"",
+                   structure::to_string(other.outcome));
+    append_number_key(to, "volume", other.volume);
+    to.push_back('}');
   });
   out.push_back('}');
 }
@@ -80,6 +107,12 @@ void append_path(std::string& text, const structure::Retriangulation& found) {
                       counted(found.tried, "triangulation", "triangulations"));
   for (const topology::Move& move : found.path)
     text += fmt::format("                  {}\n", topology::to_string(move));
+  for (const structure::OtherVolume& other : found.volumes) {
+    text += fmt::format("  volume again    {} on {}{}\n", other.volume, other.isosig,
+                        other.outcome == structure::Outcome::kDegenerate
+                            ? ", at a minimiser with flat tetrahedra"
+                            : "");
+  }
 }
 
 /// Volume, boundary, curvature, flat tetrahedra.
@@ -167,6 +200,7 @@ std::string report_as_text(const Subject& subject, const Report& report,
     append_edge_table(text, subject, report);
     append_angle_table(text, report);
   }
+  if (report.strict_angles) append_strict_angles(text, *report.strict_angles);
   return text;
 }
 

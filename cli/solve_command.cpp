@@ -65,9 +65,9 @@ std::vector<double> cone_angles_of(const std::vector<std::string>& assignments,
 }
 
 /// Goes on from a report without a metric; the answer is about the triangulation found.
-Outcome retriangulate_subject(const SolveCommandOptions& command,
-                              const structure::SolveOptions& options, const Subject& subject,
-                              structure::Report report) {
+Outcome retriangulate_subject(const SolveCommandOptions& command, structure::SolveOptions options,
+                              const Subject& subject, structure::Report report) {
+  options.time_limit -= report.seconds;
   structure::Retriangulation found =
       structure::retriangulate(subject.triangulation, std::move(report), options, command.search);
   const Subject result = make_subject(subject.input, subject.name, found.gluings);
@@ -97,7 +97,8 @@ Outcome solve_subject(const SolveCommandOptions& command, const Subject& subject
   structure::Report report = structure::solve(subject.triangulation, options);
   if (history) history->close();
   const bool geometric = report.outcome == structure::Outcome::kGeometric;
-  if (geometric || !command.retriangulate || interrupt_requested()) {
+  const bool has_time = options.time_limit > report.seconds;
+  if (geometric || !command.retriangulate || !has_time || interrupt_requested()) {
     return {command.common.json ? report_as_json(subject, report) : report_as_text(subject, report),
             geometric ? kSuccess : kNoAnswer};
   }
@@ -220,7 +221,8 @@ void add_solve(CLI::App& program, Command& chosen) {
       ->check(whole_number(std::numeric_limits<int>::max()))
       ->needs(retriangulate);
   verb->add_option("--seed", command->search.seed,
-                   "orders the moves of --retriangulate that look equally good")
+                   "orders the moves of --retriangulate that look equally good\n"
+                   "(default: 0)")
       ->option_text("N")
       ->check(whole_number(std::numeric_limits<int>::max()))
       ->needs(retriangulate);

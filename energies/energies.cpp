@@ -35,7 +35,8 @@ std::unique_ptr<solver::Problem> volume_at(const topology::Triangulation& triang
 constexpr std::array<Energy, 2> kEnergies{{
     {"co-volume", "sum of the tetrahedra's co-volumes less sum k_e l_e; its gradient is -K",
      "edge lengths", co_volume_at},
-    {"volume", "minus twice the volume over the angle structures; its gradient is length mismatch",
+    {"volume",
+     "minus twice the volume over the angle structures; its gradient: mismatch of lengths",
      "dihedral angles", volume_at},
 }};
 

@@ -53,7 +53,9 @@ std::string not_critical(const energies::CoVolume& energy, const Report& report,
   const auto [shortest, longest] =
       std::minmax_element(report.edge_lengths.begin(), report.edge_lengths.end());
   const double scale = *shortest > 0 ? std::min(1.0, *shortest) : 1.0;
-  if (!(norm_of_curvature <= tolerance::kMaxDistanceToMetric * scale * energy.convexity_bound())) {
+  // Saturated angles do add up to 2 pi in floating point: a computed K = 0 is one within rounding.
+  const double curvature = std::max(norm_of_curvature, tolerance::kCurvatureRounding);
+  if (!(curvature <= tolerance::kMaxDistanceToMetric * scale * energy.convexity_bound())) {
     return fmt::format(
         "the curvature is small but so is the convexity of the energy (the longest edge has length "
         "{:.3g}), as when lengths run off to infinity",
@@ -92,10 +94,12 @@ void judge(const topology::Triangulation& triangulation, const energies::CoVolum
   if (why_not.empty()) why_not = not_a_metric(triangulation, report);
   if (why_not.empty()) {
     report.outcome = Outcome::kGeometric;
+    const bool smooth = std::ranges::all_of(energy.cone_angles(),
+                                            [](double k) { return k == 2 * std::numbers::pi; });
     report.message = fmt::format(
-        "This triangulation carries the hyperbolic metric with geodesic boundary; its volume is "
+        "This triangulation carries the hyperbolic {} with geodesic boundary{}; its volume is "
         "{:.12g}.",
-        report.volume);
+        smooth ? "metric" : "cone metric", smooth ? "" : " and these cone angles", report.volume);
     return;
   }
   report.outcome = Outcome::kUnresolved;

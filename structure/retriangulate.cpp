@@ -5,6 +5,8 @@
 #include "structure/retriangulate.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <limits>
 #include <queue>
 #include <random>
@@ -13,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/tolerances.hpp"
 #include "topology/homology.hpp"
 #include "topology/isosig.hpp"
 
@@ -35,8 +38,17 @@ struct Node {
   Gluings gluings;
   std::size_t parent = 0;
   Move move;
-  std::vector<bool> trouble;  ///< [T] tetrahedra around which moves are made; empty for all
+  std::vector<bool> trouble;  ///< [T] tetrahedra around which moves are made
+  Outcome outcome = Outcome::kUnresolved;
+  double volume = 0;
 };
+
+using Clock = std::chrono::steady_clock;
+
+/// Random order, the same on every platform, unlike std::shuffle.
+void shuffle(std::vector<Move>& moves, std::mt19937_64& random) {
+  for (std::size_t i = moves.size(); i > 1; --i) std::swap(moves[i - 1], moves[random() % i]);
+}
 
 /// Tetrahedra that are flat, have an edge of low valence, or carry a certificate.
 std::vector<bool> trouble_of(const Triangulation& triangulation, const Report& report) {
@@ -59,18 +71,24 @@ class Search {
          const RetriangulateOptions& options)
       : options_(options),
         solve_options_(plain(solve_options)),
+        time_limit_(solve_options.time_limit),
         start_(std::move(start)),
         signature_(topology::isosig(triangulation.gluings())),
         homology_(topology::first_homology(triangulation)),
         random_(options.seed),
         limit_(triangulation.tetrahedron_count() + options.extra) {
     known_.insert(signature_);
-    nodes_.push_back({triangulation.gluings(), 0, {}, trouble_of(triangulation, start_)});
+    nodes_.push_back({triangulation.gluings(),
+                      0,
+                      {},
+                      trouble_of(triangulation, start_),
+                      start_.outcome,
+                      start_.volume});
     open_.push({triangulation.tetrahedron_count(), 0});
   }
 
   Retriangulation run() {
-    while (!open_.empty() && tried_ < options_.budget && !stopped()) {
+    while (!open_.empty() && !ended()) {
       const std::size_t node = open_.top().second;
       open_.pop();
       if (expand(node)) return success();
@@ -79,18 +97,39 @@ class Search {
   }
 
  private:
-  /// What the search needs of the caller's options: the tolerance and the limits.
+  /// The caller's options for one of many triangulations: without history, without evidence.
   static SolveOptions plain(const SolveOptions& options) {
     SolveOptions result;
     result.tolerance = options.tolerance;
-    result.time_limit = options.time_limit;
+    result.max_iterations = options.max_iterations;
     result.stop_requested = options.stop_requested;
     result.evidence = false;
     return result;
   }
 
-  bool stopped() const {
-    return solve_options_.stop_requested != nullptr && *solve_options_.stop_requested;
+  double time_left() const {
+    return time_limit_ - std::chrono::duration<double>(Clock::now() - began_).count();
+  }
+
+  /// Whether a limit has been reached, and which.
+  bool ended() {
+    if (solve_options_.stop_requested != nullptr && *solve_options_.stop_requested) {
+      end_ = SearchEnd::kInterrupted;
+    } else if (!(time_left() > 0)) {
+      end_ = SearchEnd::kTimeLimit;
+    } else if (tried_ >= options_.budget) {
+      end_ = SearchEnd::kBudget;
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  /// Solves within what is left of the time.
+  Report solve_in_time(const Triangulation& triangulation) {
+    SolveOptions options = solve_options_;
+    options.time_limit = std::max(time_left(), std::numeric_limits<double>::min());
+    return solve(triangulation, options);
   }
 
   /// Tries every neighbour of a node; true if one carries the metric: it is then the last node.
@@ -99,10 +138,10 @@ class Search {
     std::vector<Move> moves = topology::all_moves(here, kShrinking);
     // Shrinking moves come first; the others only where the neighbour is not too large.
     std::vector<Move> rest = topology::all_moves(here, kRebuilding);
-    std::shuffle(rest.begin(), rest.end(), random_);
+    shuffle(rest, random_);
     moves.insert(moves.end(), rest.begin(), rest.end());
     for (const Move& move : moves) {
-      if (tried_ >= options_.budget || stopped()) return false;
+      if (ended()) return false;
       const auto size = static_cast<std::ptrdiff_t>(here.tetrahedron_count()) +
                         topology::info(move.kind).tetrahedra;
       if (size > static_cast<std::ptrdiff_t>(limit_) || !concerns(node, move)) continue;
@@ -126,23 +165,61 @@ class Search {
                           topology::isosig(nodes_[parent].gluings) + " changed the homology");
     }
     ++tried_;
-    report_ = solve(triangulation, solve_options_);
+    report_ = solve_in_time(triangulation);
     open_.push({triangulation.tetrahedron_count(), nodes_.size()});
-    nodes_.push_back({triangulation.gluings(), parent, move, trouble_of(triangulation, report_)});
+    nodes_.push_back({triangulation.gluings(), parent, move, trouble_of(triangulation, report_),
+                      report_.outcome, report_.volume});
     return report_.outcome == Outcome::kGeometric;
   }
 
   Retriangulation success() {
     Retriangulation result;
     result.start = signature_;
-    for (std::size_t node = nodes_.size() - 1; node != 0; node = nodes_[node].parent)
+    for (std::size_t node = nodes_.size() - 1; node != 0; node = nodes_[node].parent) {
       result.path.push_back(nodes_[node].move);
+      add_flat_volume(nodes_[nodes_[node].parent], result.volumes);
+    }
     std::reverse(result.path.begin(), result.path.end());
+    std::reverse(result.volumes.begin(), result.volumes.end());
     result.report = std::move(report_);
     result.gluings = std::move(nodes_.back().gluings);
     result.tried = tried_;
+    result.end = SearchEnd::kFound;
+    compare_with_neighbour(result);
     return result;
   }
+
+  static void add_flat_volume(const Node& node, std::vector<OtherVolume>& volumes) {
+    if (node.outcome == Outcome::kDegenerate)
+      volumes.push_back({topology::isosig(node.gluings), node.outcome, node.volume});
+  }
+
+  /// The volume once more, on a neighbour that carries the metric. Not every triangulation has one:
+  /// then there is nothing to compare.
+  void compare_with_neighbour(Retriangulation& result) {
+    constexpr std::size_t kNeighbours = 24;
+    const Triangulation found(result.gluings);
+    std::vector<Move> moves = topology::all_moves(found, kRebuilding);
+    shuffle(moves, random_);
+    if (moves.size() > kNeighbours) moves.resize(kNeighbours);
+    for (const Move& move : moves) {
+      if (ended_by_force()) return;
+      Gluings gluings = result.gluings;
+      topology::apply(gluings, move);
+      const Report report = solve_in_time(Triangulation(gluings));
+      if (report.outcome != Outcome::kGeometric) continue;
+      result.volumes.push_back({topology::isosig(gluings), report.outcome, report.volume});
+      if (!(std::fabs(report.volume - result.report.volume) <=
+            tolerance::kVolumeAgreement * result.report.volume)) {
+        throw InternalError(fmt::format("the move {} of {} changed the volume from {} to {}",
+                                        topology::to_string(move), topology::isosig(result.gluings),
+                                        result.report.volume, report.volume));
+      }
+      return;
+    }
+  }
+
+  bool ended_by_force() { return ended() && end_ != SearchEnd::kBudget; }
 
   Retriangulation failure() {
     Retriangulation result;
@@ -150,14 +227,39 @@ class Search {
     result.report = std::move(start_);
     result.report.outcome = Outcome::kUnresolved;
     result.report.message += fmt::format(
-        " {} other triangulations of the manifold were tried, of up to {} tetrahedra, and none was "
-        "found to carry the metric; nothing follows about the manifold.",
-        tried_, limit_);
-    result.report.advice =
-        "If the manifold should be hyperbolic, try a larger --budget or another --seed.";
+        " {} other triangulation{} of the manifold {} tried, of up to {} tetrahedra, and none was "
+        "found to carry the metric ({}); nothing follows about the manifold.",
+        tried_, tried_ == 1 ? "" : "s", tried_ == 1 ? "was" : "were", limit_, reason(end_));
+    result.report.advice = advice(end_);
     result.gluings = std::move(nodes_.front().gluings);
     result.tried = tried_;
+    result.end = end_;
     return result;
+  }
+
+  static const char* reason(SearchEnd end) {
+    switch (end) {
+      case SearchEnd::kBudget:
+        return "the budget is used up";
+      case SearchEnd::kTimeLimit:
+        return "the time limit was reached";
+      case SearchEnd::kInterrupted:
+        return "interrupted";
+      default:
+        return "these are all that the moves reach";
+    }
+  }
+
+  static const char* advice(SearchEnd end) {
+    switch (end) {
+      case SearchEnd::kBudget:
+        return "If the manifold should be hyperbolic, try a larger --budget or another --seed.";
+      case SearchEnd::kTimeLimit:
+      case SearchEnd::kInterrupted:
+        return "If the manifold should be hyperbolic, give the search more time.";
+      default:
+        return "If the manifold should be hyperbolic, start from a larger triangulation of it.";
+    }
   }
 
   /// Fewest tetrahedra first, then the earliest.
@@ -165,18 +267,37 @@ class Search {
 
   const RetriangulateOptions options_;
   const SolveOptions solve_options_;
+  const double time_limit_;
+  const Clock::time_point began_ = Clock::now();
   Report start_, report_;
   const std::string signature_;  ///< of the start
   const topology::AbelianGroup homology_;
   std::mt19937_64 random_;
   std::size_t limit_;
   std::size_t tried_ = 0;
+  SearchEnd end_ = SearchEnd::kExhausted;
   std::vector<Node> nodes_;
   std::unordered_set<std::string> known_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
 };
 
 }  // namespace
+
+std::string_view to_string(SearchEnd end) {
+  switch (end) {
+    case SearchEnd::kFound:
+      return "found";
+    case SearchEnd::kBudget:
+      return "budget";
+    case SearchEnd::kExhausted:
+      return "exhausted";
+    case SearchEnd::kTimeLimit:
+      return "time limit";
+    case SearchEnd::kInterrupted:
+      return "interrupted";
+  }
+  return "budget";
+}
 
 Retriangulation retriangulate(const Triangulation& triangulation, Report start,
                               const SolveOptions& solve_options,

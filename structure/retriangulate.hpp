@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "structure/solve.hpp"
@@ -17,6 +18,24 @@ struct RetriangulateOptions {
   std::size_t extra = 2;     ///< tetrahedra beyond those of the start (or of its simplification)
 };
 
+/// Why a search ended.
+enum class SearchEnd {
+  kFound,        ///< a triangulation carries the metric
+  kBudget,       ///< as many were tried as the budget allows
+  kExhausted,    ///< every triangulation was tried that the moves reach within the size allowed
+  kTimeLimit,    ///< SolveOptions::time_limit
+  kInterrupted,  ///< SolveOptions::stop_requested
+};
+/// "found", "budget", "exhausted", "time limit", "interrupted".
+std::string_view to_string(SearchEnd end);
+
+/// A volume of the same manifold from another of its triangulations.
+struct OtherVolume {
+  std::string isosig;
+  Outcome outcome = Outcome::kGeometric;  ///< geometric or degenerate
+  double volume = 0;
+};
+
 /// What a search through the triangulations of one manifold found.
 struct Retriangulation {
   std::string start;          ///< signature of the start
@@ -24,6 +43,10 @@ struct Retriangulation {
   topology::Gluings gluings;  ///< carries the metric if report.outcome is geometric, else the start
   std::vector<topology::Move> path;  ///< from the start to `gluings`, to be applied in order
   std::size_t tried = 0;             ///< triangulations solved on, the start not counted
+  SearchEnd end = SearchEnd::kBudget;
+  /// If found: the volumes at the minimisers with flat tetrahedra along the path, in its order, and
+  /// last that of a neighbour of `gluings` which carries the metric too, if there is one nearby.
+  std::vector<OtherVolume> volumes;
 };
 
 /// Looks for a triangulation of the same manifold that carries the metric, by moves that keep the
@@ -31,10 +54,15 @@ struct Retriangulation {
 /// of low valence and the support of the certificate (everywhere, if there are few tetrahedra).
 /// Triangulations with few tetrahedra are tried first; none is tried twice.
 ///
-/// `start` is the report of `solve` on the triangulation, not geometric. If the budget ends, the
-/// result has that report with the outcome unchanged, and says so in the message: it is no
-/// statement about the manifold. The same seed gives the same result. Throws InternalError if a
-/// move has changed the first homology, which must not happen.
+/// `start` is the report of `solve` on the triangulation, not geometric. Where nothing is found the
+/// result has that report, with its evidence, as "unresolved", and says in the message what was
+/// tried: it is no statement about the manifold. The time limit of the options is for the whole
+/// search, every other limit for each triangulation. The same seed gives the same result, unless
+/// time or an interrupt ends it.
+///
+/// That the manifold is the same is checked as well: the first homology at every step, and the
+/// volume at the end, where a second triangulation with a metric must agree (Mostow rigidity).
+/// Throws InternalError if one differs, which must not happen.
 Retriangulation retriangulate(const topology::Triangulation& triangulation, Report start,
                               const SolveOptions& solve_options,
                               const RetriangulateOptions& options = {});

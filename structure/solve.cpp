@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -24,6 +25,10 @@ namespace {
 /// Iterations after which Newton's method is not going to find a metric: from random starts over
 /// ten decades of lengths, metrics took at most 14.
 constexpr int kNewtonPatience = 100;
+
+/// The exact decision about angle structures is a linear programme that takes the better part of a
+/// minute at this size, and grows with its square.
+constexpr std::size_t kExactLimit = 10000;
 
 /// Where a run ended: lengths, and the method's own account.
 struct Run {
@@ -164,7 +169,8 @@ Report settling_run(const topology::Triangulation& triangulation, const SolveOpt
   SolveOptions settling;
   settling.cone_angles = options.cone_angles;
   settling.tolerance = std::min(options.tolerance, tolerance::kMaxCurvature);
-  settling.time_limit = options.time_limit;
+  settling.time_limit =
+      std::max(options.time_limit - report.seconds, std::numeric_limits<double>::min());
   settling.stop_requested = options.stop_requested;
   Report settled = run_method(triangulation, settling);
   settled.iterations += report.iterations;
@@ -185,8 +191,17 @@ std::string certificate_message(const Certificate& certificate) {
 constexpr const char* kRetriangulate =
     "Try another triangulation of the manifold: --retriangulate looks for one by moves.";
 
+constexpr const char* kMoreTime = "Give it more time or iterations.";
+
 /// Turns the report of a run that found no metric into a verdict with evidence.
 Report settle(const topology::Triangulation& triangulation, Report report) {
+  report.advice = kRetriangulate;
+  if (triangulation.tetrahedron_count() > kExactLimit) {
+    report.message += fmt::format(
+        " Whether it has angle structures is decided exactly for up to {} tetrahedra only.",
+        kExactLimit);
+    return report;
+  }
   Existence found = existence(triangulation);
   if (auto* certificate = std::get_if<Certificate>(&found)) {
     // A flat minimiser is more than a certificate says; it contradicts one of kind "none".
@@ -200,19 +215,21 @@ Report settle(const topology::Triangulation& triangulation, Report report) {
     if (report.outcome == Outcome::kUnresolved)
       report.message += " A strict angle structure exists, so the co-volume has a minimiser.";
   }
-  report.advice = kRetriangulate;
   return report;
 }
 
 Report find_outcome(const topology::Triangulation& triangulation, const SolveOptions& options) {
   Report report = run_method(triangulation, options);
   if (report.outcome != Outcome::kGeometric && was_cut_short(report, options)) {
-    report.advice = "Give it more time or iterations.";
+    report.advice = kMoreTime;
     return report;
   }
   if (report.outcome != Outcome::kGeometric) {
     report = settling_run(triangulation, options, std::move(report));
-    if (report.outcome != Outcome::kGeometric && was_cut_short(report, options)) return report;
+    if (report.outcome != Outcome::kGeometric && was_cut_short(report, options)) {
+      report.advice = kMoreTime;
+      return report;
+    }
   }
   if (!options.cone_angles.empty() || !options.evidence) return report;
   if (report.outcome != Outcome::kGeometric) return settle(triangulation, std::move(report));

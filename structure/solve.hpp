@@ -53,7 +53,8 @@ struct SolveOptions {
 /// The outcome depends on the triangulation alone, not on method, start or labels, unless a limit
 /// that the options set ends the run: what does not end in a metric is settled by Newton's method
 /// from the default start and by an exact decision about angle structures (docs/theory.md section
-/// 5). With cone angles other than 2 pi there is no exact decision.
+/// 5). There is no exact decision with cone angles other than 2 pi, nor beyond
+/// 10,000 tetrahedra.
 /// Throws InvalidInput for a triangulation outside the domain (see topology::require_solvable) and
 /// for options out of range. A triangulation that carries no metric is an answer, not an error.
 Report solve(const topology::Triangulation& triangulation, const SolveOptions& options = {});

@@ -29,8 +29,8 @@ Figure error_figure(const Table& table) {
   figure.title = "Errors against the algebraic route in 50 digits";
   figure.caption =
       "Each line says for how many triangulations (vertical) the error is at most so much "
-      "(horizontal): the farther left, the better. Everything lies left of the paper's bar of "
-      "1e-8. Errors below 1e-17 are drawn there.";
+      "(horizontal): the farther left, the better. The dashed line is the paper's "
+      "bar. Errors below 1e-17 are drawn there.";
   figure.x = {"error (lengths; angles in radians; volumes)", true, 3e-18, 1e-7, {}};
   figure.y = {"triangulations with at most this error (%)", false, 0, 102, {}};
   const std::pair<const char*, const char*> lines[] = {

@@ -171,12 +171,13 @@ Findings triangulations_findings(const std::vector<Table>& tables) {
   findings.figures = {
       parts_figure(table, "by-tetrahedra", "tetrahedra",
                    "Which triangulations carry the metric, by size", "tetrahedra T",
-                   "Random triangulations with more tetrahedra carry the metric ever more rarely."),
+                   "How the parts change with size. Blue carries the metric; orange is where moves "
+                   "around the flat tetrahedra may help."),
       parts_figure(table, "by-valence", "least_valence",
                    "Which triangulations carry the metric, by their least valence",
                    "least valence of an edge class",
-                   "No triangulation with an edge of valence 1 or 2 carries the metric; with "
-                   "every step up in the least valence the odds improve."),
+                   "An edge of valence 1 or 2 excludes the metric: no blue there. Compare the blue "
+                   "parts from there on."),
       condition_figure(table), volume_figure(table)};
   return findings;
 }

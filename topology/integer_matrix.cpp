@@ -241,7 +241,7 @@ class DenseReducer {
     std::vector<BigInteger> result;
     for (; move_least_to_corner(); ++corner_) {
       while (!clear_cross() || !divides_the_rest()) (void)move_least_to_corner();
-      result.push_back(abs(matrix_[corner_][corner_]));
+      result.emplace_back(abs(matrix_[corner_][corner_]));
     }
     return result;
   }

@@ -30,6 +30,7 @@ class FrameMatcher {
     }
     queue_.clear();
     assign(0, t, p);
+    // The queue grows while it is read. NOLINTNEXTLINE(modernize-loop-convert)
     for (std::size_t head = 0; head < queue_.size(); ++head)
       for (int f = 0; f < 4; ++f)
         if (!extend(queue_[head], f)) return false;

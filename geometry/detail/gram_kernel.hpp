@@ -114,7 +114,7 @@ inline Real edge_cofactor(const Real* c, const Real* s, const Diagonal& d,
   const Real around = d[f.j] * (ik * il) + d[f.i] * (jk * jl);
   const Real apart = (c[E] * (large + small) + around) - c[5 - E] * (s[E] * s[E]);
   const Real close = c[E] * ((large - same) + small) + (around + d[f.i] * (d[f.j] * c[5 - E]));
-  return (large > 0.5 * same) & (large < 2.0 * same) ? close : apart;
+  return ((large > 0.5 * same) & (large < 2.0 * same)) ? close : apart;
 }
 
 /// What the Jacobian needs of one tetrahedron.

@@ -146,6 +146,7 @@ class Elimination {
 
   std::vector<Rational> back_substituted() const {
     std::vector<Rational> solution(rows_.size());
+    // Clang 14 does not compile std::views::reverse. NOLINTNEXTLINE(modernize-loop-convert)
     for (auto pivot = pivots_.rbegin(); pivot != pivots_.rend(); ++pivot) {
       const auto [r, unknown] = *pivot;
       Rational rest = right_side_[r];

@@ -38,7 +38,7 @@ class FlowContract : public ::testing::TestWithParam<FlowAndStepper> {
       return true;
     };
     c.problem->evaluations = 0;
-    const Summary s = integrate(*c.problem, flow(), stepper(), as_span(x), options);
+    Summary s = integrate(*c.problem, flow(), stepper(), as_span(x), options);
     EXPECT_EQ(s.evaluations, c.problem->evaluations) << c.name;
     EXPECT_EQ(s.iterations + 1, observed) << c.name;
     EXPECT_TRUE(x.allFinite()) << c.name;

@@ -43,7 +43,7 @@ class SolverContract : public ::testing::TestWithParam<Method> {
       return true;
     };
     c.problem->evaluations = 0;
-    const Summary summary = GetParam().minimise(*c.problem, as_span(x), options);
+    Summary summary = GetParam().minimise(*c.problem, as_span(x), options);
     EXPECT_EQ(summary.evaluations, c.problem->evaluations) << c.name;
     EXPECT_EQ(summary.iterations + 1, observed) << c.name;
     EXPECT_TRUE(x.allFinite()) << c.name;

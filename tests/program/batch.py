@@ -150,16 +150,20 @@ class Interrupts(ProgramTest):
                                   err.decode())
 
     def test_end_a_long_run_with_what_is_known(self):
-        self.write("cover.json", samples.as_json(samples.tripus_cover(200)))
-        process = self.start("solve", "cover.json", "--json", "--initial", "3", "--method",
-                             "ceres-steepest-descent", "--tolerance", "1e-300",
-                             "--max-iterations", "2000000000")
-        time.sleep(1.0)
-        if process.poll() is None:
-            process.send_signal(signal.SIGINT)
+        self.write("cover.json", samples.as_json(samples.tripus_cover(20_000)))
+        history = self.folder / "run.csv"
+        process = self.start("solve", "cover.json", "--json", "--initial", "5", "--method",
+                             "flow:curvature/euler", "--history", "run.csv")
+        while process.poll() is None and not (
+                history.exists() and history.read_text(encoding="ascii").count("\n") > 3):
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
         out, _ = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 1)
-        self.assertEqual(read_json(out.decode())["outcome"], "unresolved")
+        answer = read_json(out.decode())
+        self.assertEqual(answer["outcome"], "unresolved")
+        self.assertEqual(history.read_text(encoding="ascii").count("\n"),
+                         answer["iterations"] + 2)
 
     def test_end_a_program_that_waits_for_its_input(self):
         for arguments in (["solve", "-"], ["solve", "--batch", "-"], ["info", "-"],

@@ -2,7 +2,7 @@
 
 from support import ProgramTest
 
-VERBS = ["info", "solve", "methods"]
+VERBS = ["info", "solve", "canonize", "compare", "identify", "census", "check", "methods"]
 
 
 class Help(ProgramTest):
@@ -35,7 +35,7 @@ class Help(ProgramTest):
             self.assertIn(f"  {outcome} ", text)
 
     def test_fits_a_page(self):
-        for arguments in ([], ["solve"], ["info"], ["methods"]):
+        for arguments in [[]] + [[verb] for verb in VERBS]:
             for line in self.help_of(*arguments).splitlines():
                 self.assertLessEqual(len(line), 100, line)
                 self.assertNotRegex(line, "TEXT|FLOAT|UINT|Excludes")

@@ -48,7 +48,35 @@ class SolveJson(ProgramTest):
             self.assertEqual(vertex["kind"], "geodesic")
             self.assertEqual(vertex["link_euler_characteristic"], 2 - 2 * vertex["genus"])
         self.assertTrue(set(answer["flat_tetrahedra"]) <= set(range(count)))
-        self.assertTrue(answer["certificate"] is None or answer["outcome"] == "infeasible")
+        if answer["outcome"] == "geometric":
+            self.assertNotIn("advice", answer)
+            self.assertEqual(answer["flat_tetrahedra"], [])
+        if answer["outcome"] == "degenerate":
+            self.assertNotEqual(answer["flat_tetrahedra"], [])
+        if answer["certificate"] is None:
+            self.assertNotEqual(answer["outcome"], "infeasible")
+        else:
+            self.assertIn(answer["outcome"], ["infeasible", "degenerate"])
+            self.check_certificate(answer)
+
+    def check_certificate(self, answer):
+        """docs/theory.md (43), in integers."""
+        certificate = answer["certificate"]
+        self.assertEqual(list(certificate), ["kind", "edge", "vertex"])
+        edge, vertex = certificate["edge"], certificate["vertex"]
+        self.assertEqual(len(edge), answer["edge_count"])
+        self.assertEqual([len(row) for row in vertex], [4] * answer["tetrahedron_count"])
+        self.assertTrue(all(type(w) is int and w >= 0 for row in vertex for w in row))
+        ends = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)]
+        slack = [row[i] + row[j] - edge[e] for row, classes in zip(vertex, answer["edge_classes"])
+                 for (i, j), e in zip(ends, classes)]
+        self.assertGreaterEqual(min(slack), 0)
+        total = sum(map(sum, vertex)) - 2 * sum(edge)
+        if certificate["kind"] == "none":
+            self.assertLess(total, 0)
+        else:
+            self.assertEqual((certificate["kind"], total), ("semi", 0))
+            self.assertTrue(any(slack) or any(map(any, vertex)))
 
     def test_of_the_tripus(self):
         answer = self.json_answer("solve", TRIPUS)
@@ -192,8 +220,10 @@ class Limits(ProgramTest):
         self.assertLessEqual(tight["max_curvature"], 1e-13)
 
     def test_a_tolerance_below_rounding_is_unresolved(self):
-        answer = self.json_answer("solve", three_tetrahedra()[0], "--tolerance", "1e-300", status=1)
-        self.assertEqual(answer["outcome"], "unresolved")
+        for method in ("newton", "newton-cg", "flow:newton-flow/rk4"):
+            answer = self.json_answer("solve", three_tetrahedra()[0], "--tolerance", "1e-300",
+                                      "--method", method, status=1)
+            self.assertEqual(answer["outcome"], "unresolved")
 
 
 class ConeAngles(ProgramTest):
@@ -206,8 +236,13 @@ class ConeAngles(ProgramTest):
         c = math.cos(math.pi / 18)
         self.assertAlmostEqual(lengths[0], math.acosh(c / (2 * c - 1)), delta=1e-12)
 
+    def test_are_said_to_be_there(self):
+        answer = self.json_answer("solve", TRIPUS, "--cone-angle", "0=pi")
+        self.assertIn("cone metric", answer["message"])
+
     def test_of_a_full_turn_changes_nothing(self):
         answer = self.json_answer("solve", TRIPUS, "--cone-angle", "0=2pi")
+        self.assertNotIn("cone", answer["message"])
         self.assertAlmostEqual(answer["volume"], TRIPUS_VOLUME, delta=1e-12)
 
     def test_repeated(self):
@@ -250,6 +285,36 @@ class Histories(ProgramTest):
         result = self.run_program("solve", TRIPUS, "--history", "/dev/full")
         self.assertEqual(result.status, 3)
         self.assertIn("cannot write the history", result.err)
+
+
+class Retriangulations(ProgramTest):
+    def test_of_a_boundary_case_find_the_metric(self):
+        lines = (DATA / "boundary-case-4.tsv").read_text().splitlines()
+        for line in [x for x in lines if x and not x.startswith("#")][1:]:
+            signature = line.split("\t")[0]
+            with self.subTest(signature):
+                plain = self.json_answer("solve", signature, status=1)
+                self.assertEqual(plain["outcome"], "degenerate")
+                answer = self.json_answer("solve", signature, "--retriangulate")
+                self.assertEqual([key for key in answer if key not in KEYS], ["retriangulation"])
+                self.assertEqual(answer["outcome"], "geometric")
+                search = answer["retriangulation"]
+                self.assertEqual(list(search), ["from", "tried", "ended", "path", "volumes"])
+                self.assertEqual(search["from"], signature)
+                self.assertGreater(len(search["path"]), 0)
+                again = self.json_answer("solve", answer["isosig"])
+                self.assertAlmostEqual(again["volume"], answer["volume"], delta=1e-11)
+
+    def test_that_give_up_say_so(self):
+        result = self.run_program("solve", "dLQbcbcaekw", "--retriangulate", "--budget", "1",
+                                  "--json")
+        self.assertEqual(result.status, 1)
+        self.assertNotEqual(read_json(result.text)["outcome"], "geometric")
+
+    def test_options_are_checked(self):
+        for options in (["--budget", "-1"], ["--seed", "x"]):
+            self.assert_refused("solve", TRIPUS, "--retriangulate", *options, says=options[0])
+        self.assert_refused("solve", TRIPUS, "--seed", "1", says="--retriangulate")
 
 
 class Components(ProgramTest):

@@ -183,7 +183,7 @@ TEST(TamperedCertificates, AreRejected) {
     other.kind = semi ? Certificate::Kind::kNone : Certificate::Kind::kSemi;
     EXPECT_FALSE(check(triangulation, other));
     other = *certificate;
-    other.edge.push_back(0);
+    other.edge.emplace_back(0);
     EXPECT_FALSE(check(triangulation, other));
     other = *certificate;
     other.vertex.pop_back();
@@ -258,6 +258,7 @@ TEST(Threads, DoNotDisturbEachOther) {
   const auto signatures = testing::data_lines("triangulations-3.txt");
   std::array<std::vector<std::string>, 4> kinds;
   std::vector<std::thread> threads;
+  threads.reserve(kinds.size());
   for (auto& mine : kinds) {
     threads.emplace_back([&mine, &signatures] {
       for (const auto& signature : signatures)

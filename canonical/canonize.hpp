@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "canonical/decomposition.hpp"
+#include "canonical/isometries.hpp"
+#include "canonical/proto_canonical.hpp"
+#include "canonical/subdivision.hpp"
+#include "structure/retriangulate.hpp"
+#include "structure/solve.hpp"
+
+namespace tripus::canonical {
+
+struct CanonizeOptions {
+  structure::SolveOptions solve;  ///< of the first solve; its `evidence` is unused
+  bool retriangulate = true;      ///< where the triangulation carries no metric
+  structure::RetriangulateOptions retriangulation;  ///< budget and seed of that
+  ProtoCanonicalOptions proto_canonical;
+};
+
+/// A hyperbolic manifold with geodesic boundary, known up to isometry.
+struct CanonicalManifold {
+  topology::Triangulation triangulation;  ///< subdivides the canonical decomposition
+  structure::Report report;               ///< the metric on it
+  double volume_error = 0;                ///< estimate of what the volume may be off
+  FaceKinds faces;                        ///< with the margins of every decision
+  std::vector<topology::Move> path;       ///< from the input, oriented, to `triangulation`
+  Decomposition decomposition;
+  CanonicalOrder order;
+  IsometryGroup isometries;
+  IsometrySignature signature;
+  std::string cells;  ///< "4 tetrahedra", "1 octahedron"
+};
+
+/// What became of it: a manifold, or why not.
+struct CanonizeAnswer {
+  std::optional<CanonicalManifold> manifold;
+  structure::Report report;  ///< of the solve on the input itself
+  std::string message;       ///< one sentence for a person
+};
+
+/// The canonical (Kojima) decomposition with everything that follows from it.
+/// Throws InvalidInput for triangulations that structure::solve refuses.
+CanonizeAnswer canonize(const topology::Triangulation& triangulation,
+                        const CanonizeOptions& options = {});
+
+/// The same where the metric is known: `report` is geometric, of this triangulation.
+/// Nothing if no triangulation without concave faces was found.
+std::optional<CanonicalManifold> canonize_metric(const topology::Triangulation& triangulation,
+                                                 const structure::Report& report,
+                                                 const ProtoCanonicalOptions& options = {});
+
+/// The same triangulation with labels that make every gluing permutation odd; those of tetrahedron
+/// 0 stay. Unchanged if it is not orientable.
+topology::Gluings oriented(const topology::Gluings& gluings);
+
+}  // namespace tripus::canonical

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "canonical/canonize.hpp"
+
+namespace tripus::canonical {
+
+/// What a census says about a manifold.
+struct CensusEntry {
+  std::string name;            ///< "t3g2.17": tetrahedra, genera of the boundary, number
+  std::size_t tetrahedra = 0;  ///< least number among `triangulations`
+  std::string boundary;        ///< "g2", "g2+g3": genera of the components, ascending
+  double volume = 0;
+  std::string homology;                     ///< first homology, "2 Z + Z_3"
+  std::string cells;                        ///< of the canonical decomposition, "4 tetrahedra"
+  std::size_t keeping = 0, reversing = 0;   ///< isometries by what they do to the orientation
+  std::string signature;                    ///< IsometrySignature::unoriented
+  std::vector<std::string> triangulations;  ///< by isomorphism signature, shortest first
+
+  friend bool operator==(const CensusEntry&, const CensusEntry&) = default;
+};
+
+/// Manifolds in the order of their names, and what is not one of them as far as was found.
+struct Census {
+  std::vector<CensusEntry> manifolds;
+  std::vector<std::string> unresolved;  ///< triangulations; ascending
+
+  /// By isometry signature or by the isomorphism signature of a listed triangulation, or by name;
+  /// null if there is none. Linear search.
+  const CensusEntry* find(std::string_view text) const;
+};
+
+/// What became of one line of the list.
+struct CensusLine {
+  std::string triangulation;  ///< as listed
+  bool resolved = false;
+  bool own_metric = false;  ///< whether the triangulation itself carries it
+  std::string reason;       ///< of an input that is refused: the error; else empty
+  CensusEntry entry;        ///< if resolved: all but name, tetrahedra and triangulations
+};
+
+struct ClassifyOptions {
+  CanonizeOptions canonize;
+  unsigned threads = 0;  ///< 0: all cores
+  /// Every line as soon as it is done, in any order, never from two threads at once.
+  std::function<void(const CensusLine&)> on_line;
+  const std::atomic<bool>* stop_requested = nullptr;
+};
+
+/// The budget that a census gives to retriangulation. Of the triangulations with 4 tetrahedra that
+/// carry no metric themselves, all that are known to have a neighbour with one need a single move.
+inline constexpr std::size_t kCensusBudget = 20;
+
+/// Classifies triangulations, given by isomorphism signatures. When stopped, the lines so far.
+std::vector<CensusLine> classify(const std::vector<std::string>& triangulations,
+                                 const ClassifyOptions& options = {});
+
+/// Sorts lines into manifolds and names them: by tetrahedra, boundary (largest genus first),
+/// volume, signature. The result does not depend on the order of the lines.
+Census make_census(const std::vector<CensusLine>& lines);
+
+/// One line of the journal that makes a census resumable, without the line end; and back. A line
+/// that does not read (a torn one) gives nothing.
+std::string to_journal(const CensusLine& line);
+std::optional<CensusLine> parse_journal(std::string_view text);
+
+/// The table: comments, a header line, one manifold a line, then nothing.
+std::string to_tsv(const Census& census);
+/// Throws InvalidInput, naming the line.
+Census parse_tsv(std::string_view text);
+
+/// A SQLite database with the tables manifold, triangulation and unresolved.
+/// Both throw Error with the name of the file and the library's reason.
+void write_database(const Census& census, const std::string& path);
+Census read_database(const std::string& path);
+
+/// The census that comes with the program: all with up to four tetrahedra.
+const Census& shipped_census();
+
+/// A choice of manifolds; what is empty or not set does not restrict.
+struct CensusQuery {
+  double least_volume = 0;
+  double greatest_volume = std::numeric_limits<double>::infinity();
+  std::string boundary;  ///< "g2"
+  std::string homology;  ///< "2 Z"
+  std::string cells;     ///< "4 tetrahedra"
+  std::size_t tetrahedra = 0;
+};
+std::vector<const CensusEntry*> select(const Census& census, const CensusQuery& query);
+
+}  // namespace tripus::canonical

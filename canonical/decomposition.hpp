@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "canonical/tilts.hpp"
+#include "topology/gluings.hpp"
+
+namespace tripus::canonical {
+
+using FlagIndex = std::uint32_t;
+
+/// A decomposition into polyhedra that are glued along whole faces, as a set of flags.
+///
+/// A flag is a vertex, an edge at it, a face at the edge and a cell at the face, all as seen from
+/// inside that cell. There are four fixed-point-free involutions: step(0) changes the vertex
+/// alone, step(1) the edge, step(2) the face, step(3) the cell. They determine the decomposition
+/// up to isomorphism, and an isomorphism of connected ones is determined by the image of one flag.
+/// Source: docs/canonical.md section 3.
+class Decomposition {
+ public:
+  /// Merges tetrahedra across transparent faces, and triangles of true faces that lie in one plane.
+  /// Which do is read off the combinatorics: an edge class with exactly two true faces around it
+  /// lies inside a polygon. Faces must not be concave.
+  /// Throws InternalError if an edge class has exactly one true face: the signs are wrong.
+  Decomposition(const topology::Gluings& gluings, const FaceKinds& faces);
+
+  std::size_t flag_count() const { return vertex_.size(); }
+  std::size_t cell_count() const { return cell_start_.size(); }
+  FlagIndex step(int i, FlagIndex flag) const { return step_[static_cast<std::size_t>(i)][flag]; }
+
+  std::uint32_t cell(FlagIndex flag) const { return cell_[flag]; }
+  /// The vertex of the flag among those of its cell, from 0.
+  std::uint32_t vertex(FlagIndex flag) const { return vertex_[flag]; }
+  /// A flag of the cell, the first.
+  FlagIndex first_flag(std::size_t cell) const { return cell_start_[cell]; }
+  /// The vertex class of the triangulation, that is the boundary component, at the flag's vertex.
+  std::uint32_t boundary_component(FlagIndex flag) const { return component_[flag]; }
+
+  bool is_orientable() const { return orientable_; }
+  /// False for flags of the orientation that makes tetrahedron 0 with labels 0123 positive. Steps
+  /// change it; meaningless if not orientable.
+  bool is_negative(FlagIndex flag) const { return negative_[flag]; }
+
+ private:
+  friend class FlagBuilder;
+  std::array<std::vector<FlagIndex>, 4> step_;  // [4][F]
+  std::vector<std::uint32_t> cell_, vertex_, component_;
+  std::vector<FlagIndex> cell_start_;
+  std::vector<char> negative_;
+  bool orientable_ = true;
+};
+
+/// Combinatorial type of one cell.
+struct CellType {
+  std::string name;  ///< tetrahedron, pyramid, octahedron, prism, ..., or "polyhedron 5.5.4.3..."
+  std::size_t vertex_count = 0;
+  std::vector<std::size_t> face_sizes;  ///< ascending
+
+  friend bool operator==(const CellType&, const CellType&) = default;
+};
+CellType cell_type(const Decomposition& decomposition, std::size_t cell);
+
+/// "4 tetrahedra", "1 octahedron", "2 tetrahedra + 1 pyramid": by name.
+std::string describe_cells(const Decomposition& decomposition);
+
+}  // namespace tripus::canonical

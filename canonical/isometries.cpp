@@ -1,0 +1,156 @@
+#include "canonical/isometries.hpp"
+
+#include <limits>
+
+namespace tripus::canonical {
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// Orders flags breadth first from a start, comparing the code with the best so far as it grows.
+class Orderer {
+ public:
+  explicit Orderer(const Decomposition& decomposition)
+      : decomposition_(decomposition), number_(decomposition.flag_count(), kNone) {
+    queue_.reserve(decomposition.flag_count());
+  }
+
+  /// Less, equal or greater than the best code; the best is replaced if less.
+  int compare_from(FlagIndex start, CanonicalOrder& best) {
+    for (const FlagIndex flag : queue_) number_[flag] = kNone;
+    queue_.assign(1, start);
+    number_[start] = 0;
+    bool less = best.code.empty();
+    if (less) best.code.resize(4 * number_.size());
+    for (std::size_t k = 0; k < queue_.size(); ++k) {
+      for (int i = 0; i < 4; ++i) {
+        const FlagIndex next = decomposition_.step(i, queue_[k]);
+        if (number_[next] == kNone) {
+          number_[next] = static_cast<std::uint32_t>(queue_.size());
+          queue_.push_back(next);
+        }
+        std::uint32_t& entry = best.code[4 * k + static_cast<std::size_t>(i)];
+        if (!less && number_[next] > entry) return 1;
+        if (number_[next] < entry) less = true;
+        if (less) entry = number_[next];
+      }
+    }
+    return less ? -1 : 0;
+  }
+
+  const std::vector<FlagIndex>& flags() const { return queue_; }
+
+ private:
+  const Decomposition& decomposition_;
+  std::vector<std::uint32_t> number_;
+  std::vector<FlagIndex> queue_;
+};
+
+std::vector<std::uint32_t> inverse(const std::vector<FlagIndex>& flags) {
+  std::vector<std::uint32_t> number(flags.size());
+  for (std::uint32_t k = 0; k < flags.size(); ++k) number[flags[k]] = k;
+  return number;
+}
+
+/// The automorphism [F] that carries flags[0] of the order to `start`.
+std::vector<FlagIndex> automorphism(const Decomposition& decomposition, const CanonicalOrder& order,
+                                    FlagIndex start) {
+  std::vector<FlagIndex> image(order.flags.size());
+  image[order.flags[0]] = start;
+  // Places are first reached from earlier ones.
+  std::uint32_t reached = 1;
+  for (std::uint32_t k = 0; k < reached; ++k) {
+    for (int i = 0; i < 4; ++i) {
+      if (order.code[4 * k + static_cast<std::size_t>(i)] != reached) continue;
+      image[order.flags[reached]] = decomposition.step(i, image[order.flags[k]]);
+      ++reached;
+    }
+  }
+  return image;
+}
+
+/// Adds to `member`, a group of automorphisms known by the images of one flag, what the generators
+/// make of it.
+void close(const std::vector<std::vector<FlagIndex>>& generators, FlagIndex base,
+           std::vector<char>& member) {
+  std::vector<FlagIndex> todo{base};
+  member.assign(member.size(), 0);
+  member[base] = 1;
+  while (!todo.empty()) {
+    const FlagIndex here = todo.back();
+    todo.pop_back();
+    for (const auto& generator : generators) {
+      if (member[generator[here]]) continue;
+      member[generator[here]] = 1;
+      todo.push_back(generator[here]);
+    }
+  }
+}
+
+}  // namespace
+
+CanonicalOrder canonical_order(const Decomposition& decomposition) {
+  CanonicalOrder best;
+  Orderer orderer(decomposition);
+  for (FlagIndex start = 0; start < decomposition.flag_count(); ++start) {
+    const int comparison = orderer.compare_from(start, best);
+    if (comparison > 0) continue;
+    if (comparison < 0) {
+      best.starts.clear();
+      best.flags = orderer.flags();
+    }
+    best.starts.push_back(start);
+  }
+  best.number = inverse(best.flags);
+  return best;
+}
+
+IsometryGroup isometry_group(const Decomposition& decomposition, const CanonicalOrder& order,
+                             std::size_t boundary_component_count) {
+  IsometryGroup group;
+  group.order = order.starts.size();
+  const FlagIndex base = order.flags[0];
+  std::vector<char> member(decomposition.flag_count());
+  member[base] = 1;
+  for (const FlagIndex start : order.starts) {
+    const bool preserving = decomposition.is_negative(start) == decomposition.is_negative(base);
+    if (decomposition.is_orientable()) {
+      group.orientation_preserving += preserving;
+      group.is_amphicheiral = group.is_amphicheiral || !preserving;
+    }
+    if (member[start]) continue;
+    group.generators.push_back(automorphism(decomposition, order, start));
+    close(group.generators, base, member);
+    std::vector<std::uint32_t> on_boundary(boundary_component_count);
+    for (FlagIndex flag = 0; flag < decomposition.flag_count(); ++flag) {
+      on_boundary[decomposition.boundary_component(flag)] =
+          decomposition.boundary_component(group.generators.back()[flag]);
+    }
+    group.generators_on_boundary.push_back(std::move(on_boundary));
+  }
+  return group;
+}
+
+std::vector<FlagIndex> isomorphism(const CanonicalOrder& from, const CanonicalOrder& to) {
+  std::vector<FlagIndex> image(from.flags.size());
+  for (std::size_t k = 0; k < image.size(); ++k) image[from.flags[k]] = to.flags[k];
+  return image;
+}
+
+CellMap as_cell_map(const Decomposition& from, const Decomposition& to,
+                    const std::vector<FlagIndex>& flag_images) {
+  CellMap map;
+  map.cell_images.resize(from.cell_count());
+  map.vertex_images.resize(from.cell_count());
+  for (FlagIndex flag = 0; flag < from.flag_count(); ++flag) {
+    const std::uint32_t cell = from.cell(flag), vertex = from.vertex(flag);
+    const FlagIndex image = flag_images[flag];
+    map.cell_images[cell] = to.cell(image);
+    auto& vertices = map.vertex_images[cell];
+    if (vertices.size() <= vertex) vertices.resize(vertex + 1);
+    vertices[vertex] = to.vertex(image);
+  }
+  return map;
+}
+
+}  // namespace tripus::canonical

@@ -1,0 +1,114 @@
+// tripus compare: homeomorphic or not, and how it was decided.
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "canonical/compare.hpp"
+#include "cli/answer.hpp"
+#include "cli/arguments.hpp"
+#include "cli/canonize_options.hpp"
+#include "cli/commands.hpp"
+#include "cli/describe.hpp"
+#include "cli/help.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/manifold_text.hpp"
+#include "cli/output.hpp"
+
+namespace tripus::cli {
+namespace {
+
+using canonical::Comparison;
+using canonical::Verdict;
+
+struct CompareCommand {
+  CommonOptions common;  ///< INPUT is the first manifold
+  std::string second;
+  canonical::CanonizeOptions canonize;
+};
+
+void append_side(JsonText& out, std::string_view key, const std::string& input,
+                 const std::optional<canonical::CanonicalManifold>& manifold) {
+  fmt::format_to(std::back_inserter(out), ", \"{}\": {{\"input\": ", key);
+  append_string(out, input);
+  if (manifold) append_manifold(out, *manifold);
+  out.push_back('}');
+}
+
+std::string as_json(const CompareCommand& command, const Comparison& comparison) {
+  JsonText out;
+  append_header(out, command.common.input);
+  append(out, ", \"verdict\": ");
+  append_string(out, canonical::to_string(comparison.verdict));
+  append(out, ", \"decided_by\": ");
+  if (comparison.decided_by.empty()) {
+    append(out, "null");
+  } else {
+    append_string(out, comparison.decided_by);
+  }
+  append(out, ", \"isometry\": ");
+  if (comparison.isometry) {
+    append_cell_map(out, *comparison.isometry);
+  } else {
+    append(out, "null");
+  }
+  fmt::format_to(std::back_inserter(out),
+                 ", \"keeps_orientation\": {}, \"reverses_orientation\": {}",
+                 comparison.keeps_orientation, comparison.reverses_orientation);
+  append_side(out, "first", command.common.input, comparison.first);
+  append_side(out, "second", command.second, comparison.second);
+  append(out, ", \"message\": ");
+  append_string(out, comparison.message);
+  out.push_back('}');
+  return fmt::to_string(out);
+}
+
+std::string as_text(const Comparison& comparison) {
+  std::string text = comparison.message + "\n";
+  if (!comparison.decided_by.empty())
+    text += fmt::format("  {:<14}{}\n", "decided by", comparison.decided_by);
+  if (comparison.isometry)
+    text += fmt::format("  {:<14}{}\n", "isometry", cell_map_as_text(*comparison.isometry));
+  return text;
+}
+
+Outcome compare_two(const CompareCommand& command) {
+  if (command.common.input == "-" && command.second == "-")
+    throw InvalidInput("the two manifolds cannot both come from standard input");
+  const Subject first = load_subject(command.common.input);
+  const Subject second = load_subject(command.second);
+  catch_interrupts();
+  canonical::CanonizeOptions options = command.canonize;
+  options.solve.stop_requested = &interrupt_requested();
+  const Comparison comparison =
+      canonical::compare(first.triangulation, second.triangulation, options);
+  return {command.common.json ? as_json(command, comparison) : as_text(comparison),
+          comparison.verdict == Verdict::kHomeomorphic ? kSuccess : kNoAnswer};
+}
+
+}  // namespace
+
+void add_compare(CLI::App& program, Command& chosen) {
+  CLI::App* verb = program.add_subcommand("compare", "same manifold or not, and how that is known");
+  auto command = std::make_shared<CompareCommand>();
+  for (auto [name, value] :
+       {std::pair("FIRST", &command->common.input), std::pair("SECOND", &command->second)}) {
+    verb->add_option(name, *value, "an INPUT: a signature, a file, or - for standard input")
+        ->option_text(" ")
+        ->transform(unshield())
+        ->required();
+  }
+  verb->add_flag("--json", command->common.json, "one JSON object");
+  add_canonize_options(*verb, command->canonize);
+  verb->footer(
+      std::string(kInputHelp) +
+      "\nExit status: 0 homeomorphic, 1 not homeomorphic or unresolved, 2 bad usage or bad "
+      "input,\n3 a failure of the program itself.");
+  verb->final_callback([command, &chosen] {
+    chosen = [command] {
+      return answer_inputs(command->common,
+                           [&](const std::string&) { return compare_two(*command); });
+    };
+  });
+}
+
+}  // namespace tripus::cli

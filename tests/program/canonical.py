@@ -1,0 +1,107 @@
+"""tripus canonize, compare, identify and census."""
+
+import json
+import sqlite3
+
+from support import DATA, TRIPUS, ProgramTest
+
+# The same homology, boundary and volume, and not homeomorphic.
+OTHER = "cPcbbbdhq"
+AMPHICHEIRAL = "cMcabbjdw"
+# A triangulation without a metric of its own, of a manifold with three tetrahedra.
+WITHOUT_METRIC = "eLAkbccdddprdk"
+
+
+class Canonize(ProgramTest):
+    def test_json(self):
+        answer = self.json_answer("canonize", TRIPUS)
+        self.assertEqual(answer["outcome"], "geometric")
+        self.assertAlmostEqual(answer["volume"], 6.451990270835033, delta=1e-12)
+        self.assertEqual(answer["decomposition"], "2 tetrahedra")
+        self.assertEqual([cell["type"] for cell in answer["cells"]], ["tetrahedron"] * 2)
+        self.assertEqual(answer["signature"], TRIPUS)
+        self.assertIn(answer["oriented_signature"], (TRIPUS + "+", TRIPUS + "-"))
+        group = answer["isometry_group"]
+        self.assertEqual((group["order"], group["orientation_preserving"]), (6, 6))
+        self.assertIs(group["amphicheiral"], False)
+        self.assertTrue(group["generators"])
+        self.assertGreater(answer["tilts"]["margin"], 1)
+
+    def test_moves_to_the_metric_first(self):
+        answer = self.json_answer("canonize", WITHOUT_METRIC)
+        self.assertEqual(answer["decomposition"], "3 tetrahedra")
+        self.assertTrue(answer["path"])
+
+    def test_signature_is_an_input(self):
+        signature = self.json_answer("canonize", WITHOUT_METRIC)["signature"]
+        self.assertEqual(self.json_answer("canonize", signature)["signature"], signature)
+
+
+class Compare(ProgramTest):
+    def compared(self, first, second):
+        result = self.run_program("compare", first, second, "--json")
+        return result.status, json.loads(result.text)
+
+    def test_verdicts(self):
+        status, answer = self.compared(TRIPUS, OTHER)
+        self.assertEqual((status, answer["verdict"], answer["decided_by"]),
+                         (1, "different", "decomposition"))
+        self.assertIsNone(answer["isometry"])
+        status, answer = self.compared(AMPHICHEIRAL, AMPHICHEIRAL)
+        self.assertEqual((status, answer["verdict"]), (0, "homeomorphic"))
+        self.assertTrue(answer["keeps_orientation"] and answer["reverses_orientation"])
+        self.assertEqual(sorted(answer["isometry"]["cells"]), [0, 1])
+        status, answer = self.compared(TRIPUS, WITHOUT_METRIC)
+        self.assertEqual((status, answer["verdict"], answer["decided_by"]),
+                         (1, "different", "volume"))
+
+    def test_usage(self):
+        self.assertEqual(self.run_program("compare", TRIPUS).status, 2)
+        self.assertEqual(self.run_program("compare", TRIPUS, "nonsense!").status, 2)
+
+
+class Census(ProgramTest):
+    def test_identify(self):
+        answer = self.json_answer("identify", WITHOUT_METRIC)
+        self.assertRegex(answer["census"]["name"], r"^t3g2\.\d+$")
+        self.assertIn(WITHOUT_METRIC, answer["census"]["triangulations"])
+
+    def test_queries_of_the_shipped_census(self):
+        def count(*arguments):
+            return len(self.run_program("census", *arguments).text.splitlines())
+
+        self.assertEqual(count(), 5160)
+        self.assertEqual(count("--tetrahedra", "4", "--boundary", "g4"), 2340)
+        self.assertEqual(count("--cells", "1 octahedron"), 78)
+        self.assertEqual(count("--volume", "6.4:6.5"), 8)
+        self.assertEqual(self.run_program("census", "--volume", "6").status, 2)
+
+    def test_make_and_resume(self):
+        list_file = str(DATA / "triangulations-3.txt")
+        whole = self.run_program("census", "--from", list_file, "--tsv", "-", "--quiet").text
+        # Eight of them have triangulations with two tetrahedra, which are not in this list.
+        self.assertEqual(len([line for line in whole.splitlines() if line.startswith("t3")]), 158)
+        # The journal of an interrupted run: some lines, the last of them torn.
+        journal = self.folder / "j"
+        self.run_program("census", "--from", list_file, "--journal", str(journal), "--tsv", "-")
+        lines = journal.read_text().splitlines(keepends=True)
+        self.assertEqual(len(lines), 240)
+        journal.write_text("".join(lines[:100]) + lines[100][:20])
+        again = self.run_program("census", "--from", list_file, "--journal", str(journal),
+                                 "--tsv", "-", "--threads", "1")
+        self.assertEqual(again.text, whole)
+        self.assertIn("100 known from an earlier run", again.err)
+        self.assertEqual(sorted(journal.read_text().splitlines(keepends=True)), sorted(lines))
+
+    def test_database(self):
+        path = str(self.folder / "census.sqlite")
+        list_file = str(DATA / "triangulations-2.txt")
+        result = self.run_program("census", "--from", list_file, "--database", path)
+        self.assertEqual(result.status, 0)
+        with sqlite3.connect(path) as database:
+            (count,), = database.execute("SELECT count(*) FROM manifold")
+            (joined,), = database.execute(
+                "SELECT count(*) FROM triangulation JOIN manifold ON manifold = name")
+        self.assertEqual((count, joined), (8, 8))
+        listed = self.run_program("census", "--in", path).text
+        self.assertEqual(listed, self.run_program("census", "--tetrahedra", "2").text)

@@ -70,11 +70,11 @@ Figure threshold_figure(const std::vector<Table>& tables) {
   return figure;
 }
 
-/// Solvers in the order in which they appear.
-std::vector<std::string> solvers(const Table& starts) {
+/// The values of a column in the order in which they appear.
+std::vector<std::string> values_of(const Table& starts, const char* column) {
   std::vector<std::string> names;
   for (std::size_t r = 0; r < starts.size(); ++r) {
-    const std::string& name = starts.text(r, "solver");
+    const std::string& name = starts.text(r, column);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   return names;
@@ -86,27 +86,30 @@ Figure map_figure(const Table& starts, bool uniform) {
   figure.title =
       uniform ? "Outcomes from equal starting lengths" : "Outcomes from random starting lengths";
   figure.caption =
-      uniform
-          ? "Each mark is one run, a blue circle where it reached the metric. Long edges end the "
-            "paper's formulae, a little later in higher precision."
-          : "Each mark is one run, a blue circle where it reached the metric, placed by the "
-            "longest of its starting lengths and spread within its row to keep them apart. The "
-            "paper's formulae are undefined wherever the start makes a tetrahedron flat or an "
-            "edge too long.";
+      uniform ? "Each mark is one run, a blue circle where it reached the metric. Within a row the "
+                "inputs lie one above the other. Long edges end the "
+                "paper's formulae, a little later in higher precision."
+              : "Each mark is one run, a blue circle where it reached the metric, placed by the "
+                "longest of its starting lengths and spread within its row to keep them apart. The "
+                "paper's formulae are undefined wherever the start makes a tetrahedron flat or an "
+                "edge too long.";
   figure.x = {
       uniform ? "starting length of all edges" : "longest starting length", true, 5e-9, 2e6, {}};
-  figure.y.categories = solvers(starts);
+  figure.y.categories = values_of(starts, "solver");
   std::reverse(figure.y.categories.begin(), figure.y.categories.end());
   const auto& names = figure.y.categories;
+  const std::vector<std::string> inputs = values_of(starts, "input");
   for (std::size_t k = 0; k < std::size(kOutcomes); ++k) {
     Series series{kOutcomes[k], Mark::kPoint, {}, {}, int(k)};
     for (std::size_t r = 0; r < starts.size(); ++r) {
       if (!starts.is(r, "outcome", kOutcomes[k]) || starts.is(r, "start", "uniform") != uniform)
         continue;
       const auto row = std::find(names.begin(), names.end(), starts.text(r, "solver"));
-      // Spread within the band by a fraction that is fixed by the start.
-      const double spread =
-          uniform ? 0 : 0.7 * (std::fmod(starts.number(r, "number") * 0.618034, 1) - 0.5);
+      // Inputs one above the other; random starts spread by a fraction that is fixed by the start.
+      const auto input = std::find(inputs.begin(), inputs.end(), starts.text(r, "input"));
+      const double part = uniform ? (double(input - inputs.begin()) + 0.5) / double(inputs.size())
+                                  : std::fmod(starts.number(r, "number") * 0.618034, 1);
+      const double spread = 0.7 * (0.5 - part);
       series.points.push_back({starts.number(r, "longest"), double(row - names.begin()) + spread});
     }
     if (!series.points.empty()) figure.series.push_back(series);

@@ -215,8 +215,8 @@ void add_query_options(CLI::App& verb, CensusCommand& command) {
 
 void add_making_options(CLI::App& verb, CensusCommand& command) {
   verb.add_option("--from", command.lists,
-                  "make a census: classify the triangulations of this list, one signature a\n"
-                  "line; may be repeated")
+                  "make a census: classify the triangulations of this list, one\n"
+                  "signature a line; may be repeated")
       ->option_text("LIST")
       ->allow_extra_args(false);
   verb.add_option("--tsv", command.tsv, "write it as a table with tabs")->option_text("FILE");

@@ -50,14 +50,20 @@ void shuffle(std::vector<Move>& moves, std::mt19937_64& random) {
   for (std::size_t i = moves.size(); i > 1; --i) std::swap(moves[i - 1], moves[random() % i]);
 }
 
-/// Tetrahedra that are flat, have an edge of low valence, or carry a certificate.
+/// Tetrahedra that are flat, have an edge of low valence or the shortest edge, or carry a
+/// certificate.
 std::vector<bool> trouble_of(const Triangulation& triangulation, const Report& report) {
   constexpr std::size_t kLowValence = 3;
   std::vector<bool> trouble(triangulation.tetrahedron_count());
   for (const std::size_t t : report.flat_tetrahedra) trouble[t] = true;
+  const auto shortest = static_cast<std::size_t>(
+      std::min_element(report.edge_lengths.begin(), report.edge_lengths.end()) -
+      report.edge_lengths.begin());
   for (std::size_t t = 0; t < trouble.size(); ++t) {
-    for (int e = 0; e < 6; ++e)
-      if (triangulation.valence(triangulation.edge_class(t, e)) <= kLowValence) trouble[t] = true;
+    for (int e = 0; e < 6; ++e) {
+      const std::size_t edge = triangulation.edge_class(t, e);
+      if (triangulation.valence(edge) <= kLowValence || edge == shortest) trouble[t] = true;
+    }
     if (!report.certificate) continue;
     for (const auto& w : report.certificate->vertex[t])
       if (w != 0) trouble[t] = true;

@@ -121,8 +121,8 @@ Census make_census(const std::vector<CensusLine>& lines) {
     if (!line.resolved && line.reason.empty()) census.unresolved.push_back(line.triangulation);
   }
   std::ranges::sort(census.unresolved, shorter);
-  const auto [first, last] = std::ranges::unique(census.unresolved);
-  census.unresolved.erase(first, last);
+  census.unresolved.erase(std::unique(census.unresolved.begin(), census.unresolved.end()),
+                          census.unresolved.end());
   for (auto& [signature, group] : by_signature) {
     std::ranges::sort(group, [](const CensusLine* a, const CensusLine* b) {
       return shorter(a->triangulation, b->triangulation);

@@ -122,8 +122,9 @@ class Subdivider {
   /// The first vertex of the cell from which it can be coned; without `bend` only if that does not
   /// touch any face that has diagonals.
   std::uint32_t choose_apex(std::uint32_t cell, bool bend) const {
-    for (const auto& [owner, vertex] : cell_vertices_) {
-      if (owner != cell) continue;
+    for (const auto& of_cell : cell_vertices_) {
+      if (of_cell.first != cell) continue;
+      const std::uint32_t vertex = of_cell.second;
       const bool fits = std::ranges::all_of(sides_of_cell_[cell], [&](std::uint32_t s) {
         const std::uint32_t place = place_of(sides_[s].corners, vertex);
         if (place == kNone || sides_[s].corners.size() == 3) return true;

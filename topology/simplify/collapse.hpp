@@ -11,13 +11,13 @@ namespace tripus::topology {
 
 /// Why an edge cannot be collapsed.
 enum class CollapseRefusal : std::uint8_t {
-  kNone,          ///< it can
-  kNoSuchPlace,   ///< the tetrahedron or edge does not exist
-  kSameEnds,      ///< the edge is a loop
-  kNoFiniteEnd,   ///< neither end has a sphere as its link
-  kMeetsItself,   ///< a tetrahedron around the edge has it twice
-  kEdgeCycle,     ///< the edges to be merged form a cycle
-  kFaceCycle,     ///< the faces to be merged form a cycle
+  kNone,         ///< it can
+  kNoSuchPlace,  ///< the tetrahedron or edge does not exist
+  kSameEnds,     ///< the edge is a loop
+  kNoFiniteEnd,  ///< neither end has a sphere as its link
+  kMeetsItself,  ///< a tetrahedron around the edge has it twice
+  kEdgeCycle,    ///< the edges to be merged form a cycle
+  kFaceCycle,    ///< the faces to be merged form a cycle
 };
 std::string_view to_string(CollapseRefusal refusal);
 
@@ -82,7 +82,7 @@ class EdgeCollapse {
   void close_gap();
 
   MutableTriangulation* m_;
-  std::vector<detail::EdgeWalk> corners_;    // around the edge; set by refusal, as what follows
+  std::vector<detail::EdgeWalk> corners_;  // around the edge; set by refusal, as what follows
   std::vector<Node> nodes_;
   Sets edge_sets_;                           // of nodes_
   Sets tetrahedron_sets_;                    // of corners_

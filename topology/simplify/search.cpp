@@ -1,12 +1,36 @@
 #include "topology/simplify/search.hpp"
 
-#include <utility>
-
 namespace tripus::topology {
+namespace {
+
+/// Tetrahedra without an edge of this valence or less are seldom worth a trial: one in so many.
+constexpr std::uint32_t kLowValence = 5;
+constexpr std::uint64_t kSeldom = 8;
+
+}  // namespace
+
+/// A tetrahedron with an edge of low valence, mostly; while finite vertices are to go, one with a
+/// finite vertex.
+TetrahedronIndex LocalSearch::draw_place() {
+  while (true) {
+    const auto t = static_cast<TetrahedronIndex>(draw(m_->slot_count()));
+    if (!m_->is_live(t)) continue;
+    if (draw(kSeldom) == 0) return t;
+    if (has_finite_to_go()) {
+      for (int v = 0; v < 4; ++v)
+        if (m_->is_finite(m_->vertex(t, v))) return t;
+      continue;
+    }
+    for (int e = 0; e < 6; ++e)
+      if (m_->valence(m_->edge(t, e)) <= kLowValence) return t;
+  }
+}
 
 // Only an edge of valence 3 or less can go, and 2-3 moves at the faces around an edge lower its
 // valence. So every other move aims at the edge of the tetrahedron that has the lowest.
 bool LocalSearch::random_move(TetrahedronIndex t) {
+  if (has_finite_to_go() && draw(4) == 0)
+    return m_->try_apply({.kind = MoveKind::kOneFour, .tetrahedron = t});
   int edge = static_cast<int>(draw(6));
   if (draw(2) == 0)
     for (int e = 0; e < 6; ++e)
@@ -23,23 +47,21 @@ bool LocalSearch::random_move(TetrahedronIndex t) {
                         .place = static_cast<std::uint8_t>(faces[draw(2)])});
 }
 
-LocalSearch::Result LocalSearch::trial(TetrahedronIndex t, int depth) {
-  const auto size = [&] { return std::pair(m_->finite_vertex_count(), m_->tetrahedron_count()); };
-  const auto before = size();
+bool LocalSearch::trial(int depth, SearchSize limit) {
   m_->begin_trial();
+  TetrahedronIndex t = draw_place();
   for (auto moves = 1 + draw(static_cast<std::uint64_t>(depth)); moves > 0; --moves) {
     if (!random_move(t)) continue;
     reducer_->push_touched();
     t = m_->touched()[draw(m_->touched().size())];
   }
   reducer_->run();
-  const auto after = size();
-  if (after > before) {
+  const bool kept = size() <= limit;
+  if (kept)
+    m_->keep_trial();
+  else
     m_->undo_trial();
-    return Result::kUndone;
-  }
-  m_->keep_trial();
-  return after < before ? Result::kBetter : Result::kLevel;
+  return kept;
 }
 
 }  // namespace tripus::topology

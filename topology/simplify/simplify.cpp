@@ -1,5 +1,6 @@
 #include "topology/simplify/simplify.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -24,9 +25,10 @@ constexpr double kTrialsATetrahedron = 60;
 constexpr int kLeastDepth = 2;
 constexpr int kMostDepth = 6;
 
-/// Tetrahedra without an edge of this valence or less are seldom worth a trial: one in so many.
-constexpr std::uint32_t kLowValence = 5;
-constexpr std::uint64_t kSeldom = 8;
+/// Up to this many tetrahedra the search also walks through larger triangulations, up to so many
+/// tetrahedra above the best that it knows, and keeps a copy of that.
+constexpr std::size_t kSmall = 100;
+constexpr std::size_t kMostSlack = 2;
 
 /// Steps between two looks at the stop flag.
 constexpr unsigned kStepsBetweenLooks = 1024;
@@ -64,6 +66,7 @@ class Simplifier {
   Simplifier(const Gluings& closed, const SimplifyOptions& options) : options_(&options) {
     const Triangulation triangulation(closed);
     result_.given = triangulation.tetrahedron_count();
+    component_count_ = triangulation.component_count();
     finite_to_keep_ = closed_components(triangulation);
     result_.gluings = closed;
     start(triangulation);
@@ -91,10 +94,11 @@ class Simplifier {
   }
   void collapse_edges();
   void search();
-  TetrahedronIndex place_for_trial(LocalSearch& search) const;
+  bool is_least() const;
 
   const SimplifyOptions* options_;
   Simplified result_;
+  std::size_t component_count_ = 0;
   std::size_t finite_to_keep_ = 0;
   std::optional<MutableTriangulation> m_;
   std::optional<Reducer> reducer_;
@@ -115,36 +119,32 @@ void Simplifier::collapse_edges() {
   reducer_->allow(Reducer::Moves::kAll);
 }
 
-/// A tetrahedron with an edge of low valence, mostly; while finite vertices are to go, one with a
-/// finite vertex and another.
-TetrahedronIndex Simplifier::place_for_trial(LocalSearch& search) const {
-  while (true) {
-    const auto t = static_cast<TetrahedronIndex>(search.draw(m_->slot_count()));
-    if (!m_->is_live(t)) continue;
-    if (search.draw(kSeldom) == 0) return t;
-    if (finite_vertices_to_go() > 0) {
-      for (int v = 0; v < 4; ++v)
-        if (m_->is_finite(m_->vertex(t, v)) && m_->vertex(t, v) != m_->vertex(t, (v + 1) % 4))
-          return t;
-      continue;
-    }
-    for (int e = 0; e < 6; ++e)
-      if (m_->valence(m_->edge(t, e)) <= kLowValence) return t;
-  }
+/// E = T + chi/2 with a fixed chi, and every component has an edge: T cannot fall below this.
+bool Simplifier::is_least() const {
+  return m_->edge_count() == component_count_ || m_->tetrahedron_count() == component_count_;
 }
 
 void Simplifier::search() {
-  LocalSearch search(*m_, *reducer_, options_->seed);
-  const auto size = static_cast<double>(m_->tetrahedron_count());
+  LocalSearch search(*m_, *reducer_, finite_to_keep_, options_->seed);
+  SearchSize best = search.size();
+  const bool is_small = best.tetrahedra <= kSmall;
+  Gluings copy = is_small ? m_->compacted() : Gluings();
+  const auto size = static_cast<double>(best.tetrahedra);
   const double in_a_row = options_->effort * (kTrialsInARow + kTrialsInARowATetrahedron * size);
   const double in_all = options_->effort * (kTrials + kTrialsATetrahedron * size);
   double in_vain = 0;
   for (double made = 0; made < in_all && in_vain < in_a_row; ++made, ++in_vain) {
-    if (looks_stopped("search")) return;
-    const int depth =
-        kLeastDepth + static_cast<int>((kMostDepth - kLeastDepth) * in_vain / in_a_row);
-    if (search.trial(place_for_trial(search), depth) == LocalSearch::Result::kBetter) in_vain = -1;
+    if (looks_stopped("search") || (is_least() && finite_vertices_to_go() == 0)) break;
+    const double tired = in_vain / in_a_row;
+    const int depth = kLeastDepth + static_cast<int>((kMostDepth - kLeastDepth) * tired);
+    SearchSize limit = best;
+    if (is_small) limit.tetrahedra += static_cast<std::size_t>((kMostSlack + 1) * tired);
+    if (!search.trial(depth, limit)) continue;
+    if (search.size() < best) in_vain = -1;
+    if (search.size() <= best && is_small) copy = m_->compacted();
+    best = std::min(best, search.size());
   }
+  if (search.size() > best) start(Triangulation(std::move(copy)));
 }
 
 Simplified Simplifier::run() {

@@ -47,7 +47,8 @@ bool LocalSearch::random_move(TetrahedronIndex t) {
                         .place = static_cast<std::uint8_t>(faces[draw(2)])});
 }
 
-bool LocalSearch::trial(int depth, SearchSize limit) {
+void LocalSearch::trial(int depth) {
+  const SearchSize before = size();
   m_->begin_trial();
   TetrahedronIndex t = draw_place();
   for (auto moves = 1 + draw(static_cast<std::uint64_t>(depth)); moves > 0; --moves) {
@@ -56,12 +57,10 @@ bool LocalSearch::trial(int depth, SearchSize limit) {
     t = m_->touched()[draw(m_->touched().size())];
   }
   reducer_->run();
-  const bool kept = size() <= limit;
-  if (kept)
-    m_->keep_trial();
-  else
+  if (size() > before)
     m_->undo_trial();
-  return kept;
+  else
+    m_->keep_trial();
 }
 
 }  // namespace tripus::topology

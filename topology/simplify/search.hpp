@@ -18,8 +18,8 @@ struct SearchSize {
 
 /// A random local search: a *trial* makes a few random moves next to one another (2-3 and 4-4, and
 /// 1-4 where a finite vertex is to go) and lets the reducer run from there. Unless that comes out
-/// larger than a limit, it is kept; so the search walks over plateaus. A trial costs the same
-/// whatever T is.
+/// larger than before, it is kept; so the search walks over plateaus. (Letting it climb by one or
+/// two tetrahedra as well was found to make no difference.) A trial costs the same whatever T is.
 class LocalSearch {
  public:
   /// `finite_to_keep`: finite vertices that are to stay.
@@ -30,8 +30,8 @@ class LocalSearch {
   SearchSize size() const { return {m_->finite_vertex_count(), m_->tetrahedron_count()}; }
   bool has_finite_to_go() const { return m_->finite_vertex_count() > finite_to_keep_; }
 
-  /// One trial with up to `depth` random moves; false if it was undone.
-  bool trial(int depth, SearchSize limit);
+  /// One trial with up to `depth` random moves.
+  void trial(int depth);
 
  private:
   /// Below n > 0. The standard distributions differ between libraries; the engine does not.

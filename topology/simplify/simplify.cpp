@@ -1,6 +1,5 @@
 #include "topology/simplify/simplify.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -16,19 +15,14 @@ namespace {
 
 /// Trials of the search: until this many in a row, and this many in all, have brought nothing.
 /// Small triangulations get some milliseconds. A trial takes some microseconds.
-constexpr double kTrialsInARow = 2000;
+constexpr double kTrialsInARow = 6000;
 constexpr double kTrialsInARowATetrahedron = 8;
-constexpr double kTrials = 20'000;
+constexpr double kTrials = 60'000;
 constexpr double kTrialsATetrahedron = 60;
 
 /// Random moves in a trial; more of them where fewer bring nothing.
 constexpr int kLeastDepth = 2;
-constexpr int kMostDepth = 6;
-
-/// Up to this many tetrahedra the search also walks through larger triangulations, up to so many
-/// tetrahedra above the best that it knows, and keeps a copy of that.
-constexpr std::size_t kSmall = 100;
-constexpr std::size_t kMostSlack = 2;
+constexpr int kMostDepth = 8;
 
 /// Steps between two looks at the stop flag.
 constexpr unsigned kStepsBetweenLooks = 1024;
@@ -126,25 +120,18 @@ bool Simplifier::is_least() const {
 
 void Simplifier::search() {
   LocalSearch search(*m_, *reducer_, finite_to_keep_, options_->seed);
-  SearchSize best = search.size();
-  const bool is_small = best.tetrahedra <= kSmall;
-  Gluings copy = is_small ? m_->compacted() : Gluings();
-  const auto size = static_cast<double>(best.tetrahedra);
+  const auto size = static_cast<double>(m_->tetrahedron_count());
   const double in_a_row = options_->effort * (kTrialsInARow + kTrialsInARowATetrahedron * size);
   const double in_all = options_->effort * (kTrials + kTrialsATetrahedron * size);
   double in_vain = 0;
   for (double made = 0; made < in_all && in_vain < in_a_row; ++made, ++in_vain) {
-    if (looks_stopped("search") || (is_least() && finite_vertices_to_go() == 0)) break;
-    const double tired = in_vain / in_a_row;
-    const int depth = kLeastDepth + static_cast<int>((kMostDepth - kLeastDepth) * tired);
-    SearchSize limit = best;
-    if (is_small) limit.tetrahedra += static_cast<std::size_t>((kMostSlack + 1) * tired);
-    if (!search.trial(depth, limit)) continue;
-    if (search.size() < best) in_vain = -1;
-    if (search.size() <= best && is_small) copy = m_->compacted();
-    best = std::min(best, search.size());
+    if (looks_stopped("search") || (is_least() && finite_vertices_to_go() == 0)) return;
+    const int depth =
+        kLeastDepth + static_cast<int>((kMostDepth - kLeastDepth) * in_vain / in_a_row);
+    const SearchSize before = search.size();
+    search.trial(depth);
+    if (search.size() < before) in_vain = -1;
   }
-  if (search.size() > best) start(Triangulation(std::move(copy)));
 }
 
 Simplified Simplifier::run() {

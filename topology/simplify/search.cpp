@@ -47,16 +47,27 @@ bool LocalSearch::random_move(TetrahedronIndex t) {
                         .place = static_cast<std::uint8_t>(faces[draw(2)])});
 }
 
+void LocalSearch::run_from_seeds() {
+  for (const TetrahedronIndex t : seeds_) reducer_->push(t);
+  reducer_->run();
+}
+
 void LocalSearch::trial(int depth) {
   const SearchSize before = size();
   m_->begin_trial();
+  seeds_.clear();
   TetrahedronIndex t = draw_place();
   for (auto moves = 1 + draw(static_cast<std::uint64_t>(depth)); moves > 0; --moves) {
     if (!random_move(t)) continue;
-    reducer_->push_touched();
+    seeds_.insert(seeds_.end(), m_->touched().begin(), m_->touched().end());
     t = m_->touched()[draw(m_->touched().size())];
   }
-  reducer_->run();
+  if (has_finite_to_go()) {  // collapse first: a 4-1 would only undo a 1-4
+    reducer_->allow(Reducer::Moves::kCollapse);
+    run_from_seeds();
+    reducer_->allow(Reducer::Moves::kAll);
+  }
+  run_from_seeds();
   if (size() > before)
     m_->undo_trial();
   else

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <vector>
 
 #include "topology/simplify/reducer.hpp"
 
@@ -38,11 +39,13 @@ class LocalSearch {
   std::uint64_t draw(std::uint64_t n) { return engine_() % n; }
   TetrahedronIndex draw_place();
   bool random_move(TetrahedronIndex t);
+  void run_from_seeds();
 
   MutableTriangulation* m_;
   Reducer* reducer_;
   std::size_t finite_to_keep_;
   std::mt19937_64 engine_;
+  std::vector<TetrahedronIndex> seeds_;  // made by the random moves of a trial
 };
 
 }  // namespace tripus::topology

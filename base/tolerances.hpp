@@ -38,4 +38,9 @@ inline constexpr double kPreciseTiltZero = 1e-36;
 /// 1e-12 that are left change it by less than 1e-11 (docs/canonical.md (T6)).
 inline constexpr double kVolumeAgreement = 1e-9;
 
+/// A determinant of coordinate differences has the sign of its floating-point value if that is
+/// beyond this times the sum of the sizes of its terms: each term has at most 8 roundings of 2^-53;
+/// twice that leaves room for the roundings of the bound. Below it, signs are computed exactly.
+inline constexpr double kOrientationRounding = 0x1p-49;
+
 }  // namespace tripus::tolerance

@@ -195,8 +195,7 @@ void EdgeCollapse::merge_labels() {
 // What lies behind the two ends of every chain of merged faces is glued together.
 void EdgeCollapse::close_gap() {
   MutableTriangulation& m = *m_;
-  for (std::uint32_t i = 0; i < corners_.size(); ++i)
-    corner_of_[corners_[i].t] = i + 1;
+  for (std::uint32_t i = 0; i < corners_.size(); ++i) corner_of_[corners_[i].t] = i + 1;
   for (const auto& at : corners_)
     for (const int f : {at.a, at.b}) {
       const TetrahedronIndex near = m.gluings_.neighbour(at.t, f);
@@ -225,8 +224,8 @@ void EdgeCollapse::collapse() {
   merge_labels();
   m.touched_.clear();
   close_gap();
-  const Label collapsed = m.edge(static_cast<TetrahedronIndex>(corners_.front().t),
-                                 corners_.front().edge());
+  const Label collapsed =
+      m.edge(static_cast<TetrahedronIndex>(corners_.front().t), corners_.front().edge());
   for (const auto& at : corners_) m.uncount(static_cast<TetrahedronIndex>(at.t));
   m.free_edge(collapsed);
   for (const auto& at : corners_) m.free_tetrahedron(static_cast<TetrahedronIndex>(at.t));

@@ -11,13 +11,13 @@ namespace tripus::topology {
 
 /// Why an edge cannot be collapsed.
 enum class CollapseRefusal : std::uint8_t {
-  kNone,          ///< it can
-  kNoSuchPlace,   ///< the tetrahedron or edge does not exist
-  kSameEnds,      ///< the edge is a loop
-  kNoFiniteEnd,   ///< neither end has a sphere as its link
-  kMeetsItself,   ///< a tetrahedron around the edge has it twice
-  kEdgeCycle,     ///< the edges to be merged form a cycle
-  kFaceCycle,     ///< the faces to be merged form a cycle
+  kNone,         ///< it can
+  kNoSuchPlace,  ///< the tetrahedron or edge does not exist
+  kSameEnds,     ///< the edge is a loop
+  kNoFiniteEnd,  ///< neither end has a sphere as its link
+  kMeetsItself,  ///< a tetrahedron around the edge has it twice
+  kEdgeCycle,    ///< the edges to be merged form a cycle
+  kFaceCycle,    ///< the faces to be merged form a cycle
 };
 std::string_view to_string(CollapseRefusal refusal);
 
@@ -53,11 +53,11 @@ class EdgeCollapse {
   bool join(std::uint32_t one, std::uint32_t two);
 
   MutableTriangulation* m_;
-  std::vector<detail::EdgeWalk> corners_;     // around the edge, set by refusal
-  std::vector<std::uint32_t> parent_;         // union-find over the nodes of a graph
-  std::vector<std::uint32_t> node_of_edge_;   // by label; 0: none, else node + 1
-  std::vector<Label> met_;                    // labels to be cleared in it
-  std::vector<std::uint32_t> corner_of_;      // by tetrahedron; 0: none, else corner + 1
+  std::vector<detail::EdgeWalk> corners_;    // around the edge, set by refusal
+  std::vector<std::uint32_t> parent_;        // union-find over the nodes of a graph
+  std::vector<std::uint32_t> node_of_edge_;  // by label; 0: none, else node + 1
+  std::vector<Label> met_;                   // labels to be cleared in it
+  std::vector<std::uint32_t> corner_of_;     // by tetrahedron; 0: none, else corner + 1
 };
 
 /// The same for a plain table, as a move by itself: the collapsed table, tetrahedra in their order.

@@ -10,8 +10,8 @@
 namespace tripus::topology {
 
 /// Moves that make a triangulation smaller, driven by a queue of the tetrahedra around which
-/// something may be possible: edge collapse, 3-2, 2-0, 2-1 and 4-1. A move puts what it touched into
-/// the queue, so the work is proportional to the moves made.
+/// something may be possible: edge collapse, 3-2, 2-0, 2-1 and 4-1. A move puts what it touched
+/// into the queue, so the work is proportional to the moves made.
 class Reducer {
  public:
   explicit Reducer(MutableTriangulation& triangulation) : m_(&triangulation), collapse_(*m_) {}

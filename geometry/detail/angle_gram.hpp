@@ -1,9 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <utility>
 
 /// The Gram matrix g of the face normals, from the dihedral angles: g_ii = 1, g_kl = -cos theta_ij.
 namespace tripus::geometry {
@@ -56,6 +58,23 @@ inline double angle_gram_minus_det(std::span<const double, 6> theta) {
     f[5 - e] = 2 * half * half;
   }
   return 2 * cayley_menger_half(f) + heron(f[0] * f[5], f[1] * f[4], f[2] * f[3]);
+}
+
+/// -c_vv of the angle Gram matrix at the vertex with these edges, 4 cos h cos(h-a) cos(h-b)
+/// cos(h-c) with h half the sum of the angles a, b, c; 0 where they are not positive or sum to pi
+/// or more. Written with pi - a for the largest angle a, it keeps its digits where a is near pi.
+inline double angle_vertex_minor(std::span<const double, 6> theta, const std::array<int, 3>& edges) {
+  double a = theta[static_cast<std::size_t>(edges[0])];
+  double b = theta[static_cast<std::size_t>(edges[1])];
+  double c = theta[static_cast<std::size_t>(edges[2])];
+  if (!(a > 0 && b > 0 && c > 0)) return 0;
+  if (a < b) std::swap(a, b);
+  if (a < c) std::swap(a, c);
+  constexpr double kPiLow = 0x1.1a62633145c07p-53;
+  const double gap = (std::numbers::pi - a) + kPiLow;
+  if (!(gap > b + c)) return 0;
+  return 4 * std::sin((gap - b - c) / 2) * std::sin((gap + b + c) / 2) *
+         std::sin((gap + b - c) / 2) * std::sin((gap + c - b) / 2);
 }
 
 }  // namespace tripus::geometry

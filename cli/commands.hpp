@@ -28,6 +28,7 @@ using Command = std::function<int()>;
 // One verb, one file.
 void add_info(CLI::App& program, Command& chosen);
 void add_solve(CLI::App& program, Command& chosen);
+void add_simplify(CLI::App& program, Command& chosen);
 void add_cover(CLI::App& program, Command& chosen);
 void add_canonize(CLI::App& program, Command& chosen);
 void add_compare(CLI::App& program, Command& chosen);

@@ -43,4 +43,13 @@ inline constexpr double kVolumeAgreement = 1e-9;
 /// twice that leaves room for the roundings of the bound. Below it, signs are computed exactly.
 inline constexpr double kOrientationRounding = 0x1p-49;
 
+/// Boxes that a ray misses by less than this part of its length are looked into all the same. Each
+/// coordinate of the ray spans at least a third of the others, so its parameter has an error of some
+/// ten roundings of 2^-53.
+inline constexpr double kRayMargin = 1e-12;
+
+/// A point in a hole is looked for down to this part of the size of its triangles away from them;
+/// nearer, doubles are too coarse.
+inline constexpr double kThinnestHole = 1e-9;
+
 }  // namespace tripus::tolerance

@@ -4,8 +4,8 @@
 // parent as argument; answers one request and ends.
 #include <algorithm>
 #include <cerrno>
-#include <cstdint>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 #include <vector>

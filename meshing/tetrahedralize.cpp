@@ -21,8 +21,12 @@ using detail::TetgenResponse;
 using detail::TetgenStatus;
 using Transfer = ChildProcess::Transfer;
 
-/// TetGen makes this many tetrahedra for each one of the largest volume allowed (measured: 2 to 3).
-constexpr double kVolumeShare = 2.5;
+/// Largest volume allowed, in units of the volume that a tetrahedron would have if N filled the
+/// region: most come out a little smaller than allowed.
+constexpr double kFirstShare = 1.2;
+/// An aim is met when the number of tetrahedra is off by less than this part.
+constexpr double kAimTolerance = 0.1;
+constexpr int kMostAttempts = 4;
 
 /// TetGen's own tolerances suppose coordinates near 1: a power of two changes no digit.
 int scale_exponent(const std::vector<Point>& points) {
@@ -174,6 +178,24 @@ void require_boundary(const TetrahedralMesh& mesh, const SurfaceMesh& surface) {
         "a tetrahedral mesh");
 }
 
+/// The boundary alone may force more; else the largest volume is corrected a few times.
+template <class Fill>
+TetrahedralMesh fill_with_about(std::size_t aim, double region_volume, const Fill& fill) {
+  TetrahedralMesh best = fill(0.0);
+  const auto wanted = static_cast<double>(aim);
+  const auto distance = [&](const TetrahedralMesh& mesh) {
+    return std::fabs(std::log(static_cast<double>(mesh.tetrahedra.size()) / wanted));
+  };
+  if (best.tetrahedra.size() >= aim) return best;
+  double max_volume = kFirstShare * region_volume / wanted;
+  for (int i = 0; i < kMostAttempts && distance(best) > kAimTolerance; ++i) {
+    TetrahedralMesh mesh = fill(max_volume);
+    max_volume *= static_cast<double>(mesh.tetrahedra.size()) / wanted;
+    if (distance(mesh) < distance(best)) best = std::move(mesh);
+  }
+  return best;
+}
+
 }  // namespace
 
 double volume(const Region& region) {
@@ -200,11 +222,12 @@ TetrahedralMesh tetrahedralize(const Region& region, const TetrahedralizeOptions
     if (c != region.outermost) holes.push_back(point_in_hole(region, c));
   holes = scaled(std::move(holes), exponent);
   const double unit = std::ldexp(1.0, exponent);
-  double max_volume = options.max_volume * unit * unit * unit;
-  if (options.tetrahedra > 0)
-    max_volume = kVolumeShare * volume(region) * unit * unit * unit /
-                 static_cast<double>(options.tetrahedra);
-  TetrahedralMesh mesh = run(region, points, holes, max_volume, options);
+  const auto fill = [&](double max_volume) {
+    return run(region, points, holes, max_volume * unit * unit * unit, options);
+  };
+  TetrahedralMesh mesh = options.tetrahedra > 0
+                             ? fill_with_about(options.tetrahedra, volume(region), fill)
+                             : fill(options.max_volume);
   mesh.points = scaled(std::move(mesh.points), -exponent);
   require_positive(mesh);
   require_boundary(mesh, region.surface);

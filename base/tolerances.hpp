@@ -52,4 +52,9 @@ inline constexpr double kRayMargin = 1e-12;
 /// nearer, doubles are too coarse.
 inline constexpr double kThinnestHole = 1e-9;
 
+/// Lengths with an edge curvature above this are not placed in hyperbolic space: the misfit is
+/// multiplied by e^r at distance r, and pictures of radius 10 are to close up to some 1e-4. Solved
+/// metrics have 1e-12 and less.
+inline constexpr double kEmbeddedCurvature = 1e-8;
+
 }  // namespace tripus::tolerance

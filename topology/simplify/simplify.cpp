@@ -15,18 +15,14 @@ namespace {
 
 /// Trials of the search: until this many in a row, and this many in all, have brought nothing.
 /// Small triangulations get some milliseconds. A trial takes some microseconds.
-constexpr double kTrialsInARow = 2000;
+constexpr double kTrialsInARow = 6000;
 constexpr double kTrialsInARowATetrahedron = 8;
-constexpr double kTrials = 20'000;
+constexpr double kTrials = 60'000;
 constexpr double kTrialsATetrahedron = 60;
 
 /// Random moves in a trial; more of them where fewer bring nothing.
 constexpr int kLeastDepth = 2;
-constexpr int kMostDepth = 6;
-
-/// Tetrahedra without an edge of this valence or less are seldom worth a trial: one in so many.
-constexpr std::uint32_t kLowValence = 5;
-constexpr std::uint64_t kSeldom = 8;
+constexpr int kMostDepth = 8;
 
 /// Steps between two looks at the stop flag.
 constexpr unsigned kStepsBetweenLooks = 1024;
@@ -64,6 +60,7 @@ class Simplifier {
   Simplifier(const Gluings& closed, const SimplifyOptions& options) : options_(&options) {
     const Triangulation triangulation(closed);
     result_.given = triangulation.tetrahedron_count();
+    component_count_ = triangulation.component_count();
     finite_to_keep_ = closed_components(triangulation);
     result_.gluings = closed;
     start(triangulation);
@@ -91,10 +88,11 @@ class Simplifier {
   }
   void collapse_edges();
   void search();
-  TetrahedronIndex place_for_trial(LocalSearch& search) const;
+  bool is_least() const;
 
   const SimplifyOptions* options_;
   Simplified result_;
+  std::size_t component_count_ = 0;
   std::size_t finite_to_keep_ = 0;
   std::optional<MutableTriangulation> m_;
   std::optional<Reducer> reducer_;
@@ -115,35 +113,24 @@ void Simplifier::collapse_edges() {
   reducer_->allow(Reducer::Moves::kAll);
 }
 
-/// A tetrahedron with an edge of low valence, mostly; while finite vertices are to go, one with a
-/// finite vertex and another.
-TetrahedronIndex Simplifier::place_for_trial(LocalSearch& search) const {
-  while (true) {
-    const auto t = static_cast<TetrahedronIndex>(search.draw(m_->slot_count()));
-    if (!m_->is_live(t)) continue;
-    if (search.draw(kSeldom) == 0) return t;
-    if (finite_vertices_to_go() > 0) {
-      for (int v = 0; v < 4; ++v)
-        if (m_->is_finite(m_->vertex(t, v)) && m_->vertex(t, v) != m_->vertex(t, (v + 1) % 4))
-          return t;
-      continue;
-    }
-    for (int e = 0; e < 6; ++e)
-      if (m_->valence(m_->edge(t, e)) <= kLowValence) return t;
-  }
+/// E = T + chi/2 with a fixed chi, and every component has an edge: T cannot fall below this.
+bool Simplifier::is_least() const {
+  return m_->edge_count() == component_count_ || m_->tetrahedron_count() == component_count_;
 }
 
 void Simplifier::search() {
-  LocalSearch search(*m_, *reducer_, options_->seed);
+  LocalSearch search(*m_, *reducer_, finite_to_keep_, options_->seed);
   const auto size = static_cast<double>(m_->tetrahedron_count());
   const double in_a_row = options_->effort * (kTrialsInARow + kTrialsInARowATetrahedron * size);
   const double in_all = options_->effort * (kTrials + kTrialsATetrahedron * size);
   double in_vain = 0;
   for (double made = 0; made < in_all && in_vain < in_a_row; ++made, ++in_vain) {
-    if (looks_stopped("search")) return;
+    if (looks_stopped("search") || (is_least() && finite_vertices_to_go() == 0)) return;
     const int depth =
         kLeastDepth + static_cast<int>((kMostDepth - kLeastDepth) * in_vain / in_a_row);
-    if (search.trial(place_for_trial(search), depth) == LocalSearch::Result::kBetter) in_vain = -1;
+    const SearchSize before = search.size();
+    search.trial(depth);
+    if (search.size() < before) in_vain = -1;
   }
 }
 

@@ -43,4 +43,9 @@ inline constexpr double kVolumeAgreement = 1e-9;
 /// twice that leaves room for the roundings of the bound. Below it, signs are computed exactly.
 inline constexpr double kOrientationRounding = 0x1p-49;
 
+/// Triangles of a tube's surface that come closer than this, relative to their size, count as
+/// meeting while one of them is moved: rounding in the test itself is some 1e-15, and triangles that
+/// keep this distance do not meet whatever the last bits do.
+inline constexpr double kSweepClearance = 1e-9;
+
 }  // namespace tripus::tolerance

@@ -57,4 +57,9 @@ inline constexpr double kThinnestHole = 1e-9;
 /// metrics have 1e-12 and less.
 inline constexpr double kEmbeddedCurvature = 1e-8;
 
+/// Triangles of a tube's surface that come closer than this, relative to their size, count as
+/// meeting while one of them is moved: rounding in the test itself is some 1e-15, and triangles that
+/// keep this distance do not meet whatever the last bits do.
+inline constexpr double kSweepClearance = 1e-9;
+
 }  // namespace tripus::tolerance

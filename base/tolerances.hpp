@@ -48,4 +48,18 @@ inline constexpr double kOrientationRounding = 0x1p-49;
 /// keep this distance do not meet whatever the last bits do.
 inline constexpr double kSweepClearance = 1e-9;
 
+/// Boxes that a ray misses by less than this part of its length are looked into all the same. Each
+/// coordinate of the ray spans at least a third of the others, so its parameter has an error of some
+/// ten roundings of 2^-53.
+inline constexpr double kRayMargin = 1e-12;
+
+/// A point in a hole is looked for down to this part of the size of its triangles away from them;
+/// nearer, doubles are too coarse.
+inline constexpr double kThinnestHole = 1e-9;
+
+/// Lengths with an edge curvature above this are not placed in hyperbolic space: the misfit is
+/// multiplied by e^r at distance r, and pictures of radius 10 are to close up to some 1e-4. Solved
+/// metrics have 1e-12 and less.
+inline constexpr double kEmbeddedCurvature = 1e-8;
+
 }  // namespace tripus::tolerance

@@ -43,4 +43,9 @@ inline constexpr double kVolumeAgreement = 1e-9;
 /// twice that leaves room for the roundings of the bound. Below it, signs are computed exactly.
 inline constexpr double kOrientationRounding = 0x1p-49;
 
+/// Lengths with an edge curvature above this are not placed in hyperbolic space: the misfit is
+/// multiplied by e^r at distance r, and pictures of radius 10 are to close up to some 1e-4. Solved
+/// metrics have 1e-12 and less.
+inline constexpr double kEmbeddedCurvature = 1e-8;
+
 }  // namespace tripus::tolerance

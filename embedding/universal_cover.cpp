@@ -1,0 +1,183 @@
+#include "embedding/universal_cover.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "embedding/detail/position_table.hpp"
+#include "geometry/moebius.hpp"
+
+namespace tripus::embedding {
+namespace {
+
+using geometry::MoebiusMap;
+using topology::Triangulation;
+
+/// A cell that has been found; it becomes a Cell when its turn comes.
+struct Found {
+  MoebiusMap place;
+  std::uint32_t tetrahedron;
+  std::uint32_t parent;  ///< as a Cell
+  std::uint32_t depth;
+};
+
+struct QueueEntry {
+  double key;
+  std::uint32_t found;
+  /// The greatest comes first in a std::priority_queue: the least key, then the first found.
+  friend bool operator<(const QueueEntry& p, const QueueEntry& q) {
+    return p.key != q.key ? p.key > q.key : p.found > q.found;
+  }
+};
+
+/// det = 1 again; one Newton step for 1/sqrt(det), as det is near 1. It only changes the common
+/// factor, so the noise of det itself does no harm.
+void normalise(MoebiusMap& map) {
+  const geometry::Complex factor = 1.5 - 0.5 * (map.a * map.d - map.b * map.c);
+  map.a *= factor;
+  map.b *= factor;
+  map.c *= factor;
+  map.d *= factor;
+}
+
+/// Half the least distance that the centres of two cells can have: the least distance of a centre
+/// to a face of its tetrahedron.
+double in_radius(const Embedding& embedding) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const HyperboloidTetrahedron& tetrahedron : embedding.tetrahedra)
+    for (const Vector4& n : tetrahedron.faces) least = std::min(least, std::asinh(n[3]));
+  return least;
+}
+
+void require_options(const UniversalCoverOptions& options, std::size_t tetrahedron_count) {
+  if (options.max_cells < 1 || options.max_cells > kMostCells) {
+    throw InvalidInput(
+        fmt::format("{} cells of the universal cover were asked for; from 1 to {} "
+                    "are possible",
+                    options.max_cells, kMostCells));
+  }
+  if (!(options.max_radius >= 0))
+    throw InvalidInput("the radius of the universal cover must be 0 or more");
+  if (options.root >= tetrahedron_count) {
+    throw InvalidInput(fmt::format("there is no tetrahedron {} to begin with; there are {}",
+                                   options.root, tetrahedron_count));
+  }
+}
+
+class Grower {
+ public:
+  Grower(const Embedding& embedding, const Triangulation& triangulation,
+         const UniversalCoverOptions& options)
+      : embedding_(embedding),
+        gluings_(triangulation.gluings()),
+        options_(options),
+        by_depth_(options.max_depth != std::numeric_limits<std::uint32_t>::max()),
+        sinh_radius_(std::sinh(options.max_radius)),
+        separation_(2 * std::sinh(in_radius(embedding))),
+        positions_(separation_) {
+    pairings_.reserve(embedding.face_pairings.size());
+    for (const auto& four : embedding.face_pairings) {
+      auto& maps = pairings_.emplace_back();
+      for (std::size_t f = 0; f < 4; ++f) maps[f] = geometry::to_moebius(four[f]);
+    }
+  }
+
+  UniversalCover grow() {
+    UniversalCover cover;
+    discover({{}, options_.root, kNoCell, 0});
+    while (!queue_.empty() && !out_of_precision_) {
+      if (cover.cells.size() >= options_.max_cells) {
+        cover.end = CoverEnd::kCells;
+        return cover;
+      }
+      if (options_.stop_requested != nullptr && options_.stop_requested->load()) {
+        cover.end = CoverEnd::kInterrupted;
+        return cover;
+      }
+      const Found next = found_[queue_.top().found];
+      queue_.pop();
+      const auto number = static_cast<std::uint32_t>(cover.cells.size());
+      cover.cells.push_back(
+          {next.tetrahedron, geometry::to_matrix(next.place), next.depth, next.parent});
+      expand(next, number);
+    }
+    if (out_of_precision_) cover.end = CoverEnd::kPrecision;
+    return cover;
+  }
+
+ private:
+  void expand(const Found& cell, std::uint32_t number) {
+    if (cell.depth >= options_.max_depth) return;
+    for (int f = 0; f < 4; ++f) {
+      MoebiusMap place = cell.place * pairings_[cell.tetrahedron][static_cast<std::size_t>(f)];
+      normalise(place);
+      discover({place, gluings_.neighbour(cell.tetrahedron, f), number, cell.depth + 1});
+    }
+  }
+
+  void discover(const Found& cell) {
+    const Vector4 centre = geometry::image_of_origin(cell.place);
+    const double error = position_error(centre[3], cell.depth);
+    if (!(error < separation_ / 8)) {
+      out_of_precision_ = true;
+      return;
+    }
+    if (!meets_ball(cell)) return;
+    const auto number = static_cast<std::uint32_t>(found_.size());
+    if (!positions_.insert(centre.head<3>(), number, 2 * error)) return;
+    found_.push_back(cell);
+    // In a depth, 1 - 1/cosh(distance) orders by distance and is less than 1.
+    const double key = by_depth_ ? cell.depth + (1 - 1 / centre[3]) : centre[3];
+    queue_.push({key, number});
+  }
+
+  /// A bound on the error of a place at this distance: each of the depth + 1 products adds a few
+  /// ulp relatively, and so do the pairings themselves.
+  static double position_error(double cosh_distance, std::uint32_t depth) {
+    return 64 * std::numeric_limits<double>::epsilon() * (depth + 1.0) * cosh_distance;
+  }
+
+  /// Whether no plane of the cell separates it from the ball: sinh of the distance from the root's
+  /// centre to a plane, positive outside, is its product with the normal.
+  bool meets_ball(const Found& cell) const {
+    if (std::isinf(sinh_radius_)) return true;
+    const Vector4 eye = geometry::image_of_origin(geometry::inverse(cell.place));
+    const HyperboloidTetrahedron& tetrahedron = embedding_.tetrahedra[cell.tetrahedron];
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (geometry::lorentz_product(eye, tetrahedron.faces[i]) > sinh_radius_ ||
+          geometry::lorentz_product(eye, tetrahedron.vertices[i]) > sinh_radius_)
+        return false;
+    }
+    return true;
+  }
+
+  const Embedding& embedding_;
+  const topology::Gluings& gluings_;
+  const UniversalCoverOptions& options_;
+  const bool by_depth_;
+  const double sinh_radius_;
+  const double separation_;
+  detail::PositionTable positions_;
+  std::vector<std::array<MoebiusMap, 4>> pairings_;
+  std::vector<Found> found_;
+  std::priority_queue<QueueEntry> queue_;
+  bool out_of_precision_ = false;
+};
+
+}  // namespace
+
+UniversalCover grow_universal_cover(const Embedding& embedding, const Triangulation& triangulation,
+                                    const UniversalCoverOptions& options) {
+  require_options(options, triangulation.tetrahedron_count());
+  return Grower(embedding, triangulation, options).grow();
+}
+
+std::vector<Cell> universal_cover(const Embedding& embedding, const Triangulation& triangulation,
+                                  const UniversalCoverOptions& options) {
+  return grow_universal_cover(embedding, triangulation, options).cells;
+}
+
+}  // namespace tripus::embedding

@@ -1,0 +1,123 @@
+#include "geometry/hyperboloid_tetrahedron.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <Eigen/Dense>
+
+#include "base/error.hpp"
+#include "geometry/truncated_tetrahedron.hpp"
+
+namespace tripus::geometry {
+namespace {
+
+// Everything is computed in the widest type of the machine and rounded once: the digits that the
+// shape costs (a nearly flat or a very long tetrahedron) are then mostly the spare ones.
+using Wide = long double;
+using WideVector = Eigen::Matrix<Wide, 4, 1>;
+using WideMatrix = Eigen::Matrix<Wide, 4, 4>;
+
+constexpr int kEnds[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+
+WideMatrix gram_matrix(std::span<const double, 6> l) {
+  WideMatrix gram = WideMatrix::Identity();
+  for (std::size_t e = 0; e < 6; ++e) {
+    const int i = kEnds[e][0], j = kEnds[e][1];
+    gram(i, j) = gram(j, i) = -std::cosh(Wide(l[e]));
+  }
+  return gram;
+}
+
+/// Weights s > 0 with s_i sum_j |G_ij| s_j near 1 for every i: after scaling, no entry exceeds 1
+/// and no row is small. The iteration need not converge, but it must treat all labels alike.
+WideVector balancing_weights(const WideMatrix& gram) {
+  constexpr int kRounds = 40;
+  const WideMatrix size = gram.cwiseAbs();
+  WideVector weights = WideVector::Ones();
+  for (int round = 0; round < kRounds; ++round)
+    weights = weights.cwiseQuotient(size * weights).cwiseSqrt().eval();
+  return weights;
+}
+
+/// Turns space about the origin: v_3 up, v_0 over the positive x axis, the determinant
+/// of the sign that is asked for.
+WideMatrix standing_rotation(const WideMatrix& vertices, int orientation) {
+  using Wide3 = Eigen::Matrix<Wide, 3, 1>;
+  const Wide3 up = vertices.col(3).head<3>().normalized();
+  Wide3 right = vertices.col(0).head<3>();
+  right -= right.dot(up) * up;
+  if (right.norm() < std::sqrt(std::numeric_limits<Wide>::epsilon())) right = up.unitOrthogonal();
+  right.normalize();
+  Wide3 back = up.cross(right);
+  // The rotation (right, back, up) keeps the sign of the determinant.
+  if (vertices.determinant() * orientation < 0) back = -back;
+  WideMatrix rotation = WideMatrix::Identity();
+  rotation.row(0).head<3>() = right;
+  rotation.row(1).head<3>() = back;
+  rotation.row(2).head<3>() = up;
+  return rotation;
+}
+
+void require_truncated(std::span<const double, 6> l) {
+  std::array<double, 6> theta{};
+  if (dihedral_angles(l, theta) != TetrahedronKind::kTruncated)
+    throw InvalidInput("the six lengths are not those of a truncated tetrahedron: it is flat");
+  for (std::size_t e = 0; e < 6; ++e) {
+    if (l[e] > kLongestEmbeddedEdge) {
+      throw Unsupported("edge " + std::to_string(e) + " has the length " + std::to_string(l[e]) +
+                        "; coordinates of edges longer than " +
+                        std::to_string(static_cast<int>(kLongestEmbeddedEdge)) +
+                        " do not fit into floating-point numbers");
+    }
+  }
+}
+
+}  // namespace
+
+HyperboloidTetrahedron hyperboloid_tetrahedron(std::span<const double, 6> l, int orientation) {
+  require_truncated(l);
+  const WideMatrix gram = gram_matrix(l);
+  const WideVector weights = balancing_weights(gram);
+  const WideMatrix scaled = weights.asDiagonal() * gram * weights.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<WideMatrix> solver(scaled);
+  // Eigenvalues come in increasing order: the negative one, which belongs to time, first.
+  const WideVector& values = solver.eigenvalues();
+  if (!(values[0] < 0 && values[1] > 4 * std::numeric_limits<Wide>::epsilon()))
+    throw InvalidInput("the tetrahedron is so nearly flat that it cannot be placed in space");
+  WideMatrix frame;  // columns: the scaled vertices
+  WideMatrix dual;   // columns: the vectors with product 1 with their vertex, 0 with the others
+  for (int axis = 0; axis < 4; ++axis) {
+    const int from = (axis + 1) % 4;
+    const Wide root = std::sqrt(std::abs(values[from]));
+    frame.row(axis) = root * solver.eigenvectors().col(from).transpose();
+    dual.row(axis) = solver.eigenvectors().col(from).transpose() / (axis == 3 ? -root : root);
+  }
+  if (frame(3, 0) < 0) {
+    frame.row(3) *= -1;
+    dual.row(3) *= -1;
+  }
+  const WideMatrix rotation = standing_rotation(frame, orientation);
+  frame = (rotation * frame).eval();
+  dual = (rotation * dual).eval();
+  HyperboloidTetrahedron result;
+  for (int i = 0; i < 4; ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    result.vertices[n] = (frame.col(i) / weights[i]).cast<double>();
+    const WideVector w = dual.col(i);
+    const Wide norm = std::sqrt(w.head<3>().squaredNorm() - w[3] * w[3]);
+    result.faces[n] = (-w / norm).cast<double>();
+  }
+  return result;
+}
+
+Vector4 corner(const HyperboloidTetrahedron& tetrahedron, int i, int j) {
+  const WideVector v = tetrahedron.vertices[static_cast<std::size_t>(i)].cast<Wide>();
+  const WideVector w = tetrahedron.vertices[static_cast<std::size_t>(j)].cast<Wide>();
+  const Wide product = v.head<3>().dot(w.head<3>()) - v[3] * w[3];
+  const WideVector along = w - product * v;
+  const Wide sinh = std::sqrt((product - 1) * (product + 1));
+  return on_hyperboloid((along / sinh).cast<double>());
+}
+
+}  // namespace tripus::geometry

@@ -29,8 +29,8 @@ std::size_t expected(std::int64_t degree) {
 
 void finish(benchmark::State& state, std::size_t found) {
   if (found != expected(state.range(0))) state.SkipWithError("wrong number of covers");
-  state.counters["covers_per_s"] = benchmark::Counter(static_cast<double>(found),
-                                                      benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["covers_per_s"] =
+      benchmark::Counter(static_cast<double>(found), benchmark::Counter::kIsIterationInvariantRate);
 }
 
 /// Actions of the group alone.

@@ -8,7 +8,7 @@ Holonomy holonomy(const Embedding& embedding, const topology::Triangulation& tri
   Holonomy result;
   result.group = topology::fundamental_group(triangulation);
   const topology::Gluings& gluings = triangulation.gluings();
-  const std::vector<Matrix4> places = fundamental_domain(embedding, gluings);
+  const std::vector<Matrix4> places = developing_map(embedding, gluings);
   const std::size_t count = result.group.presentation.generator_count;
   result.isometries.resize(count);
   result.moebius.resize(count);

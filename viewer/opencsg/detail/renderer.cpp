@@ -16,7 +16,7 @@ namespace tripus::viewer {
 namespace {
 
 /// Meshes leave the true walls by less than this, in pixels.
-constexpr double kMeshError = 0.2;
+constexpr double kMeshError = 0.3;
 /// Cells whose ball is of smaller radius on the picture, in pixels, are not drawn.
 constexpr double kSmallestCell = 0.4;
 
@@ -133,7 +133,7 @@ void Renderer::Implementation::draw_cell(std::size_t number, const PictureOption
     if (beyond > product.scale()) return;
     if (beyond < -product.scale()) cut = nullptr;
   }
-  product.prepare(kMeshError / pixels, cut);
+  product.prepare(kMeshError * frame.samples / pixels, cut);
 
   Eigen::Matrix4d place = Eigen::Matrix4d::Identity();
   place.topLeftCorner<3, 3>() *= product.scale();

@@ -38,6 +38,11 @@ inline constexpr double kPreciseTiltZero = 1e-36;
 /// 1e-12 that are left change it by less than 1e-11 (docs/canonical.md (T6)).
 inline constexpr double kVolumeAgreement = 1e-9;
 
+/// A determinant of coordinate differences has the sign of its floating-point value if that is
+/// beyond this times the sum of the sizes of its terms: each term has at most 8 roundings of 2^-53;
+/// twice that leaves room for the roundings of the bound. Below it, signs are computed exactly.
+inline constexpr double kOrientationRounding = 0x1p-49;
+
 /// Lengths with an edge curvature above this are not placed in hyperbolic space: the misfit is
 /// multiplied by e^r at distance r, and pictures of radius 10 are to close up to some 1e-4. Solved
 /// metrics have 1e-12 and less.

@@ -259,6 +259,7 @@ std::string describe_cells(const Decomposition& decomposition) {
     ++counts[{type.vertex_count, type.name}];
   }
   std::vector<std::string> parts;
+  parts.reserve(counts.size());
   for (const auto& [key, count] : counts)
     parts.push_back(fmt::format("{} {}", count, count == 1 ? key.second : plural(key.second)));
   return fmt::format("{}", fmt::join(parts, " + "));

@@ -61,7 +61,7 @@ std::vector<FlagIndex> automorphism(const Decomposition& decomposition, const Ca
   std::uint32_t reached = 1;
   for (std::uint32_t k = 0; k < reached; ++k) {
     for (int i = 0; i < 4; ++i) {
-      if (order.code[4 * k + static_cast<std::size_t>(i)] != reached) continue;
+      if (order.code[std::size_t{4} * k + static_cast<std::size_t>(i)] != reached) continue;
       image[order.flags[reached]] = decomposition.step(i, image[order.flags[k]]);
       ++reached;
     }

@@ -168,7 +168,8 @@ class Walker {
       if (ends[0] == f || ends[1] == f) continue;
       if (state_.triangulation.valence(state_.triangulation.edge_class(t, e)) != valence) continue;
       const auto kind = valence == 3 ? MoveKind::kThreeTwo : MoveKind::kFourFour;
-      for (std::uint8_t axis = 0; axis < (valence == 3 ? 1 : 2); ++axis)
+      const std::uint8_t axes = valence == 3 ? 1 : 2;
+      for (std::uint8_t axis = 0; axis < axes; ++axis)
         moves.push_back({kind, static_cast<topology::TetrahedronIndex>(t),
                          static_cast<std::uint8_t>(e), axis, 0});
     }

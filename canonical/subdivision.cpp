@@ -72,7 +72,7 @@ class Subdivider {
     for (const FlagIndex flag : order_.flags) {
       const auto [found, is_new] = numbers.try_emplace(
           std::pair(decomposition_.cell(flag), decomposition_.vertex(flag)), vertex_count_);
-      if (is_new) cell_vertices_.push_back({found->first.first, vertex_count_++});
+      if (is_new) cell_vertices_.emplace_back(found->first.first, vertex_count_++);
       vertex_[flag] = found->second;
     }
   }

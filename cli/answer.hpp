@@ -1,8 +1,10 @@
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <string>
 
+#include "cli/batch.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_status.hpp"
 
@@ -19,5 +21,12 @@ struct Outcome {
 /// the next line goes on.
 int answer_inputs(const CommonOptions& options,
                   const std::function<Outcome(const std::string& input)>& answer);
+
+/// An exception as an answer: a JSON object for standard output, a line for standard error.
+Answer error_answer(const std::string& input, bool json, const std::exception& error);
+/// The exit status that an exception deserves.
+int status_of(const std::exception& error);
+/// What to say where a line of a batch is "-".
+extern const char* const kNoStandardInput;
 
 }  // namespace tripus::cli

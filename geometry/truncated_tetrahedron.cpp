@@ -179,23 +179,6 @@ TetrahedronKind kind_of(double minus_det, const double* theta) {
   return theta[1] > kPi / 2 ? TetrahedronKind::kFlat02_13 : TetrahedronKind::kFlat03_12;
 }
 
-/// -c_vv of the angle Gram matrix at the vertex with these edges, 4 cos h cos(h-a) cos(h-b)
-/// cos(h-c) with h half the sum of the angles a, b, c; 0 where they are not positive or sum to pi
-/// or more. Written with pi - a for the largest angle a, it keeps its digits where a is near pi.
-double vertex_minor(std::span<const double, 6> theta, const std::array<int, 3>& edges) {
-  double a = theta[static_cast<std::size_t>(edges[0])];
-  double b = theta[static_cast<std::size_t>(edges[1])];
-  double c = theta[static_cast<std::size_t>(edges[2])];
-  if (!(a > 0 && b > 0 && c > 0)) return 0;
-  if (a < b) std::swap(a, b);
-  if (a < c) std::swap(a, c);
-  constexpr double kPiLow = 0x1.1a62633145c07p-53;
-  const double gap = (kPi - a) + kPiLow;
-  if (!(gap > b + c)) return 0;
-  return 4 * std::sin((gap - b - c) / 2) * std::sin((gap + b + c) / 2) *
-         std::sin((gap + b - c) / 2) * std::sin((gap + c - b) / 2);
-}
-
 }  // namespace
 
 std::size_t scaled_angles_of_lane(const double* lengths, double* theta, double* jacobian) {
@@ -239,7 +222,7 @@ TetrahedronKind dihedral_angles(std::span<const double, 6> l, std::span<double, 
 bool lengths_from_angles(std::span<const double, 6> theta, std::span<double, 6> l) {
   double minor[4];
   for (std::size_t v = 0; v < 4; ++v) {
-    minor[v] = vertex_minor(theta, kEdgesAtVertex[v]);
+    minor[v] = angle_vertex_minor(theta, kEdgesAtVertex[v]);
     if (!(minor[v] > 0)) return false;
   }
   const double det = angle_gram_minus_det(theta);

@@ -23,6 +23,10 @@
 
 namespace tripus::topology {
 
+namespace detail {
+struct Ball;
+}
+
 enum class MoveKind : std::uint8_t {
   kTwoThree,
   kThreeTwo,
@@ -91,7 +95,8 @@ struct MoveInfo {
   int finite_vertices;  ///< change of the number of sphere links; every other link stays
   MoveKind inverse;
   MoveRefusal (*refusal)(const Gluings&, const Move&);
-  MoveChange (*apply)(Gluings&, const Move&);                    ///< legal moves only
+  MoveChange (*apply)(Gluings&, const Move&);         ///< legal moves only
+  detail::Ball (*ball)(const Gluings&, const Move&);  ///< what is replaced by what; null: not so
   void (*candidates)(const Triangulation&, std::vector<Move>&);  ///< places, once each, to be tried
 };
 

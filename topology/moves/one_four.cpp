@@ -19,17 +19,24 @@ MoveRefusal refuse_one_four(const Gluings& gluings, const Move& move) {
 }
 
 // Points 0..3 are the vertices of the tetrahedron.
-MoveChange apply_one_four(Gluings& gluings, const Move& move) {
-  const std::array<Piece, 1> old{{{move.tetrahedron, {0, 1, 2, 3}}}};
-  std::array<Points, 4> fresh{};
+Ball one_four_ball(const Gluings&, const Move& move) {
+  Ball ball;
+  ball.core = 1u << kCentre;
+  ball.old.push_back({move.tetrahedron, {0, 1, 2, 3}});
   for (std::size_t i = 0; i < 4; ++i) {
-    fresh[i] = {0, 1, 2, 3};
-    fresh[i][i] = kCentre;
+    Points points{0, 1, 2, 3};
+    points[i] = kCentre;
+    ball.fresh.push_back(points);
   }
-  MoveChange change = plan_ball(gluings, old, 1u << kCentre, fresh).apply(gluings);
+  return ball;
+}
+
+MoveChange apply_one_four(Gluings& gluings, const Move& move) {
+  Ball ball = one_four_ball(gluings, move);
+  MoveChange change = plan_ball(gluings, ball).apply(gluings);
   change.inverse = Move{.kind = MoveKind::kFourOne,
                         .tetrahedron = change.added[0],
-                        .place = static_cast<std::uint8_t>(vertex_at(fresh[0], kCentre))};
+                        .place = static_cast<std::uint8_t>(vertex_at(ball.fresh[0], kCentre))};
   return change;
 }
 
@@ -73,11 +80,19 @@ MoveRefusal refuse_four_one(const Gluings& gluings, const Move& move) {
   return collect_star(gluings, move.tetrahedron, move.place, star);
 }
 
-MoveChange apply_four_one(Gluings& gluings, const Move& move) {
+Ball four_one_ball(const Gluings& gluings, const Move& move) {
   std::array<Piece, 4> star{};
   collect_star(gluings, move.tetrahedron, move.place, star);
-  std::array<Points, 1> fresh{{{0, 1, 2, 3}}};
-  MoveChange change = plan_ball(gluings, star, 1u << kCentre, fresh).apply(gluings);
+  Ball ball;
+  ball.core = 1u << kCentre;
+  for (const Piece& piece : star) ball.old.push_back(piece);
+  ball.fresh.push_back({0, 1, 2, 3});
+  return ball;
+}
+
+MoveChange apply_four_one(Gluings& gluings, const Move& move) {
+  Ball ball = four_one_ball(gluings, move);
+  MoveChange change = plan_ball(gluings, ball).apply(gluings);
   change.inverse = Move{.kind = MoveKind::kOneFour, .tetrahedron = change.added[0]};
   return change;
 }
@@ -97,6 +112,7 @@ MoveInfo one_four_info() {
           .inverse = MoveKind::kFourOne,
           .refusal = refuse_one_four,
           .apply = apply_one_four,
+          .ball = one_four_ball,
           .candidates = [](const Triangulation& triangulation, std::vector<Move>& moves) {
             for (TetrahedronIndex t = 0; t < triangulation.tetrahedron_count(); ++t)
               moves.push_back({.kind = MoveKind::kOneFour, .tetrahedron = t});
@@ -116,6 +132,7 @@ MoveInfo four_one_info() {
           .inverse = MoveKind::kOneFour,
           .refusal = refuse_four_one,
           .apply = apply_four_one,
+          .ball = four_one_ball,
           .candidates = [](const Triangulation& triangulation, std::vector<Move>& moves) {
             vertex_candidates(triangulation, MoveKind::kFourOne, moves);
           }};

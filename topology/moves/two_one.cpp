@@ -38,12 +38,10 @@ EdgeWalk two_one_corner(const Move& move) {
 }
 
 MoveRefusal refuse_two_one(const Gluings& gluings, const Move& move) {
+  const MoveRefusal met = refuse_fold(gluings, move);
+  if (met != MoveRefusal::kNone) return met;
   const EdgeWalk at = two_one_corner(move);
-  if (has_open_face(gluings, at.t)) return MoveRefusal::kOpenFace;
-  if (!is_folded(gluings, at)) return MoveRefusal::kWrongValence;
   const TetrahedronIndex other = gluings.neighbour(at.t, at.a);
-  if (other == at.t) return MoveRefusal::kNotDistinct;
-  if (has_open_face(gluings, other)) return MoveRefusal::kOpenFace;
   const Perm4 p = gluings.gluing(at.t, at.a);
   const auto edge = [&](int far) {
     return kEdgeNumber[static_cast<std::size_t>(p(at.a))][static_cast<std::size_t>(p(far))];
@@ -173,6 +171,15 @@ void one_two_candidates(const Triangulation& triangulation, std::vector<Move>& m
 
 }  // namespace
 
+MoveRefusal refuse_fold(const Gluings& gluings, const Move& move) {
+  const EdgeWalk at = two_one_corner(move);
+  if (has_open_face(gluings, at.t)) return MoveRefusal::kOpenFace;
+  if (!is_folded(gluings, at)) return MoveRefusal::kWrongValence;
+  const TetrahedronIndex other = gluings.neighbour(at.t, at.a);
+  if (other == at.t) return MoveRefusal::kNotDistinct;
+  return has_open_face(gluings, other) ? MoveRefusal::kOpenFace : MoveRefusal::kNone;
+}
+
 MoveInfo two_one_info() {
   return {.kind = MoveKind::kTwoOne,
           .name = "2-1",
@@ -186,6 +193,7 @@ MoveInfo two_one_info() {
           .inverse = MoveKind::kOneTwo,
           .refusal = refuse_two_one,
           .apply = apply_two_one,
+          .ball = nullptr,
           .candidates = [](const Triangulation& triangulation, std::vector<Move>& moves) {
             edge_candidates(triangulation, MoveKind::kTwoOne, 2, moves);
           }};
@@ -204,6 +212,7 @@ MoveInfo one_two_info() {
           .inverse = MoveKind::kTwoOne,
           .refusal = refuse_one_two,
           .apply = apply_one_two,
+          .ball = nullptr,
           .candidates = one_two_candidates};
 }
 

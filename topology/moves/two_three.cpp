@@ -26,24 +26,30 @@ MoveRefusal refuse_two_three(const Gluings& gluings, const Move& move) {
 }
 
 // Points 0..3 are the vertices of the first tetrahedron, 4 is the far one of the second.
-MoveChange apply_two_three(Gluings& gluings, const Move& move) {
+Ball two_three_ball(const Gluings& gluings, const Move& move) {
   const TetrahedronIndex t = move.tetrahedron;
   const int f = move.place;
   const Perm4 p = gluings.gluing(t, f);
-  std::array<Piece, 2> old{{{t, {0, 1, 2, 3}}, {gluings.neighbour(t, f), {}}}};
-  for (int v = 0; v < 4; ++v) old[1].points[static_cast<std::size_t>(p(v))] = v == f ? 4 : v;
-  std::array<Points, 3> fresh{};
-  std::size_t k = 0;
+  Ball ball;
+  ball.old.push_back({t, {0, 1, 2, 3}});
+  ball.old.push_back({gluings.neighbour(t, f), {}});
+  for (int v = 0; v < 4; ++v) ball.old[1].points[static_cast<std::size_t>(p(v))] = v == f ? 4 : v;
   for (int x = 0; x < 4; ++x) {
     if (x == f) continue;
-    fresh[k] = {0, 1, 2, 3};
-    fresh[k++][static_cast<std::size_t>(x)] = 4;
+    Points points{0, 1, 2, 3};
+    points[static_cast<std::size_t>(x)] = 4;
+    ball.fresh.push_back(points);
   }
-  const unsigned face = 0xfu & ~(1u << f);
-  MoveChange change = plan_ball(gluings, old, face, fresh).apply(gluings);
+  ball.core = 0xfu & ~(1u << f);
+  return ball;
+}
+
+MoveChange apply_two_three(Gluings& gluings, const Move& move) {
+  Ball ball = two_three_ball(gluings, move);
+  MoveChange change = plan_ball(gluings, ball).apply(gluings);
   change.inverse = Move{.kind = MoveKind::kThreeTwo,
                         .tetrahedron = change.added[0],
-                        .place = static_cast<std::uint8_t>(edge_at(fresh[0], f, 4))};
+                        .place = static_cast<std::uint8_t>(edge_at(ball.fresh[0], move.place, 4))};
   return change;
 }
 
@@ -53,16 +59,19 @@ MoveRefusal refuse_three_two(const Gluings& gluings, const Move& move) {
 }
 
 // Points 0 and 1 are the ends of the edge, 2, 3, 4 the corners of the new face.
+Ball three_two_ball(const Gluings& gluings, const Move& move) {
+  Ball ball = ball_around<3>(gluings, move);
+  ball.fresh.push_back({0, 2, 3, 4});
+  ball.fresh.push_back({1, 2, 3, 4});
+  return ball;
+}
+
 MoveChange apply_three_two(Gluings& gluings, const Move& move) {
-  std::array<EdgeWalk, 3> corners{};
-  collect_corners(gluings, move.tetrahedron, move.place, corners);
-  std::array<Piece, 3> old{};
-  for (std::size_t i = 0; i < 3; ++i) old[i] = piece_around(corners[i], i, 3);
-  std::array<Points, 2> fresh{{{0, 2, 3, 4}, {1, 2, 3, 4}}};
-  MoveChange change = plan_ball(gluings, old, 0b11, fresh).apply(gluings);
+  Ball ball = three_two_ball(gluings, move);
+  MoveChange change = plan_ball(gluings, ball).apply(gluings);
   change.inverse = Move{.kind = MoveKind::kTwoThree,
                         .tetrahedron = change.added[0],
-                        .place = static_cast<std::uint8_t>(vertex_at(fresh[0], 0))};
+                        .place = static_cast<std::uint8_t>(vertex_at(ball.fresh[0], 0))};
   return change;
 }
 
@@ -81,6 +90,7 @@ MoveInfo two_three_info() {
           .inverse = MoveKind::kThreeTwo,
           .refusal = refuse_two_three,
           .apply = apply_two_three,
+          .ball = two_three_ball,
           .candidates = [](const Triangulation& triangulation, std::vector<Move>& moves) {
             face_candidates(triangulation, MoveKind::kTwoThree, moves);
           }};
@@ -99,6 +109,7 @@ MoveInfo three_two_info() {
           .inverse = MoveKind::kTwoThree,
           .refusal = refuse_three_two,
           .apply = apply_three_two,
+          .ball = three_two_ball,
           .candidates = [](const Triangulation& triangulation, std::vector<Move>& moves) {
             edge_candidates(triangulation, MoveKind::kThreeTwo, 1, moves);
           }};

@@ -21,33 +21,34 @@
 namespace tripus::topology::detail {
 namespace {
 
-Surgery plan_edge(const Gluings& gluings, const std::array<EdgeWalk, 2>& corners) {
-  const std::array<Piece, 2> old{piece_around(corners[0], 0, 2), piece_around(corners[1], 1, 2)};
-  return plan_ball(gluings, old, 0b11, {});
-}
+Ball edge_ball(const Gluings& gluings, const Move& move) { return ball_around<2>(gluings, move); }
 
 MoveRefusal refuse_edge(const Gluings& gluings, const Move& move) {
-  std::array<EdgeWalk, 2> corners{};
-  const MoveRefusal met = collect_corners(gluings, move.tetrahedron, move.place, corners);
+  const MoveRefusal met = refuse_pillow(gluings, move);
   if (met != MoveRefusal::kNone) return met;
-  if (plan_edge(gluings, corners).is_sealed()) return MoveRefusal::kSealedFace;
-  if (is_same_edge(gluings, corners[0].t, 5 - corners[0].edge(), corners[1].t,
-                   5 - corners[1].edge()))
+  const auto corner = EdgeWalk::start(move.tetrahedron, move.place);
+  EdgeWalk next = corner;
+  next.step(gluings);
+  if (is_same_edge(gluings, corner.t, 5 - corner.edge(), next.t, 5 - next.edge()))
     return MoveRefusal::kSameOppositeEdges;
   return MoveRefusal::kNone;
 }
 
 MoveChange apply_edge(Gluings& gluings, const Move& move) {
-  std::array<EdgeWalk, 2> corners{};
-  collect_corners(gluings, move.tetrahedron, move.place, corners);
-  return plan_edge(gluings, corners).apply(gluings);
+  Ball ball = edge_ball(gluings, move);
+  return plan_ball(gluings, ball).apply(gluings);
 }
 
-Surgery plan_vertex(const Gluings& gluings, TetrahedronIndex t, int v) {
-  const Perm4 p = gluings.gluing(t, (v + 1) % 4);
-  std::array<Piece, 2> old{{{t, {0, 1, 2, 3}}, {gluings.neighbour(t, (v + 1) % 4), {}}}};
-  for (int u = 0; u < 4; ++u) old[1].points[static_cast<std::size_t>(p(u))] = u;
-  return plan_ball(gluings, old, 1u << v, {});
+Ball vertex_ball(const Gluings& gluings, const Move& move) {
+  const TetrahedronIndex t = move.tetrahedron;
+  const int f = (move.place + 1) % 4;
+  const Perm4 p = gluings.gluing(t, f);
+  Ball ball;
+  ball.core = 1u << move.place;
+  ball.old.push_back({t, {0, 1, 2, 3}});
+  ball.old.push_back({gluings.neighbour(t, f), {}});
+  for (int u = 0; u < 4; ++u) ball.old[1].points[static_cast<std::size_t>(p(u))] = u;
+  return ball;
 }
 
 MoveRefusal refuse_vertex(const Gluings& gluings, const Move& move) {
@@ -61,14 +62,24 @@ MoveRefusal refuse_vertex(const Gluings& gluings, const Move& move) {
                    gluings.gluing(t, f) != gluings.gluing(t, (v + 1) % 4)))
       return MoveRefusal::kWrongValence;
   if (has_open_face(gluings, other)) return MoveRefusal::kOpenFace;
-  return plan_vertex(gluings, t, v).is_sealed() ? MoveRefusal::kSealedFace : MoveRefusal::kNone;
+  Ball ball = vertex_ball(gluings, move);
+  return plan_ball(gluings, ball).is_sealed() ? MoveRefusal::kSealedFace : MoveRefusal::kNone;
 }
 
 MoveChange apply_vertex(Gluings& gluings, const Move& move) {
-  return plan_vertex(gluings, move.tetrahedron, move.place).apply(gluings);
+  Ball ball = vertex_ball(gluings, move);
+  return plan_ball(gluings, ball).apply(gluings);
 }
 
 }  // namespace
+
+MoveRefusal refuse_pillow(const Gluings& gluings, const Move& move) {
+  std::array<EdgeWalk, 2> corners{};
+  const MoveRefusal met = collect_corners(gluings, move.tetrahedron, move.place, corners);
+  if (met != MoveRefusal::kNone) return met;
+  Ball ball = edge_ball(gluings, move);
+  return plan_ball(gluings, ball).is_sealed() ? MoveRefusal::kSealedFace : MoveRefusal::kNone;
+}
 
 MoveInfo two_zero_edge_info() {
   return {.kind = MoveKind::kTwoZeroEdge,
@@ -83,6 +94,7 @@ MoveInfo two_zero_edge_info() {
           .inverse = MoveKind::kZeroTwoEdge,
           .refusal = refuse_edge,
           .apply = apply_edge,
+          .ball = edge_ball,
           .candidates = [](const Triangulation& triangulation, std::vector<Move>& moves) {
             edge_candidates(triangulation, MoveKind::kTwoZeroEdge, 1, moves);
           }};
@@ -101,6 +113,7 @@ MoveInfo two_zero_vertex_info() {
           .inverse = MoveKind::kZeroTwoFace,
           .refusal = refuse_vertex,
           .apply = apply_vertex,
+          .ball = vertex_ball,
           .candidates = [](const Triangulation& triangulation, std::vector<Move>& moves) {
             vertex_candidates(triangulation, MoveKind::kTwoZeroVertex, moves);
           }};

@@ -163,6 +163,7 @@ MoveInfo zero_two_edge_info() {
           .inverse = MoveKind::kTwoZeroEdge,
           .refusal = refuse_edge,
           .apply = apply_edge,
+          .ball = nullptr,
           .candidates = edge_candidates_with_steps};
 }
 
@@ -179,6 +180,7 @@ MoveInfo zero_two_face_info() {
           .inverse = MoveKind::kTwoZeroVertex,
           .refusal = refuse_face,
           .apply = apply_face,
+          .ball = nullptr,
           .candidates = [](const Triangulation& triangulation, std::vector<Move>& moves) {
             face_candidates(triangulation, MoveKind::kZeroTwoFace, moves);
           }};

@@ -18,4 +18,9 @@ MoveInfo one_two_info();
 MoveInfo one_four_info();
 MoveInfo four_one_info();
 
+/// The conditions of a 2-0 at an edge, but for the opposite edges being distinct.
+MoveRefusal refuse_pillow(const Gluings& gluings, const Move& move);
+/// The conditions of a 2-1, but for the edges to be merged being distinct.
+MoveRefusal refuse_fold(const Gluings& gluings, const Move& move);
+
 }  // namespace tripus::topology::detail

@@ -48,33 +48,17 @@ Surgery::End Surgery::follow(TetrahedronIndex t, int f) const {
   }
 }
 
-MoveChange Surgery::apply(Gluings& gluings) const {
-  MoveChange change;
-  change.removed = removed_;
-  std::ranges::sort(change.removed);
-  const std::size_t before = gluings.tetrahedron_count();
-  const std::size_t reused =
-      std::min<std::size_t>(removed_.size(), static_cast<std::size_t>(added_));
-  for (std::size_t k = 0; k < static_cast<std::size_t>(added_); ++k)
-    change.added.push_back(k < reused ? change.removed[k]
-                                      : static_cast<TetrahedronIndex>(before + k - reused));
-  const auto number = [&](bool fresh, TetrahedronIndex t) { return fresh ? change.added[t] : t; };
-
-  // Everything is read before anything is written.
-  struct Glue {
-    TetrahedronIndex t;
-    int f;
-    TetrahedronIndex other;
-    Perm4 map;
-  };
-  SmallList<Glue, 24> glues;
+// Everything is read here, before anything is written.
+Surgery::Glues Surgery::glues(std::span<const TetrahedronIndex> numbers) const {
+  const auto number = [&](bool fresh, TetrahedronIndex t) { return fresh ? numbers[t] : t; };
+  Glues glues;
   for (const Join& join : joins_)
-    glues.push_back({change.added[static_cast<std::size_t>(join.fresh)], join.f,
-                     change.added[static_cast<std::size_t>(join.other)], join.map});
+    glues.push_back({numbers[static_cast<std::size_t>(join.fresh)], join.f,
+                     numbers[static_cast<std::size_t>(join.other)], join.map});
   for (const Port& start : ports_) {
     const End far = follow(start.t, start.f);
     if (!start.flat) {
-      glues.push_back({change.added[start.to], start.map(start.f), number(far.fresh, far.t),
+      glues.push_back({numbers[start.to], start.map(start.f), number(far.fresh, far.t),
                        far.map * start.map.inverse()});
       continue;
     }
@@ -85,9 +69,22 @@ MoveChange Surgery::apply(Gluings& gluings) const {
     glues.push_back({near.t, near.map(f), number(far.fresh, far.t),
                      far.map * start.map.inverse() * near.map.inverse()});
   }
+  return glues;
+}
 
+MoveChange Surgery::apply(Gluings& gluings) const {
+  MoveChange change;
+  change.removed = removed_;
+  std::ranges::sort(change.removed);
+  const std::size_t before = gluings.tetrahedron_count();
+  const std::size_t reused =
+      std::min<std::size_t>(removed_.size(), static_cast<std::size_t>(added_));
+  for (std::size_t k = 0; k < static_cast<std::size_t>(added_); ++k)
+    change.added.push_back(k < reused ? change.removed[k]
+                                      : static_cast<TetrahedronIndex>(before + k - reused));
+  const Glues all = glues({change.added.begin(), change.added.size()});
   gluings.resize(before + static_cast<std::size_t>(added_) - reused);
-  for (const Glue& glue : glues) gluings.glue(glue.t, glue.f, glue.other, glue.map);
+  for (const Glue& glue : all) gluings.glue(glue.t, glue.f, glue.other, glue.map);
 
   for (std::size_t k = change.removed.size(); k-- > reused;) {
     const TetrahedronIndex hole = change.removed[k];
@@ -132,11 +129,11 @@ std::optional<Perm4> matching(const Points& from, int f, const Points& to) {
 }
 
 /// Swaps two vertices of new tetrahedra that lie the other way round than the old ones.
-void orient(std::span<const Piece> old, unsigned core, std::span<Points> fresh) {
-  for (Points& points : fresh)
-    for (const Piece& piece : old)
+void orient(Ball& ball) {
+  for (Points& points : ball.fresh)
+    for (const Piece& piece : ball.old)
       for (int f = 0; f < 4; ++f) {
-        if ((face_mask(piece.points, f) & core) == core) continue;
+        if ((face_mask(piece.points, f) & ball.core) == ball.core) continue;
         const auto q = matching(piece.points, f, points);
         if (q && q->is_odd()) std::swap(points[2], points[3]);
       }
@@ -144,9 +141,9 @@ void orient(std::span<const Piece> old, unsigned core, std::span<Points> fresh) 
 
 }  // namespace
 
-Surgery plan_ball(const Gluings& gluings, std::span<const Piece> old, unsigned core,
-                  std::span<Points> fresh) {
-  orient(old, core, fresh);
+Surgery plan_ball(const Gluings& gluings, Ball& ball) {
+  orient(ball);
+  const auto& [old, core, fresh] = ball;
   Surgery surgery(gluings);
   unsigned taken[4] = {0, 0, 0, 0};  // faces of the new tetrahedra
   for (const Piece& piece : old) surgery.remove(piece.t);

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "topology/detail/edge_walk.hpp"
+#include "topology/moves/detail/local.hpp"
 #include "topology/moves/moves.hpp"
 
 namespace tripus::topology::detail {
@@ -36,6 +37,16 @@ class Surgery {
   bool is_sealed() const;
   /// On the table that it was planned for.
   MoveChange apply(Gluings& gluings) const;
+
+  struct Glue {
+    TetrahedronIndex t;
+    int f;
+    TetrahedronIndex other;
+    Perm4 map;
+  };
+  using Glues = SmallList<Glue, 24>;
+  /// The gluings that carry it out, where handle k is the tetrahedron numbers[k].
+  Glues glues(std::span<const TetrahedronIndex> numbers) const;
 
  private:
   struct Port {
@@ -85,6 +96,24 @@ inline Piece piece_around(const EdgeWalk& corner, std::size_t i, std::size_t n) 
   return piece;
 }
 
+/// What a move replaces by what. Faces of `old` that contain every point of `core` are inside.
+struct Ball {
+  SmallList<Piece, 4> old;
+  unsigned core = 0;
+  SmallList<Points, 4> fresh;
+};
+
+/// The N distinct tetrahedra around an edge of valence N.
+template <std::size_t N>
+Ball ball_around(const Gluings& gluings, const Move& move) {
+  std::array<EdgeWalk, N> corners{};
+  collect_corners(gluings, move.tetrahedron, move.place, corners);
+  Ball ball;
+  ball.core = 0b11;
+  for (std::size_t i = 0; i < N; ++i) ball.old.push_back(piece_around(corners[i], i, N));
+  return ball;
+}
+
 constexpr unsigned point_mask(const Points& points) {
   unsigned mask = 0;
   for (const int point : points) mask |= 1u << point;
@@ -95,12 +124,10 @@ int vertex_at(const Points& points, int point);
 /// The edge between two points.
 int edge_at(const Points& points, int first, int second);
 
-/// The surgery that replaces the pieces of a ball. Faces of `old` that contain every point of
-/// `core` are inner. Of the others, each is carried to the face of `fresh` with the same points,
-/// or laid upon the other old face with the same points. Faces of `fresh` that are left over are
-/// joined in pairs. `fresh` may come back with two vertices swapped, so that oriented tables stay
-/// oriented.
-Surgery plan_ball(const Gluings& gluings, std::span<const Piece> old, unsigned core,
-                  std::span<Points> fresh);
+/// The surgery that replaces the pieces of a ball. Of the outer faces of `old`, each is carried to
+/// the face of `fresh` with the same points, or laid upon the other old face with the same points.
+/// Faces of `fresh` that are left over are joined in pairs. `fresh` may come back with two vertices
+/// swapped, so that oriented tables stay oriented.
+Surgery plan_ball(const Gluings& gluings, Ball& ball);
 
 }  // namespace tripus::topology::detail

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "meshing/surface_mesh.hpp"
+
+namespace tripus::meshing::detail {
+
+constexpr bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v';
+}
+
+/// Words and numbers of a text file, with the line for messages. Independent of the locale.
+class Scanner {
+ public:
+  /// `format` begins every message; what follows `comment` on a line is skipped, '\0' for none.
+  Scanner(std::string_view format, std::string_view text, char comment)
+      : format_(format), rest_(text), comment_(comment) {}
+
+  std::uint32_t line() const { return line_; }
+  std::string_view rest() const { return rest_; }
+
+  /// The next word, on whatever line; empty at the end.
+  std::string_view word() {
+    skip(false);
+    return cut_word();
+  }
+  /// The next word of this line; empty at its end.
+  std::string_view word_of_line() {
+    skip(true);
+    return cut_word();
+  }
+  /// Skips to the start of the next line; false at the end of the text.
+  bool next_line() {
+    const std::size_t end = rest_.find('\n');
+    if (end == std::string_view::npos) {
+      rest_ = {};
+      return false;
+    }
+    rest_.remove_prefix(end + 1);
+    ++line_;
+    return true;
+  }
+
+  [[noreturn]] void fail(const std::string& what) const { fail_at(line_, what); }
+  [[noreturn]] void fail_at(std::uint32_t line, const std::string& what) const {
+    throw InvalidInput(std::string(format_) + ", line " + std::to_string(line) + ": " + what);
+  }
+
+  double number(std::string_view word, std::string_view what) const;
+  double number(std::string_view what) { return number(word(), what); }
+  /// A count or an index: not negative, at most 2^32 - 2.
+  std::uint32_t natural(std::string_view word, std::string_view what) const;
+  std::uint32_t natural(std::string_view what) { return natural(word(), what); }
+  /// An index of a point counted from `first`, below `count`; returned as counted from 0.
+  std::uint32_t index(std::string_view word, std::uint32_t first, std::size_t count) const;
+  Point point();
+
+  /// How many entries of at least so many characters the rest can hold: what a count in a header is
+  /// compared with before anything is allocated.
+  std::size_t room(std::size_t characters) const { return rest_.size() / characters + 1; }
+  /// A count that the rest of the text has room for.
+  std::uint32_t count(std::string_view what, std::size_t characters) {
+    const std::uint32_t value = natural(what);
+    if (value > room(characters))
+      fail(std::to_string(value) + " announced as " + std::string(what) +
+           ", more than the file is long enough for");
+    return value;
+  }
+
+ private:
+  void skip(bool within_line) {
+    while (!rest_.empty()) {
+      const char c = rest_.front();
+      if (c == '\n') {
+        if (within_line) return;
+        ++line_;
+        rest_.remove_prefix(1);
+      } else if (is_space(c)) {
+        rest_.remove_prefix(1);
+      } else if (c == comment_ && comment_ != '\0') {
+        const std::size_t end = rest_.find('\n');
+        rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end);
+      } else {
+        return;
+      }
+    }
+  }
+  std::string_view cut_word() {
+    std::size_t length = 0;
+    while (length < rest_.size() && !is_space(rest_[length]) &&
+           (comment_ == '\0' || rest_[length] != comment_))
+      ++length;
+    const std::string_view found = rest_.substr(0, length);
+    rest_.remove_prefix(length);
+    return found;
+  }
+
+  std::string_view format_;
+  std::string_view rest_;
+  char comment_;
+  std::uint32_t line_ = 1;
+};
+
+}  // namespace tripus::meshing::detail

@@ -1,0 +1,141 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "topology/moves/moves.hpp"
+#include "topology/triangulation.hpp"
+
+namespace tripus::topology {
+
+/// A closed-up triangulation that moves change in place and whose edge and vertex classes keep
+/// their labels: every move updates labels, valences and degrees around it and nothing else, in
+/// time O(1), or O(valence) where edges are merged. This is what makes long runs of moves linear.
+///
+/// Tetrahedra live in slots; a removed one leaves its slot empty for another, so numbers stay what
+/// they are. About 70 bytes a slot.
+///
+/// A *trial* keeps a record of what moves write, until it is kept or undone exactly.
+class MutableTriangulation {
+ public:
+  using Label = std::uint32_t;
+
+  explicit MutableTriangulation(const Triangulation& triangulation);
+
+  /// Empty slots have four open faces.
+  const Gluings& gluings() const { return gluings_; }
+  std::size_t slot_count() const { return gluings_.tetrahedron_count(); }
+  bool is_live(std::size_t t) const { return !gluings_.is_open(t, 0); }
+  std::size_t tetrahedron_count() const { return slot_count() - free_tetrahedra_.size(); }
+
+  /// Label of the edge class of edge e; equal for the same class, whatever its number.
+  Label edge(std::size_t t, int e) const { return edges_[6 * t + static_cast<std::size_t>(e)]; }
+  Label vertex(std::size_t t, int v) const {
+    return vertices_[4 * t + static_cast<std::size_t>(v)];
+  }
+  /// Labels are below these; some are free.
+  std::size_t edge_labels() const { return valences_.size(); }
+  std::size_t vertex_labels() const { return degrees_.size(); }
+  std::uint32_t valence(Label edge) const { return valences_[edge]; }
+  /// Tetrahedron corners at the vertex: triangles of its link. 0 if the label is free.
+  std::uint32_t degree(Label vertex) const { return degrees_[vertex]; }
+  bool is_finite(Label vertex) const { return finite_[vertex] != 0; }
+  std::size_t finite_vertex_count() const { return finite_vertex_count_; }
+  std::size_t vertex_count() const { return vertex_labels() - free_vertices_.size(); }
+  std::size_t edge_count() const { return edge_labels() - free_edges_.size(); }
+
+  /// Why a move cannot be made: as topology::refusal says, but with O(1) look-ups for whether two
+  /// edges are the same. 0-2 and 1-2 moves are not made here (kNoSuchPlace).
+  MoveRefusal refusal(const Move& move) const;
+  /// Makes a legal move; touched() then lists where something new may have become possible.
+  void apply(const Move& move);
+  bool try_apply(const Move& move) {
+    if (refusal(move) != MoveRefusal::kNone) return false;
+    apply(move);
+    return true;
+  }
+
+  /// The live tetrahedra that the last move or collapse made, or, where it made none, those that it
+  /// brought together.
+  std::span<const TetrahedronIndex> touched() const { return touched_; }
+
+  void begin_trial();
+  void keep_trial();
+  void undo_trial();
+
+  /// The table without the empty slots, in the order of the slots.
+  Gluings compacted() const;
+
+ private:
+  friend class EdgeCollapse;
+
+  enum class Field : std::uint8_t {
+    kSide,
+    kEdge,
+    kVertex,
+    kValence,
+    kDegree,
+    kFinite,
+    kTakeTetrahedron,
+    kFreeTetrahedron,
+    kTakeEdge,
+    kFreeEdge,
+    kTakeVertex,
+    kFreeVertex,
+  };
+  struct Written {
+    Field field;
+    Perm4 perm;
+    std::uint32_t index;
+    std::uint32_t old;
+  };
+
+  void record(Field field, std::uint32_t index, std::uint32_t old, Perm4 perm = {}) {
+    if (recording_) journal_.push_back({field, perm, index, old});
+  }
+  void set_side(TetrahedronIndex t, int f, TetrahedronIndex other, Perm4 p);
+  void glue(TetrahedronIndex t, int f, TetrahedronIndex other, Perm4 p) {
+    set_side(t, f, other, p);
+    set_side(other, p(f), t, p.inverse());
+  }
+  void set_edge(TetrahedronIndex t, int e, Label label);
+  void set_vertex(TetrahedronIndex t, int v, Label label);
+  void set_valence(Label edge, std::uint32_t valence);
+  void set_degree(Label vertex, std::uint32_t degree);
+  TetrahedronIndex take_tetrahedron();
+  void free_tetrahedron(TetrahedronIndex t);
+  Label take_edge();
+  void free_edge(Label label);
+  Label take_vertex();
+  void free_vertex(Label label);
+
+  /// Takes the corners of a tetrahedron out of (adds them to) valences and degrees.
+  void uncount(TetrahedronIndex t);
+  void count(TetrahedronIndex t);
+  /// Gives every corner of the edge class at the given one another label, which gets its valence.
+  void relabel_edge(TetrahedronIndex t, int e, Label to);
+  void relabel_vertex(TetrahedronIndex t, int v, Label to);
+
+  void merge_edges(const detail::Ball& ball);
+  void replace_ball(const Move& move);
+  void apply_two_one(const Move& move);
+
+  Gluings gluings_;
+  std::vector<Label> edges_;     // [T x 6]
+  std::vector<Label> vertices_;  // [T x 4]
+  std::vector<std::uint32_t> valences_;
+  std::vector<std::uint32_t> degrees_;
+  std::vector<std::uint8_t> finite_;
+  std::vector<TetrahedronIndex> free_tetrahedra_;
+  std::vector<Label> free_edges_;
+  std::vector<Label> free_vertices_;
+  std::size_t finite_vertex_count_ = 0;
+  std::vector<TetrahedronIndex> touched_;
+  std::vector<std::uint32_t> stack_;
+  bool recording_ = false;
+  std::vector<Written> journal_;
+};
+
+}  // namespace tripus::topology

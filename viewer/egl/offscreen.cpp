@@ -81,7 +81,9 @@ class OffscreenRenderer::Implementation {
     frame.width = width;
     frame.height = height;
     frame.identities = pixels == Pixels::kIdentities;
-    frame.samples = frame.identities ? 1 : samples_for(width, height);
+    frame.samples = frame.identities      ? 1
+                    : options.samples > 0 ? options.samples
+                                          : samples_for(width, height);
     renderer_.draw(options, frame);
 
     Image image{width, height, {}};

@@ -80,6 +80,7 @@ void add_verbs(CLI::App& program, Command& command) {
   add_census(program, command);
   add_check(program, command);
   add_study(program, command);
+  add_view(program, command);
   add_methods(program, command);
   for (CLI::App* verb : program.get_subcommands(nullptr)) verb->group("Verbs");
   program.footer(std::string(kInputHelp) + kExamples + "\n" + kExitStatusHelp);

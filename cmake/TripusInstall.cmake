@@ -16,4 +16,6 @@ install(FILES "${PROJECT_BINARY_DIR}/tripusConfig.cmake"
               "${PROJECT_SOURCE_DIR}/cmake/FindCholmod.cmake"
               "${PROJECT_SOURCE_DIR}/cmake/FindGlpk.cmake"
               "${PROJECT_SOURCE_DIR}/cmake/FindGmp.cmake"
+              "${PROJECT_SOURCE_DIR}/cmake/FindOpenCSG.cmake"
+              "${PROJECT_SOURCE_DIR}/cmake/FindStb.cmake"
         DESTINATION "${TRIPUS_CMAKE_DIR}")

@@ -1,0 +1,235 @@
+// tripus view: see the universal cover, in a window, as a picture, or as a page for a browser.
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "cli/answer.hpp"
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/describe.hpp"
+#include "cli/help.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/numbers.hpp"
+#include "cli/report_text.hpp"
+#include "embedding/universal_cover.hpp"
+#include "structure/solve.hpp"
+#include "viewer/egl/offscreen.hpp"
+#include "viewer/window/window.hpp"
+
+namespace tripus::cli {
+namespace {
+
+struct ViewCommand {
+  CommonOptions common;
+  std::string png;
+  std::string page;     ///< -o
+  std::string gallery;  ///< a file of INPUTs
+  std::string size = "1200x900";
+  std::string camera;
+  std::string model = "upper";
+  std::string colour_by = "tetrahedron";
+  std::optional<double> cut_away;
+  bool no_faces = false;
+  bool no_truncations = false;
+  std::size_t cells = 20;
+  viewer::PictureOptions picture;
+  int width = 0;
+  int height = 0;
+};
+
+/// The numbers of a text like 1x2x3; nothing if it is no such text.
+std::optional<std::vector<double>> numbers_in(std::string_view text, char separator,
+                                              std::size_t count) {
+  std::vector<double> numbers;
+  while (true) {
+    const std::size_t end = std::min(text.find(separator), text.size());
+    const auto number = parse_number(text.substr(0, end));
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+    if (end == text.size()) break;
+    text.remove_prefix(end + 1);
+  }
+  if (numbers.size() != count) return std::nullopt;
+  return numbers;
+}
+
+void parse_size(ViewCommand& command) {
+  const auto sides = numbers_in(command.size, 'x', 2);
+  const auto whole = [](double side) {
+    return side >= 1 && side <= viewer::kLargestSide && side == std::floor(side);
+  };
+  if (!sides || !whole((*sides)[0]) || !whole((*sides)[1])) {
+    throw InvalidInput(fmt::format("--size {}: write WIDTHxHEIGHT, in pixels from 1 to {}",
+                                   tripus::quoted(command.size), viewer::kLargestSide));
+  }
+  command.width = static_cast<int>((*sides)[0]);
+  command.height = static_cast<int>((*sides)[1]);
+}
+
+void parse_camera(ViewCommand& command) {
+  if (command.camera.empty()) return;
+  const auto numbers = numbers_in(command.camera, ',', 3);
+  if (!numbers) {
+    throw InvalidInput(fmt::format(
+        "--camera {}: write AZIMUTH,ELEVATION,DISTANCE, in degrees and radii of the scene",
+        tripus::quoted(command.camera)));
+  }
+  viewer::Camera& camera = command.picture.camera;
+  camera.azimuth = (*numbers)[0];
+  camera.elevation = (*numbers)[1];
+  camera.distance = (*numbers)[2];
+}
+
+/// Names to what the viewers call it; the parser has let no other name through.
+void name_choices(ViewCommand& command) {
+  using viewer::ColourBy;
+  using viewer::Model;
+  viewer::PictureOptions& picture = command.picture;
+  if (command.model == "ball") picture.model = Model::kPoincareBall;
+  if (command.model == "klein") picture.model = Model::kKleinBall;
+  if (command.colour_by == "face") picture.colour_by = ColourBy::kFace;
+  if (command.colour_by == "depth") picture.colour_by = ColourBy::kDepth;
+}
+
+/// The metric of an INPUT, ready to be developed.
+struct Developed {
+  Subject subject;
+  structure::Report report;
+  embedding::Embedding embedding;
+
+  viewer::Scene scene(std::size_t cells, viewer::Model model) const {
+    embedding::UniversalCoverOptions options;
+    options.max_cells = cells;
+    options.stop_requested = &interrupt_requested();
+    const auto cover = embedding::universal_cover(embedding, subject.triangulation, options);
+    return viewer::make_scene(printable(subject.name.empty() ? subject.input : subject.name),
+                              embedding, cover, viewer::default_frame(model, embedding));
+  }
+};
+
+std::string as_json(const Subject& subject, const std::string& file, std::size_t cells) {
+  JsonText out;
+  append_header(out, subject.input);
+  append(out, fmt::format(", \"cells\": {}, \"file\": ", cells));
+  append_string(out, file);
+  out.push_back('}');
+  return fmt::to_string(out);
+}
+
+Outcome view_one(const ViewCommand& command, const std::string& input) {
+  Developed developed{load_subject(input), {}, {}};
+  catch_interrupts();
+  structure::SolveOptions solve;
+  solve.stop_requested = &interrupt_requested();
+  developed.report = structure::solve(developed.subject.triangulation, solve);
+  if (developed.report.outcome != structure::Outcome::kGeometric) {
+    return {command.common.json ? report_as_json(developed.subject, developed.report)
+                                : report_as_text(developed.subject, developed.report),
+            kNoAnswer};
+  }
+  developed.embedding =
+      embedding::embed(developed.subject.triangulation, developed.report.edge_lengths);
+
+  if (!command.page.empty()) {
+    // TODO(web): viewer/web/page.hpp writes command.page from developed.embedding here.
+    throw Unsupported("-o: pages for a browser are not in this build; draw a picture with --png");
+  }
+  if (command.png.empty()) {
+    viewer::WindowOptions window;
+    window.picture = command.picture;
+    window.width = command.width;
+    window.height = command.height;
+    window.cells = command.cells;
+    viewer::show_window(
+        [&](std::size_t cells, viewer::Model model) { return developed.scene(cells, model); },
+        window);
+    return {};
+  }
+  const viewer::Scene scene = developed.scene(command.cells, command.picture.model);
+  const viewer::Image image =
+      viewer::render_picture(scene, command.picture, command.width, command.height);
+  viewer::write_png(image, command.png);
+  if (command.common.json)
+    return {as_json(developed.subject, command.png, scene.cells.size()), kSuccess};
+  return {fmt::format("{}: {} of its universal cover drawn to {}\n", printable(input),
+                      counted(scene.cells.size(), "cell", "cells"), printable(command.png)),
+          kSuccess};
+}
+
+int run(ViewCommand& command) {
+  if (!command.gallery.empty()) {
+    // TODO(web): viewer/web/page.hpp writes the gallery of the INPUTs in command.gallery here.
+    throw Unsupported("--gallery: pages for a browser are not in this build");
+  }
+  parse_size(command);
+  parse_camera(command);
+  name_choices(command);
+  command.picture.cut_away = command.cut_away;
+  command.picture.faces = !command.no_faces;
+  command.picture.truncations = !command.no_truncations;
+  return answer_inputs(command.common,
+                       [&](const std::string& input) { return view_one(command, input); });
+}
+
+void add_picture_options(CLI::App& verb, ViewCommand& command) {
+  verb.add_option("--cells", command.cells, "cells of the universal cover (default: 20)")
+      ->option_text("N")
+      ->check(CLI::Range(std::size_t{1}, viewer::kMostCells));
+  verb.add_option("--model", command.model,
+                  "upper: the upper half-space (default); ball: the Poincare ball; klein")
+      ->option_text("NAME")
+      ->check(CLI::IsMember({"upper", "ball", "klein"}));
+  verb.add_option("--size", command.size, "of the picture or window (default: 1200x900)")
+      ->option_text("WxH");
+  verb.add_option("--colour-by", command.colour_by,
+                  "tetrahedron (default), face, or depth: gluings away from the first cell")
+      ->option_text("WHAT")
+      ->check(CLI::IsMember({"tetrahedron", "face", "depth"}));
+  verb.add_flag("--no-truncations", command.no_truncations,
+                "faces alone, so that one can look into the cells")
+      ->option_text(" ");
+  verb.add_flag("--no-faces", command.no_faces, "truncations alone: the geodesic boundary")
+      ->option_text(" ");
+  verb.add_option("--cut-away", command.cut_away,
+                  "cut the cells at the plane x = X of the model, and leave out what lies beyond")
+      ->option_text("X");
+  verb.add_option("--camera", command.camera,
+                  "azimuth and elevation in degrees, distance in radii of the scene\n"
+                  "(default: 30,20,4.2)")
+      ->option_text("A,E,D");
+}
+
+}  // namespace
+
+void add_view(CLI::App& program, Command& chosen) {
+  CLI::App* verb = program.add_subcommand(
+      "view", "see the universal cover: in a window, as a picture, as a page for a browser");
+  auto command = std::make_shared<ViewCommand>();
+  auto* input = verb->add_option("INPUT", command->common.input,
+                                 "an isomorphism signature, a file, or - for standard input")
+                    ->option_text(" ")
+                    ->transform(unshield());
+  auto* png = verb->add_option("--png", command->png, "draw a picture, without any display")
+                  ->option_text("FILE");
+  auto* page = verb->add_option("-o", command->page, "write a page for a browser, in one file")
+                   ->option_text("FILE.html");
+  auto* gallery =
+      verb->add_option("--gallery", command->gallery,
+                       "a file with one INPUT a line: pages for all of them, and an index")
+          ->option_text("FILE");
+  png->excludes(page)->excludes(gallery);
+  input->excludes(gallery);
+  add_picture_options(*verb, *command);
+  verb->add_flag("--json", command->common.json, "one JSON object");
+  verb->add_flag("--quiet", command->common.quiet, "no progress on standard error");
+  verb->parse_complete_callback([input, gallery] {
+    if (input->count() == 0 && gallery->count() == 0)
+      throw CLI::RequiredError("INPUT or --gallery FILE");
+  });
+  verb->footer(std::string(kInputHelp) + "\n" + kExitStatusHelp);
+  verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
+}
+
+}  // namespace tripus::cli

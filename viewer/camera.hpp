@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "viewer/scene.hpp"
+
+namespace tripus::viewer {
+
+/// Looks at the middle of a scene, z upwards.
+struct Camera {
+  double azimuth = 30;    ///< degrees around z, from x towards y
+  double elevation = 20;  ///< degrees above the horizon, in [-89, 89]
+  double distance = 4.2;  ///< of the eye, in radii of the scene; >= kClosestDistance
+  double zoom = 1;        ///< magnification without moving, > 0
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero();  ///< of the picture, in halves of its height
+};
+
+/// The eye stays outside the scene: image-based CSG needs to see where a primitive begins.
+inline constexpr double kClosestDistance = 2.3;
+inline constexpr double kFarthestDistance = 100;
+
+/// A camera in a scene: column-major matrices as OpenGL has them, eye space looking along -z.
+struct View {
+  Eigen::Matrix4d model_view;  ///< from the model to eye space: a rotation and a translation
+  Eigen::Matrix4d projection;
+  Vector3 eye;  ///< in the model
+  double near = 0;
+  double far = 0;
+  /// Height of the picture in eye space, at distance 1 from the eye.
+  double height_at_one = 0;
+};
+
+/// Requires width, height > 0 and a scene of positive radius.
+View view_of(const Camera& camera, const Ball& scene, int width, int height);
+
+/// The ray through a point of the picture, in pixels from its top left corner; unit direction.
+struct Ray {
+  Vector3 origin;
+  Vector3 direction;
+};
+Ray ray_through(const View& view, int width, int height, double x, double y);
+
+}  // namespace tripus::viewer

@@ -1,0 +1,101 @@
+#include "viewer/egl/offscreen.hpp"
+
+#include <algorithm>
+
+#include "viewer/opencsg/detail/gl.hpp"
+#include "viewer/opencsg/detail/renderer.hpp"
+
+// After GLEW.
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+namespace tripus::viewer {
+namespace {
+
+/// An OpenGL context without a display or a window, current while it lives.
+class OffscreenContext {
+ public:
+  OffscreenContext() {
+    const auto get_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
+        eglGetProcAddress("eglGetPlatformDisplayEXT"));
+    if (get_display != nullptr)
+      display_ = get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, nullptr, nullptr) == EGL_FALSE) {
+      display_ = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+      if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, nullptr, nullptr) == EGL_FALSE)
+        fail("EGL finds no driver");
+    }
+    if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) fail("EGL offers no desktop OpenGL");
+    const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    if (eglChooseConfig(display_, wanted, &config, 1, &count) == EGL_FALSE || count == 0)
+      fail("EGL has no configuration with OpenGL");
+    context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, nullptr);
+    if (context_ == EGL_NO_CONTEXT) fail("EGL makes no OpenGL context");
+    if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE)
+      fail("EGL needs a surface where we have none");
+  }
+  ~OffscreenContext() { close(); }
+  OffscreenContext(const OffscreenContext&) = delete;
+  OffscreenContext& operator=(const OffscreenContext&) = delete;
+
+ private:
+  [[noreturn]] void fail(const std::string& what) {
+    close();
+    throw NoOpenGl(
+        "no OpenGL here: " + what +
+        "; install Mesa's EGL driver (Debian: libegl-mesa0 libgl1-mesa-dri), or write a page "
+        "for a browser with -o page.html");
+  }
+  void close() {
+    if (display_ == EGL_NO_DISPLAY) return;
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
+    eglTerminate(display_);
+    eglReleaseThread();
+  }
+
+  EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+/// Samples a pixel, in each direction: as many as 4 million pixels in all allow.
+int samples_for(int width, int height) {
+  const double pixels = static_cast<double>(width) * height;
+  if (pixels <= 7e5) return 3;
+  return pixels <= 4.5e6 ? 2 : 1;
+}
+
+}  // namespace
+
+Image render_picture(const Scene& scene, const PictureOptions& options, int width, int height,
+                     bool identities) {
+  require_drawable(scene, options, width, height);
+  const OffscreenContext context;
+  Renderer renderer;
+  renderer.set_scene(scene, options.model);
+  const RenderTarget target = make_render_target(width, height);
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+  Renderer::Frame frame;
+  frame.width = width;
+  frame.height = height;
+  frame.samples = identities ? 1 : samples_for(width, height);
+  frame.identities = identities;
+  renderer.draw(options, frame);
+
+  Image image{width, height, {}};
+  const std::size_t row = 4 * static_cast<std::size_t>(width);
+  image.pixels.resize(row * static_cast<std::size_t>(height));
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+  // OpenGL's rows go up.
+  for (std::size_t low = 0, high = static_cast<std::size_t>(height) - 1; low < high; ++low, --high)
+    std::swap_ranges(image.pixels.begin() + static_cast<std::ptrdiff_t>(low * row),
+                     image.pixels.begin() + static_cast<std::ptrdiff_t>((low + 1) * row),
+                     image.pixels.begin() + static_cast<std::ptrdiff_t>(high * row));
+  for (std::size_t i = 3; i < image.pixels.size(); i += 4) image.pixels[i] = 255;
+  return image;
+}
+
+}  // namespace tripus::viewer

@@ -1,0 +1,20 @@
+// What the desktop viewer is in a build without it.
+#include "viewer/egl/offscreen.hpp"
+#include "viewer/window/window.hpp"
+
+namespace tripus::viewer {
+namespace {
+
+[[noreturn]] void refuse() {
+  throw NoOpenGl(
+      "this build of Tripus draws no pictures (TRIPUS_BUILD_VIEWER is OFF); write a page for "
+      "a browser with -o page.html");
+}
+
+}  // namespace
+
+Image render_picture(const Scene&, const PictureOptions&, int, int, bool) { refuse(); }
+void write_png(const Image&, const std::string&) { refuse(); }
+void show_window(const SceneSource&, const WindowOptions&) { refuse(); }
+
+}  // namespace tripus::viewer

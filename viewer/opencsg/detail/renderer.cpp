@@ -1,0 +1,310 @@
+#include "viewer/opencsg/detail/renderer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "viewer/opencsg/detail/cell_product.hpp"
+#include "viewer/opencsg/detail/gl.hpp"
+#include "viewer/opencsg/detail/shaders.hpp"
+
+namespace tripus::viewer {
+namespace {
+
+/// Meshes leave the true walls by less than this, in pixels.
+constexpr double kMeshError = 0.2;
+/// Cells whose ball is of smaller radius on the picture, in pixels, are not drawn.
+constexpr double kSmallestCell = 0.4;
+
+Eigen::Matrix4f as_floats(const Eigen::Matrix4d& matrix) { return matrix.cast<float>(); }
+
+struct Uniform {
+  GLuint program;
+  GLint at(const char* name) const { return glGetUniformLocation(program, name); }
+};
+
+}  // namespace
+
+class Renderer::Implementation {
+ public:
+  Implementation();
+  void set_scene(const Scene& scene, Model model);
+  void draw(const PictureOptions& options, const Frame& frame);
+  const Ball& scene_ball() const { return ball_; }
+
+ private:
+  void draw_cells(const PictureOptions& options, const Frame& frame, const View& view);
+  void draw_cell(std::size_t number, const PictureOptions& options, const Frame& frame,
+                 const View& view, const HalfSpace* cut);
+  void solve_product(const CellProduct& product, const View& view);
+  void shade(std::size_t number, const PictureOptions& options, const Frame& frame,
+             const View& view);
+  void compose(const PictureOptions& options, const Frame& frame, const View& view, GLint target);
+  GLuint compose_program(int samples);
+
+  GlProgram wall_program_;
+  GlProgram compose_program_;
+  int compose_samples_ = 0;
+  DrawnMesh bounding_;
+  RenderTarget target_;
+  Scene scene_;
+  Model model_ = Model::kUpperHalfSpace;
+  Ball ball_;
+  std::vector<CellProduct> products_;
+};
+
+Renderer::Implementation::Implementation()
+    : wall_program_(make_program(kWallVertexShader, kWallFragmentShader)),
+      bounding_(bounding_mesh()) {}
+
+void Renderer::Implementation::set_scene(const Scene& scene, Model model) {
+  // Cells that stay keep their meshes.
+  const bool grows =
+      model == model_ && scene.cells.size() >= scene_.cells.size() &&
+      std::equal(scene_.cells.begin(), scene_.cells.end(), scene.cells.begin(),
+                 [](const SceneCell& a, const SceneCell& b) { return a.walls == b.walls; });
+  if (!grows) products_.clear();
+  scene_ = scene;
+  model_ = model;
+  ball_ = bounding_ball(model, scene);
+  products_.reserve(scene.cells.size());
+  while (products_.size() < scene.cells.size())
+    products_.emplace_back(model, scene.cells[products_.size()]);
+}
+
+void Renderer::Implementation::draw(const PictureOptions& options, const Frame& frame) {
+  const int width = frame.width * frame.samples, height = frame.height * frame.samples;
+  const View view = view_of(options.camera, ball_, frame.width, frame.height);
+  GLint target = 0;
+  glGetIntegerv(GL_FRAMEBUFFER_BINDING, &target);
+  glPushAttrib(GL_ALL_ATTRIB_BITS);
+  if (target_.width != width || target_.height != height)
+    target_ = make_render_target(width, height);
+  glBindFramebuffer(GL_FRAMEBUFFER, target_.framebuffer.name());
+  glViewport(0, 0, width, height);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_DITHER);
+  glClearColor(0, 0, 0, 0);
+  glClearDepth(1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  glEnable(GL_DEPTH_TEST);
+  draw_cells(options, frame, view);
+  compose(options, frame, view, target);
+  glPopAttrib();
+  const GLenum error = glGetError();
+  if (error != GL_NO_ERROR)
+    throw NoOpenGl("OpenGL reports the error " + std::to_string(error) +
+                   " while drawing; try a smaller --size or fewer --cells");
+}
+
+void Renderer::Implementation::draw_cells(const PictureOptions& options, const Frame& frame,
+                                          const View& view) {
+  glMatrixMode(GL_PROJECTION);
+  glLoadMatrixf(as_floats(view.projection).data());
+  glMatrixMode(GL_MODELVIEW);
+  HalfSpace cut{0, {1, 0, 0}, 0};
+  if (options.cut_away) cut.c = -*options.cut_away;
+  // Nearest first: what is hidden then fails the depth test early.
+  std::vector<std::size_t> order(products_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<double> distance(products_.size());
+  for (std::size_t i = 0; i < products_.size(); ++i)
+    distance[i] = (products_[i].centre() - view.eye).norm() - products_[i].scale();
+  std::ranges::sort(order, {}, [&](std::size_t i) { return distance[i]; });
+  for (const std::size_t number : order)
+    draw_cell(number, options, frame, view, options.cut_away ? &cut : nullptr);
+}
+
+void Renderer::Implementation::draw_cell(std::size_t number, const PictureOptions& options,
+                                         const Frame& frame, const View& view,
+                                         const HalfSpace* cut) {
+  CellProduct& product = products_[number];
+  const double distance = (product.centre() - view.eye).norm();
+  const double pixels =
+      product.scale() / distance * frame.height * frame.samples / view.height_at_one;
+  if (pixels < kSmallestCell * frame.samples) return;
+  if (cut != nullptr) {
+    const double beyond = (*cut)(product.centre());
+    if (beyond > product.scale()) return;
+    if (beyond < -product.scale()) cut = nullptr;
+  }
+  product.prepare(kMeshError / pixels, cut);
+
+  Eigen::Matrix4d place = Eigen::Matrix4d::Identity();
+  place.topLeftCorner<3, 3>() *= product.scale();
+  place.topRightCorner<3, 1>() = product.centre();
+  glLoadMatrixf(as_floats(view.model_view * place).data());
+  const bool solid = frame.method == Method::kOpenCsg && options.faces && options.truncations;
+  if (solid) solve_product(product, view);
+  Frame shading = frame;
+  if (!solid) shading.method = Method::kDiscard;
+  shade(number, options, shading, view);
+}
+
+void Renderer::Implementation::solve_product(const CellProduct& product, const View& view) {
+  // The box of the picture where the cell is.
+  const Eigen::Vector3d centre = (view.model_view * product.centre().homogeneous()).head(3);
+  const double reach = kPrimitiveReach * product.scale();
+  Eigen::Array3f low = Eigen::Array3f::Constant(1), high = -low;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d p =
+        centre +
+        reach * Eigen::Vector3d(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+    const Eigen::Vector4d clip = view.projection * p.homogeneous();
+    const Eigen::Array3f ndc = (clip.head<3>() / clip[3]).cast<float>().array();
+    low = low.min(ndc);
+    high = high.max(ndc);
+  }
+  low = low.max(-1);
+  high = high.min(1);
+  if ((low >= high).any()) return;
+
+  std::vector<MeshPrimitive> primitives;
+  primitives.reserve(product.walls().size() + 1);
+  primitives.emplace_back(Operation::kIntersect, bounding_);
+  for (const CellProduct::Wall& wall : product.walls())
+    primitives.emplace_back(wall.operation, wall.mesh);
+  std::vector<OpenCSG::Primitive*> pointers;
+  for (MeshPrimitive& primitive : primitives) {
+    primitive.setBoundingBox(low[0], low[1], low[2], high[0], high[1], high[2]);
+    pointers.push_back(&primitive);
+  }
+  OpenCSG::render(pointers);
+}
+
+void Renderer::Implementation::shade(std::size_t number, const PictureOptions& options,
+                                     const Frame& frame, const View& view) {
+  const CellProduct& product = products_[number];
+  const SceneCell& cell = scene_.cells[number];
+  const std::vector<CellProduct::Wall>& walls = product.walls();
+  std::array<GLfloat, 4 * kMostHalfSpaces> linear{};
+  std::array<GLfloat, kMostHalfSpaces> square{}, kind{};
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    for (int k = 0; k < 3; ++k)
+      linear[4 * i + static_cast<std::size_t>(k)] = static_cast<GLfloat>(walls[i].local.b[k]);
+    linear[4 * i + 3] = static_cast<GLfloat>(walls[i].local.c);
+    square[i] = static_cast<GLfloat>(walls[i].local.a);
+    kind[i] = static_cast<GLfloat>(walls[i].kind);
+  }
+  const Eigen::Vector3f eye = ((view.eye - product.centre()) / product.scale()).cast<float>();
+  // From above the viewer's left shoulder.
+  const Eigen::Vector3f light =
+      (view.model_view.topLeftCorner<3, 3>().transpose() * Eigen::Vector3d(-0.45, 0.65, 0.75))
+          .normalized()
+          .cast<float>();
+  glUseProgram(wall_program_.name());
+  const Uniform uniform{wall_program_.name()};
+  glUniform4fv(uniform.at("linear"), kMostHalfSpaces, linear.data());
+  glUniform1fv(uniform.at("square"), kMostHalfSpaces, square.data());
+  glUniform1fv(uniform.at("kind"), kMostHalfSpaces, kind.data());
+  glUniform1i(uniform.at("count"), static_cast<GLint>(walls.size()));
+  const bool discarding = frame.method == Method::kDiscard;
+  glUniform1i(uniform.at("discarding"), discarding ? 1 : 0);
+  glUniform1i(uniform.at("plain"), frame.identities ? 1 : 0);
+  glUniform3fv(uniform.at("eye"), 1, eye.data());
+  glUniform3fv(uniform.at("key_light"), 1, light.data());
+  // Small cells have thin edges, or they would be nothing but edges.
+  const double pixels = product.scale() / (product.centre() - view.eye).norm() * frame.height *
+                        frame.samples / view.height_at_one;
+  const double widest = 1.5 * frame.samples * std::max(1.0, frame.height / 900.0);
+  glUniform1f(uniform.at("line_width"), static_cast<GLfloat>(std::min(widest, 0.03 * pixels)));
+
+  glDepthFunc(discarding ? GL_LESS : GL_EQUAL);
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const CellProduct::Wall& wall = walls[i];
+    if (wall.kind == WallKind::kFace && !options.faces) continue;
+    if (wall.kind == WallKind::kTruncation && !options.truncations) continue;
+    if (discarding && (wall.kind == WallKind::kModelSide || wall.kind == WallKind::kCutAway))
+      continue;
+    Colour colour = wall.number < kWallCount ? wall_colour(options.colour_by, cell, wall.number)
+                                             : wall_colour(options.colour_by, cell, 4);
+    if (frame.identities) {
+      const auto id = static_cast<std::uint32_t>(number + 1);
+      colour = {static_cast<float>(id & 255U) / 255, static_cast<float>(id >> 8U) / 255,
+                static_cast<float>(wall.number + 1) / 255};
+    }
+    glUniform3fv(uniform.at("colour"), 1, colour.data());
+    glUniform1i(uniform.at("own"), static_cast<GLint>(i));
+    if (discarding) {
+      glDisable(GL_CULL_FACE);
+    } else {
+      glEnable(GL_CULL_FACE);
+      glCullFace(wall.operation == Operation::kIntersect ? GL_BACK : GL_FRONT);
+    }
+    wall.mesh.draw();
+  }
+  glDisable(GL_CULL_FACE);
+  glDepthFunc(GL_LESS);
+  glUseProgram(0);
+}
+
+GLuint Renderer::Implementation::compose_program(int samples) {
+  if (compose_samples_ != samples) {
+    const std::string source = "#version 120\nconst int samples = " + std::to_string(samples) +
+                               ";\n" + std::string(kComposeFragmentShader);
+    compose_program_ = make_program(kComposeVertexShader, source);
+    compose_samples_ = samples;
+  }
+  return compose_program_.name();
+}
+
+void Renderer::Implementation::compose(const PictureOptions& options, const Frame& frame,
+                                       const View& view, GLint target) {
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
+  glViewport(0, 0, frame.width, frame.height);
+  glDisable(GL_DEPTH_TEST);
+  if (frame.identities) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.framebuffer.name());
+    glBlitFramebuffer(0, 0, target_.width, target_.height, 0, 0, frame.width, frame.height,
+                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(target));
+    return;
+  }
+  const Uniform uniform{compose_program(frame.samples)};
+  glUseProgram(uniform.program);
+  glActiveTexture(GL_TEXTURE1);
+  glBindTexture(GL_TEXTURE_2D, target_.depth.name());
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, target_.colour.name());
+  glUniform1i(uniform.at("colours"), 0);
+  glUniform1i(uniform.at("depths"), 1);
+  const auto f = [](double x) { return static_cast<GLfloat>(x); };
+  glUniform2f(uniform.at("size"), f(target_.width), f(target_.height));
+  const Eigen::Matrix4d& p = view.projection;
+  glUniform4f(uniform.at("lens"), f(p(0, 0)), f(p(1, 1)), f(p(0, 2)), f(p(1, 2)));
+  glUniform2f(uniform.at("range"), f(view.near), f(view.far));
+  const Eigen::Matrix3f to_model = view.model_view.topLeftCorner<3, 3>().transpose().cast<float>();
+  glUniformMatrix3fv(uniform.at("to_model"), 1, GL_FALSE, to_model.data());
+  const Eigen::Vector3f eye = view.eye.cast<float>(), middle = ball_.centre.cast<float>();
+  glUniform3fv(uniform.at("eye"), 1, eye.data());
+  glUniform3fv(uniform.at("middle"), 1, middle.data());
+  glUniform1f(uniform.at("extent"), f(ball_.radius));
+  glUniform1f(uniform.at("reach"), options.occlusion ? f(0.22 * ball_.radius) : 0);
+  glUniform1i(uniform.at("model"), options.model == Model::kUpperHalfSpace ? 0 : 1);
+  glBegin(GL_TRIANGLES);
+  glVertex2f(-1, -1);
+  glVertex2f(3, -1);
+  glVertex2f(-1, 3);
+  glEnd();
+  glUseProgram(0);
+}
+
+Renderer::Renderer() {
+  load_opengl();
+  implementation_ = std::make_unique<Implementation>();
+}
+Renderer::~Renderer() { OpenCSG::freeResources(); }
+void Renderer::set_scene(const Scene& scene, Model model) {
+  implementation_->set_scene(scene, model);
+}
+void Renderer::draw(const PictureOptions& options, const Frame& frame) {
+  implementation_->draw(options, frame);
+}
+const Ball& Renderer::scene_ball() const { return implementation_->scene_ball(); }
+
+}  // namespace tripus::viewer

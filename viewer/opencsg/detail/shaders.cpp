@@ -1,0 +1,168 @@
+#include "viewer/opencsg/detail/shaders.hpp"
+
+namespace tripus::viewer {
+
+// GLSL 1.20: OpenCSG draws depths by the fixed functions, and only ftransform() promises the very
+// same depths here.
+const std::string_view kWallVertexShader = R"(#version 120
+varying vec3 position;
+void main() {
+  position = gl_Vertex.xyz;
+  gl_Position = ftransform();
+}
+)";
+
+const std::string_view kWallFragmentShader = R"(#version 120
+const int kMost = 10;          // kMostHalfSpaces
+uniform vec4 linear[kMost];    // b, c of the half-spaces a |p|^2 + b.p + c <= 0
+uniform float square[kMost];   // a
+uniform float kind[kMost];     // 0 face, 1 truncation, 2 side of the model, 3 cut-away
+uniform int count;
+uniform int own;
+uniform bool discarding;       // whether this shader does the CSG itself
+uniform bool plain;            // whether to show `colour` as it is
+uniform vec3 colour;
+uniform vec3 eye;              // in the local frame
+uniform vec3 key_light;        // unit, towards the light
+uniform float line_width;      // pixels
+varying vec3 position;
+
+void main() {
+  // From the mesh to the true wall, along the gradient (of length 1 there).
+  vec3 p = position;
+  float f_own = square[own] * dot(p, p) + dot(linear[own].xyz, p) + linear[own].w;
+  p -= f_own * (2.0 * square[own] * p + linear[own].xyz);
+  vec3 normal = normalize(2.0 * square[own] * p + linear[own].xyz);
+
+  // Distances in pixels to the other walls: where they meet this one are the edges of the cell.
+  float ink = 0.0;
+  bool outside = false;
+  for (int i = 0; i < kMost; ++i) {
+    if (i >= count) break;
+    float f = square[i] * dot(p, p) + dot(linear[i].xyz, p) + linear[i].w;
+    vec2 slope = vec2(dFdx(f), dFdy(f));
+    float pixels = -f / max(length(slope), 1e-12);
+    if (i == own) continue;
+    outside = outside || f > 0.0;
+    if (kind[i] == 2.0) continue;
+    bool edge = kind[own] == 0.0 && kind[i] == 0.0;
+    float width = edge ? line_width : 0.5 * line_width;
+    float strength = edge ? 0.85 : 0.55;
+    ink = max(ink, strength * (1.0 - smoothstep(width - 0.6, width + 0.6, pixels)));
+  }
+  if (discarding && outside) discard;
+  if (plain) {
+    gl_FragColor = vec4(colour, 1.0);
+    return;
+  }
+  vec3 view = normalize(eye - p);
+  if (discarding && dot(normal, view) < 0.0) normal = -normal;
+  float key = max(dot(normal, key_light), 0.0);
+  float sky = 0.5 + 0.5 * normal.z;
+  float shine = pow(max(dot(normal, normalize(key_light + view)), 0.0), 40.0);
+  float rim = pow(1.0 - max(dot(normal, view), 0.0), 3.0);
+  vec3 albedo = colour * colour;  // about from sRGB to light
+  vec3 light = albedo * (0.75 * key + mix(vec3(0.26, 0.24, 0.23), vec3(0.46, 0.49, 0.54), sky));
+  light += vec3(0.10 * shine) + vec3(0.05, 0.055, 0.06) * rim;
+  vec3 shown = sqrt(clamp(light, 0.0, 1.0));
+  gl_FragColor = vec4(mix(shown, 0.22 * colour, ink), 1.0);
+}
+)";
+
+const std::string_view kComposeVertexShader = R"(#version 120
+void main() { gl_Position = gl_Vertex; }
+)";
+
+// `samples` is defined by the caller in front of this text, with the version line.
+const std::string_view kComposeFragmentShader = R"(
+uniform sampler2D colours;
+uniform sampler2D depths;
+uniform vec2 size;             // of the textures, pixels
+uniform vec4 lens;             // projection: its [0][0], [1][1], [2][0], [2][1]
+uniform vec2 range;            // near, far
+uniform mat3 to_model;         // directions from eye space
+uniform vec3 eye;              // in the model
+uniform float reach;           // of the darkening, in the model's unit
+uniform int model;             // 0 upper half-space, 1 a ball
+uniform vec3 middle;           // of the scene, and its radius
+uniform float extent;
+
+float distance_at(vec2 at) {
+  float z = 2.0 * texture2D(depths, at).r - 1.0;
+  return 2.0 * range.x * range.y / (range.y + range.x - z * (range.y - range.x));
+}
+
+vec3 place(vec2 at, float far) {
+  vec2 ndc = 2.0 * at - 1.0;
+  return vec3((ndc + lens.zw) / lens.xy, -1.0) * far;
+}
+
+// How much of the sky above a point its surroundings leave open.
+float openness(vec2 at, vec2 pixel) {
+  float d = distance_at(at);
+  vec3 p = place(at, d);
+  // The slope of the surface, from the nearer neighbours on each side.
+  float west = distance_at(at - vec2(1.0, 0.0) / size), east = distance_at(at + vec2(1.0, 0.0) / size);
+  float south = distance_at(at - vec2(0.0, 1.0) / size), north = distance_at(at + vec2(0.0, 1.0) / size);
+  vec3 across = abs(west - d) < abs(east - d) ? p - place(at - vec2(1.0, 0.0) / size, west)
+                                              : place(at + vec2(1.0, 0.0) / size, east) - p;
+  vec3 along = abs(south - d) < abs(north - d) ? p - place(at - vec2(0.0, 1.0) / size, south)
+                                               : place(at + vec2(0.0, 1.0) / size, north) - p;
+  vec3 normal = normalize(cross(across, along));
+  float turn = 6.2831853 * fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
+  float closed = 0.0;
+  for (int i = 0; i < 14; ++i) {
+    float share = (float(i) + 0.5) / 14.0;
+    float angle = turn + 2.3999632 * float(i);
+    vec2 offset = 0.5 * lens.xy * reach * share / d * vec2(cos(angle), sin(angle));
+    vec2 there = at + offset;
+    vec3 way = place(there, distance_at(there)) - p;
+    float length2 = dot(way, way);
+    float fade = max(1.0 - length2 / (reach * reach), 0.0);
+    closed += fade * max(dot(normal, way) * inversesqrt(length2 + 1e-12) - 0.08, 0.0);
+  }
+  return 1.0 / (1.0 + 2.4 * closed / 14.0 * 2.0);
+}
+
+vec3 background(vec2 at) {
+  vec3 direction = to_model * normalize(place(at, 1.0));
+  vec3 sky = mix(vec3(0.90, 0.92, 0.945), vec3(0.985, 0.985, 0.98), smoothstep(0.0, 1.0, 1.0 - at.y));
+  if (model == 0) {
+    // The plane at infinity, z = 0, fading out around the scene.
+    float t = -eye.z / direction.z;
+    if (eye.z * direction.z < 0.0) {
+      vec2 ground = eye.xy + t * direction.xy - middle.xy;
+      float fade = exp(-dot(ground, ground) / (3.2 * extent * extent));
+      sky = mix(sky, vec3(0.80, 0.83, 0.86), 0.75 * fade);
+    }
+    return sky;
+  }
+  // The ball: a faint glass sphere.
+  float b = dot(eye, direction);
+  float gap = dot(eye, eye) - b * b;
+  if (gap < 1.0 && b < 0.0) sky = mix(sky, vec3(0.74, 0.79, 0.85), 0.18 + 0.42 * pow(gap, 6.0));
+  return sky;
+}
+
+void main() {
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < samples; ++i) {
+    for (int j = 0; j < samples; ++j) {
+      vec2 pixel = float(samples) * floor(gl_FragCoord.xy) + vec2(float(i), float(j)) + 0.5;
+      vec2 at = pixel / size;
+      vec4 drawn = texture2D(colours, at);
+      vec3 shown;
+      if (drawn.a == 0.0) {
+        shown = background(at);
+      } else {
+        shown = drawn.rgb;
+        if (reach > 0.0) shown *= mix(vec3(0.05, 0.07, 0.12), vec3(1.0), openness(at, pixel));
+      }
+      sum += shown;
+    }
+  }
+  gl_FragColor = vec4(sum / float(samples * samples), 1.0);
+}
+)";
+
+}  // namespace tripus::viewer

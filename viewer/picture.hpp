@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "viewer/camera.hpp"
+#include "viewer/scene.hpp"
+
+namespace tripus::viewer {
+
+/// What a picture of a scene looks like.
+struct PictureOptions {
+  Model model = Model::kUpperHalfSpace;
+  ColourBy colour_by = ColourBy::kTetrahedron;
+  bool faces = true;        ///< without them, the truncations alone are drawn, and not solid
+  bool truncations = true;  ///< without them, the faces alone are drawn, and not solid
+  /// Cells are cut at the plane x = cut_away of the model, and what lies beyond is not drawn.
+  std::optional<double> cut_away;
+  Camera camera;
+  bool occlusion = true;  ///< whether nooks are darkened; costs some
+};
+
+/// An image: rows from the top, red, green, blue and alpha of each pixel.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;  ///< [height x width x 4]
+};
+
+/// Sides of pictures may be as long as this.
+inline constexpr int kLargestSide = 4096;
+/// Cells in a scene that is drawn may be as many as this.
+inline constexpr std::size_t kMostCells = 20000;
+
+/// Throws InvalidInput, naming the option, for a size, a camera or a number of cells out of range.
+void require_drawable(const Scene& scene, const PictureOptions& options, int width, int height);
+
+/// OpenGL, or a display, is missing here. The message says what to do about it.
+class NoOpenGl : public Unsupported {
+ public:
+  using Unsupported::Unsupported;
+};
+
+/// Writes a PNG file. Throws InvalidInput if it cannot be written, with the system's reason.
+void write_png(const Image& image, const std::string& path);
+
+}  // namespace tripus::viewer

@@ -1,0 +1,38 @@
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "viewer/picture.hpp"
+
+// The encoder is compiled here, and nowhere else; its own warnings are not ours to mend.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#define STBI_WRITE_NO_STDIO
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
+
+namespace tripus::viewer {
+
+void write_png(const Image& image, const std::string& path) {
+  std::vector<std::uint8_t> encoded;
+  const auto append = [](void* to, void* data, int size) {
+    const auto* bytes = static_cast<const std::uint8_t*>(data);
+    auto& out = *static_cast<std::vector<std::uint8_t>*>(to);
+    out.insert(out.end(), bytes, bytes + size);
+  };
+  stbi_write_png_compression_level = 9;
+  if (stbi_write_png_to_func(append, &encoded, image.width, image.height, 4, image.pixels.data(),
+                             4 * image.width) == 0)
+    throw InternalError("the picture could not be encoded as PNG");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"),
+                                                             &std::fclose);
+  if (!file || std::fwrite(encoded.data(), 1, encoded.size(), file.get()) != encoded.size() ||
+      std::fflush(file.get()) != 0)
+    throw InvalidInput("cannot write " + quoted(path) + ": " + std::strerror(errno));
+}
+
+}  // namespace tripus::viewer

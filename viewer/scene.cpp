@@ -1,0 +1,181 @@
+#include "viewer/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "base/error.hpp"
+
+namespace tripus::viewer {
+namespace {
+
+/// Points bulge beyond the samples of a wall by at most this part of the ball's radius.
+constexpr double kBulge = 1.02;
+
+/// The corners of a wall, in cyclic order: 6 of a face, 3 of a truncation.
+std::vector<std::size_t> corners_of_wall(std::size_t wall) {
+  const auto corner = [](std::size_t v, std::size_t w) { return 3 * v + w - (w > v ? 1 : 0); };
+  std::vector<std::size_t> around, result;
+  for (std::size_t v = 0; v < 4; ++v)
+    if (v != wall % 4) around.push_back(v);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (is_truncation(wall)) {
+      result.push_back(corner(wall - 4, around[i]));
+      continue;
+    }
+    const std::size_t before = around[(i + 2) % 3], here = around[i], after = around[(i + 1) % 3];
+    result.push_back(corner(here, before));
+    result.push_back(corner(here, after));
+  }
+  return result;
+}
+
+Colour mixed(const Colour& from, const Colour& to, float t) {
+  Colour result;
+  for (std::size_t i = 0; i < 3; ++i) result[i] = (1 - t) * from[i] + t * to[i];
+  return result;
+}
+
+}  // namespace
+
+Scene make_scene(std::string title, const embedding::Embedding& embedding,
+                 std::span<const embedding::Cell> cells, const geometry::Matrix4& frame) {
+  Scene scene;
+  scene.title = std::move(title);
+  scene.tetrahedron_count = embedding.tetrahedra.size();
+  scene.cells.reserve(cells.size());
+  for (const embedding::Cell& from : cells) {
+    const geometry::HyperboloidTetrahedron& shape = embedding.tetrahedra[from.tetrahedron];
+    const geometry::Matrix4 place = frame * from.isometry;
+    SceneCell& cell = scene.cells.emplace_back();
+    cell.tetrahedron = from.tetrahedron;
+    cell.depth = from.depth;
+    for (std::size_t i = 0; i < 4; ++i) {
+      cell.walls[i] = place * shape.faces[i];
+      cell.walls[4 + i] = place * shape.vertices[i];
+    }
+    std::size_t next = 0;
+    for (int v = 0; v < 4; ++v)
+      for (int w = 0; w < 4; ++w)
+        if (w != v) cell.corners[next++] = place * geometry::corner(shape, v, w);
+  }
+  return scene;
+}
+
+geometry::Matrix4 default_frame(Model model, const embedding::Embedding& embedding,
+                                std::uint32_t root) {
+  using geometry::lorentz_product;
+  if (model != Model::kUpperHalfSpace) return geometry::Matrix4::Identity();
+  // An orthonormal frame at the middle of edge 03, its third vector along the edge, its first
+  // towards the middle of the cell; its inverse brings it to the axes.
+  const geometry::HyperboloidTetrahedron& shape = embedding.tetrahedra[root];
+  const Vector4 upper = geometry::corner(shape, 3, 0), lower = geometry::corner(shape, 0, 3);
+  geometry::Matrix4 axes;
+  const auto without = [&](Vector4 x, int column) {
+    const Vector4 axis = axes.col(column);
+    return Vector4(x - lorentz_product(x, axis) / lorentz_product(axis, axis) * axis);
+  };
+  const auto unit = [](const Vector4& x) {
+    return Vector4(x / std::sqrt(std::abs(lorentz_product(x, x))));
+  };
+  axes.col(3) = unit(upper + lower);
+  axes.col(2) = unit(without(upper, 3));
+  axes.col(0) = unit(without(without(geometry::origin(), 3), 2));
+  Vector4 last = Vector4::Zero();
+  for (int i = 0; i < 3; ++i) {
+    const Vector4 candidate = without(without(without(Vector4::Unit(i), 3), 2), 0);
+    if (candidate.norm() > last.norm()) last = candidate;
+  }
+  axes.col(1) = unit(last);
+  if (axes.determinant() < 0) axes.col(1) = -axes.col(1);
+  return geometry::lorentz_inverse(axes);
+}
+
+std::vector<Vector3> outline(Model model, const SceneCell& cell) {
+  constexpr int kSteps = 4;
+  std::vector<Vector3> points;
+  const auto add = [&](const Vector4& x) {  // sums of points of the hyperboloid are timelike
+    points.push_back(geometry::to_model(model, x / std::sqrt(-geometry::lorentz_product(x, x))));
+  };
+  for (std::size_t wall = 0; wall < kWallCount; ++wall) {
+    const std::vector<std::size_t> around = corners_of_wall(wall);
+    Vector4 middle = Vector4::Zero();
+    for (const std::size_t corner : around) middle += cell.corners[corner];
+    middle /= static_cast<double>(around.size());
+    add(middle);
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      const Vector4 &a = cell.corners[around[k]],
+                    &b = cell.corners[around[(k + 1) % around.size()]];
+      for (int i = 0; i < kSteps; ++i) {
+        const Vector4 edge = a + (b - a) * i / kSteps;
+        add(edge);
+        add((edge + middle) / 2);
+      }
+    }
+  }
+  return points;
+}
+
+namespace {
+
+/// Ritter's ball: never smaller than need be, and seldom a tenth larger.
+Ball ball_around(const std::vector<Vector3>& points) {
+  const auto farthest = [&](const Vector3& from) {
+    return *std::ranges::max_element(points, {},
+                                     [&](const Vector3& p) { return (p - from).squaredNorm(); });
+  };
+  const Vector3 one = farthest(points.front()), other = farthest(one);
+  Ball ball{(one + other) / 2, (one - other).norm() / 2};
+  for (const Vector3& p : points) {
+    const double distance = (p - ball.centre).norm();
+    if (distance <= ball.radius) continue;
+    const double grown = (ball.radius + distance) / 2;
+    ball.centre += (p - ball.centre) * ((grown - ball.radius) / distance);
+    ball.radius = grown;
+  }
+  return ball;
+}
+
+}  // namespace
+
+Ball bounding_ball(Model model, const SceneCell& cell) {
+  Ball ball = ball_around(outline(model, cell));
+  ball.radius *= kBulge;
+  return ball;
+}
+
+Ball bounding_ball(Model model, const Scene& scene) {
+  if (scene.cells.empty()) throw InvalidInput("a scene without cells has no extent");
+  std::vector<Vector3> points;
+  for (const SceneCell& cell : scene.cells)
+    for (const Vector4& corner : cell.corners) points.push_back(geometry::to_model(model, corner));
+  for (const Vector3& p : outline(model, scene.cells.front())) points.push_back(p);
+  Ball ball = ball_around(points);
+  ball.radius *= kBulge;
+  return ball;
+}
+
+Colour wall_colour(ColourBy colour_by, const SceneCell& cell, std::size_t wall) {
+  // M. Okabe, K. Ito, "Color universal design": without black, in an order of our own.
+  static constexpr std::array<Colour, 7> kPalette{{{0.337F, 0.706F, 0.914F},
+                                                   {0.902F, 0.624F, 0.000F},
+                                                   {0.000F, 0.620F, 0.451F},
+                                                   {0.800F, 0.475F, 0.655F},
+                                                   {0.000F, 0.447F, 0.698F},
+                                                   {0.835F, 0.369F, 0.000F},
+                                                   {0.941F, 0.894F, 0.259F}}};
+  constexpr Colour kPaper{0.97F, 0.96F, 0.93F};
+  constexpr float kTint = 0.62F;
+  if (colour_by == ColourBy::kFace) return is_truncation(wall) ? kPaper : kPalette[wall];
+  Colour colour = kPalette[cell.tetrahedron % kPalette.size()];
+  if (colour_by == ColourBy::kDepth) {
+    constexpr float kFade = 6;  // gluings after which the ramp is nearly at its end
+    const float t = 1 - std::exp(-static_cast<float>(cell.depth) / kFade);
+    colour = t < 0.5F ? mixed(kPalette[4], kPalette[2], 2 * t)
+                      : mixed(kPalette[2], kPalette[6], 2 * t - 1);
+  }
+  return is_truncation(wall) ? mixed(colour, kPaper, kTint) : colour;
+}
+
+}  // namespace tripus::viewer

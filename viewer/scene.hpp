@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "embedding/universal_cover.hpp"
+#include "viewer/half_space.hpp"
+
+namespace tripus::viewer {
+
+/// The walls of a truncated tetrahedron: its faces 0..3 (hexagons), then its truncations 0..3
+/// (triangles), wall 4 + v truncating vertex v.
+inline constexpr std::size_t kWallCount = 8;
+constexpr bool is_truncation(std::size_t wall) { return wall >= 4; }
+
+/// One cell of the universal cover, ready to be drawn: an intersection of 8 half-spaces.
+struct SceneCell {
+  std::uint32_t tetrahedron = 0;
+  std::uint32_t depth = 0;  ///< gluings away from the first cell
+  /// [8] unit outward normals of the walls, hyperboloid model, time last: <normal, X> <= 0 inside.
+  std::array<Vector4, kWallCount> walls;
+  /// [12] corners on the hyperboloid: corner 3 v + k lies on truncation v and on the k-th edge of
+  /// the tetrahedron at v, in the order of the other vertices.
+  std::array<Vector4, 12> corners;
+};
+
+/// What is drawn, by every viewer.
+struct Scene {
+  std::string title;
+  std::size_t tetrahedron_count = 0;  ///< of the triangulation
+  std::vector<SceneCell> cells;
+};
+
+/// Puts cells into a scene.
+///   frame  moves all of them; default_frame(model) makes for good pictures
+Scene make_scene(std::string title, const embedding::Embedding& embedding,
+                 std::span<const embedding::Cell> cells, const geometry::Matrix4& frame);
+
+/// An isometry that puts the first cell where its picture tells most: its middle at the middle of
+/// the ball; in the upper half-space one of its edges on the vertical axis, as in the paper.
+geometry::Matrix4 default_frame(Model model, const embedding::Embedding& embedding,
+                                std::uint32_t root = 0);
+
+/// A ball in a model.
+struct Ball {
+  Vector3 centre = Vector3::Zero();
+  double radius = 0;
+};
+
+/// Points of the cell's surface whose spread is that of the cell, its corners among them.
+std::vector<Vector3> outline(Model model, const SceneCell& cell);
+
+/// A ball that contains the cell, not much larger than need be.
+Ball bounding_ball(Model model, const SceneCell& cell);
+
+/// A ball that contains all cells. Throws InvalidInput if there are none.
+Ball bounding_ball(Model model, const Scene& scene);
+
+/// What tells cells apart.
+enum class ColourBy {
+  kTetrahedron,  ///< the tetrahedron of the triangulation
+  kFace,         ///< the face 0..3
+  kDepth,        ///< gluings away from the first cell
+};
+
+/// Red, green, blue in [0, 1], sRGB.
+using Colour = std::array<float, 3>;
+
+/// The colour of a wall of a cell: Okabe and Ito's palette, safe for colour-blind readers, and a
+/// ramp of one hue to another for the depth. Truncations have a light tint of their cell's colour.
+Colour wall_colour(ColourBy colour_by, const SceneCell& cell, std::size_t wall);
+
+}  // namespace tripus::viewer

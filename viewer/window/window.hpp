@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "viewer/picture.hpp"
+
+namespace tripus::viewer {
+
+struct WindowOptions {
+  PictureOptions picture;
+  int width = 1200;
+  int height = 900;
+  std::size_t cells = 1;       ///< to begin with
+  std::string picture_folder;  ///< where the key for it saves pictures; empty: the current one
+  int most_frames = 0;         ///< closes the window after so many; 0: when the user does
+};
+
+/// The scene with so many cells, in a model: called when the user asks for more or another model.
+using SceneSource = std::function<Scene(std::size_t cells, Model model)>;
+
+/// Shows a window until it is closed. On screen is what the mouse and the keys do.
+/// Throws InvalidInput for what cannot be drawn, and NoOpenGl where there is no display or no
+/// OpenGL.
+void show_window(const SceneSource& scene_of, const WindowOptions& options);
+
+}  // namespace tripus::viewer

@@ -1,0 +1,96 @@
+// Law M6 of topology/README.md: whatever moves are made, the manifold stays the same, as far as H1,
+// the links, orientability and the homology of its covers with two and three sheets tell.
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/data_files.hpp"
+#include "topology/covers/cover_homology.hpp"
+#include "topology/isomorphism.hpp"
+#include "topology/isosig.hpp"
+#include "topology/moves/moves.hpp"
+
+namespace tripus::topology {
+namespace {
+
+struct Fingerprint {
+  std::string homology;
+  bool orientable = false;
+  std::vector<std::tuple<int, bool>> links;  // Euler characteristic, orientable; no spheres
+  CoverHomology double_covers, triple_covers;
+
+  explicit Fingerprint(const Gluings& gluings) {
+    const Triangulation triangulation(gluings);
+    homology = to_string(first_homology(triangulation));
+    orientable = triangulation.is_orientable();
+    for (std::size_t v = 0; v < triangulation.vertex_count(); ++v) {
+      const VertexLink& link = triangulation.link(v);
+      if (link.euler_characteristic != 2)
+        links.emplace_back(link.euler_characteristic, link.orientable);
+    }
+    std::ranges::sort(links);
+    double_covers = cover_homology(triangulation, 2);
+    triple_covers = cover_homology(triangulation, 3);
+  }
+  friend auto operator<=>(const Fingerprint&, const Fingerprint&) = default;
+};
+
+/// Of all kinds: boundary of genus 2 and 3, cusps, closed, non-orientable; every nth of the lists.
+std::vector<std::string> triangulations() {
+  std::vector<std::string> found;
+  const auto take = [&found](const std::vector<std::string>& lines, std::size_t stride) {
+    for (std::size_t i = 0; i < lines.size(); i += stride) found.push_back(lines[i]);
+  };
+  take(testing::data_lines("triangulations-2.txt"), 1);
+  take(testing::data_lines("triangulations-3.txt"), 12);
+  take(testing::data_lines("triangulations-4.txt"), 400);
+  take(testing::data_lines("triangulations-cusped.txt"), 2);
+  std::set<std::string> golden;
+  for (const testing::Row& row : testing::data_table("covers-golden.tsv"))
+    golden.insert(row.at("isosig"));
+  take({golden.begin(), golden.end()}, 2);
+  return found;
+}
+
+std::vector<MoveKind> every_kind() {
+  std::vector<MoveKind> kinds;
+  for (const MoveInfo& line : move_table()) kinds.push_back(line.kind);
+  return kinds;
+}
+
+TEST(ManifoldStays, UnderRandomMovesOfEveryKind) {
+  const auto kinds = every_kind();
+  std::map<MoveKind, std::size_t> made;
+  std::uint64_t seed = 20261122;
+  for (const std::string& signature : triangulations()) {
+    SCOPED_TRACE(signature + ", seed " + std::to_string(seed));
+    Gluings gluings = random_relabelling(decode_isosig(signature), seed);
+    const Fingerprint before(gluings);
+    for (int round = 0; round < 12; ++round) {
+      for (const Move& move : randomize(gluings, {.count = 12, .seed = seed++, .kinds = kinds,
+                                                  .max_tetrahedra = 14}))
+        ++made[move.kind];
+      ASSERT_TRUE(Fingerprint(gluings) == before) << isosig(gluings);
+    }
+  }
+  for (const MoveKind kind : kinds) EXPECT_GE(made[kind], 50u) << info(kind).name;
+}
+
+// The fingerprint would notice: it tells many manifolds apart that H1 and the boundary do not.
+TEST(ManifoldStays, IsSeenByTheHomologyOfCovers) {
+  std::set<Fingerprint> all;
+  std::set<std::tuple<std::string, std::string>> coarse;
+  for (const testing::Row& row : testing::compact_manifolds()) {
+    all.insert(Fingerprint(decode_isosig(row.at("isosig"))));
+    coarse.emplace(row.at("boundary"), row.at("H1"));
+  }
+  EXPECT_GE(all.size(), 2 * coarse.size());
+}
+
+}  // namespace
+}  // namespace tripus::topology

@@ -4,6 +4,7 @@
 
 #include "cli/arguments.hpp"
 #include "cli/batch.hpp"
+#include "cli/input.hpp"
 #include "cli/json.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
@@ -75,20 +76,26 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
   });
 }
 
+int answer_lines(const CommonOptions& options, std::string_view text,
+                 const std::function<Outcome(const topology::BatchLine&)>& answer) {
+  return run_batch(text, {options.threads, options.quiet},
+                   [&](const topology::BatchLine& line) -> Answer {
+                     try {
+                       if (line.text == "-") throw InvalidInput(kNoStandardInput);
+                       std::string answered = answer(line).text;
+                       if (!answered.empty() && answered.back() == '\n') answered.pop_back();
+                       return {std::move(answered), {}};
+                     } catch (const std::exception& error) {
+                       return error_answer(line.text, options.json, error);
+                     }
+                   });
+}
+
 int answer_inputs(const CommonOptions& options,
                   const std::function<Outcome(const std::string&)>& answer) {
   if (options.batch.empty()) return answer_one(options, answer);
-  return run_batch({options.batch, options.threads, options.quiet},
-                   [&](const std::string& input) -> Answer {
-                     try {
-                       if (input == "-") throw InvalidInput(kNoStandardInput);
-                       std::string text = answer(input).text;
-                       if (!text.empty() && text.back() == '\n') text.pop_back();
-                       return {std::move(text), {}};
-                     } catch (const std::exception& error) {
-                       return error_answer(input, options.json, error);
-                     }
-                   });
+  return answer_lines(options, read_file(options.batch),
+                      [&](const topology::BatchLine& line) { return answer(line.text); });
 }
 
 }  // namespace tripus::cli

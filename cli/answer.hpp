@@ -2,9 +2,11 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "cli/commands.hpp"
 #include "cli/exit_status.hpp"
+#include "topology/formats/formats.hpp"
 
 namespace tripus::cli {
 
@@ -19,5 +21,9 @@ struct Outcome {
 /// the next line goes on.
 int answer_inputs(const CommonOptions& options,
                   const std::function<Outcome(const std::string& input)>& answer);
+
+/// The same for every line of the text of a batch file, with its number.
+int answer_lines(const CommonOptions& options, std::string_view text,
+                 const std::function<Outcome(const topology::BatchLine& line)>& answer);
 
 }  // namespace tripus::cli

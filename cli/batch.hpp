@@ -2,6 +2,9 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
+
+#include "topology/formats/formats.hpp"
 
 namespace tripus::cli {
 
@@ -12,17 +15,16 @@ struct Answer {
 };
 
 struct BatchOptions {
-  std::string file;      ///< one INPUT a line, `-` for standard input
   unsigned threads = 0;  ///< 0: all cores
   bool quiet = false;
 };
 
-/// Answers every line, on all threads, and writes the answers in the order of the input.
+/// Answers every line of the text of a batch file, on all threads, and writes the answers in the
+/// order of the input.
 /// `answer` must not throw and must be safe to call from several threads.
 /// Returns the exit status: success when the run finished, no answer when it was interrupted; then
 /// the answers so far are out.
-/// Throws InvalidInput if the file cannot be read.
-int run_batch(const BatchOptions& options,
-              const std::function<Answer(const std::string& input)>& answer);
+int run_batch(std::string_view text, const BatchOptions& options,
+              const std::function<Answer(const topology::BatchLine& line)>& answer);
 
 }  // namespace tripus::cli

@@ -4,7 +4,6 @@
 
 #include "cli/arguments.hpp"
 #include "cli/batch.hpp"
-#include "cli/input.hpp"
 #include "cli/json.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
@@ -13,10 +12,12 @@ namespace tripus::cli {
 namespace {
 
 constexpr int kMostThreads = 1024;
-constexpr const char* kNoStandardInput =
+
+}  // namespace
+
+const char* const kNoStandardInput =
     "a line of a batch cannot be standard input; give a signature or a file";
 
-/// An exception as an answer: a JSON object for standard output, a line for standard error.
 Answer error_answer(const std::string& input, bool json, const std::exception& error) {
   const bool out_of_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
   const std::string message =
@@ -34,6 +35,8 @@ Answer error_answer(const std::string& input, bool json, const std::exception& e
 int status_of(const std::exception& error) {
   return dynamic_cast<const InvalidInput*>(&error) != nullptr ? kBadInput : kInternalFailure;
 }
+
+namespace {
 
 int answer_one(const CommonOptions& options,
                const std::function<Outcome(const std::string&)>& answer) {
@@ -55,20 +58,17 @@ int answer_one(const CommonOptions& options,
 
 }  // namespace
 
-void add_common_options(CLI::App& verb, CommonOptions& options) {
+void add_input_options(CLI::App& verb, CommonOptions& options, const char* answers) {
   auto* input = verb.add_option("INPUT", options.input,
                                 "an isomorphism signature, a file, or - for standard input")
                     ->option_text(" ")
                     ->transform(unshield());
   auto* batch = verb.add_option("--batch", options.batch,
-                                "a file with one INPUT a line and # comments, or - for standard\n"
-                                "input; one answer for each, in the same order")
+                                fmt::format("a file with one INPUT a line and # comments, or - "
+                                            "for standard\ninput; {}",
+                                            answers))
                     ->option_text("FILE");
   input->excludes(batch);
-  verb.add_flag("--json", options.json, "one JSON object for each INPUT, one a line");
-  verb.add_option("--threads", options.threads, "threads for --batch (default: all cores)")
-      ->option_text("N")
-      ->check(whole_number(kMostThreads));
   verb.add_flag("--quiet", options.quiet, "no progress on standard error");
   verb.parse_complete_callback([input, batch] {
     if (input->count() == 0 && batch->count() == 0)
@@ -76,12 +76,19 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
   });
 }
 
-int answer_lines(const CommonOptions& options, std::string_view text,
+void add_common_options(CLI::App& verb, CommonOptions& options) {
+  add_input_options(verb, options, "one answer for each, in the same order");
+  verb.add_flag("--json", options.json, "one JSON object for each INPUT, one a line");
+  verb.add_option("--threads", options.threads, "threads for --batch (default: all cores)")
+      ->option_text("N")
+      ->check(whole_number(kMostThreads));
+}
+
+int answer_lines(const CommonOptions& options,
                  const std::function<Outcome(const topology::BatchLine&)>& answer) {
-  return run_batch(text, {options.threads, options.quiet},
+  return run_batch({options.batch, options.threads, options.quiet},
                    [&](const topology::BatchLine& line) -> Answer {
                      try {
-                       if (line.text == "-") throw InvalidInput(kNoStandardInput);
                        std::string answered = answer(line).text;
                        if (!answered.empty() && answered.back() == '\n') answered.pop_back();
                        return {std::move(answered), {}};
@@ -94,8 +101,10 @@ int answer_lines(const CommonOptions& options, std::string_view text,
 int answer_inputs(const CommonOptions& options,
                   const std::function<Outcome(const std::string&)>& answer) {
   if (options.batch.empty()) return answer_one(options, answer);
-  return answer_lines(options, read_file(options.batch),
-                      [&](const topology::BatchLine& line) { return answer(line.text); });
+  return answer_lines(options, [&](const topology::BatchLine& line) {
+    if (line.text == "-") throw InvalidInput(kNoStandardInput);
+    return answer(line.text);
+  });
 }
 
 }  // namespace tripus::cli

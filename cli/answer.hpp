@@ -1,12 +1,12 @@
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <string>
-#include <string_view>
 
+#include "cli/batch.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_status.hpp"
-#include "topology/formats/formats.hpp"
 
 namespace tripus::cli {
 
@@ -22,8 +22,15 @@ struct Outcome {
 int answer_inputs(const CommonOptions& options,
                   const std::function<Outcome(const std::string& input)>& answer);
 
-/// The same for every line of the text of a batch file, with its number.
-int answer_lines(const CommonOptions& options, std::string_view text,
+/// The same for every line of the file options.batch, with its number.
+int answer_lines(const CommonOptions& options,
                  const std::function<Outcome(const topology::BatchLine& line)>& answer);
+
+/// An exception as an answer: a JSON object for standard output, a line for standard error.
+Answer error_answer(const std::string& input, bool json, const std::exception& error);
+/// The exit status that an exception deserves.
+int status_of(const std::exception& error);
+/// What to say where a line of a batch is "-".
+extern const char* const kNoStandardInput;
 
 }  // namespace tripus::cli

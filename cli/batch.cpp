@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "cli/exit_status.hpp"
+#include "cli/input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
@@ -112,11 +113,11 @@ class Batch {
 
 }  // namespace
 
-int run_batch(std::string_view text, const BatchOptions& options,
+int run_batch(const BatchOptions& options,
               const std::function<Answer(const topology::BatchLine&)>& answer) {
   const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
   const unsigned threads = options.threads == 0 ? cores : options.threads;
-  Batch batch(topology::read_batch(text), threads, answer);
+  Batch batch(topology::read_batch(read_file(options.file)), threads, answer);
   catch_interrupts();
   return batch.run(options.quiet);
 }

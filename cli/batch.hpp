@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <string>
-#include <string_view>
 
 #include "topology/formats/formats.hpp"
 
@@ -15,16 +14,17 @@ struct Answer {
 };
 
 struct BatchOptions {
+  std::string file;      ///< one INPUT a line, `-` for standard input
   unsigned threads = 0;  ///< 0: all cores
   bool quiet = false;
 };
 
-/// Answers every line of the text of a batch file, on all threads, and writes the answers in the
-/// order of the input.
+/// Answers every line, on all threads, and writes the answers in the order of the input.
 /// `answer` must not throw and must be safe to call from several threads.
 /// Returns the exit status: success when the run finished, no answer when it was interrupted; then
 /// the answers so far are out.
-int run_batch(std::string_view text, const BatchOptions& options,
+/// Throws InvalidInput if the file cannot be read.
+int run_batch(const BatchOptions& options,
               const std::function<Answer(const topology::BatchLine& line)>& answer);
 
 }  // namespace tripus::cli

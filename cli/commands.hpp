@@ -16,7 +16,9 @@ struct CommonOptions {
   bool quiet = false;
 };
 
-/// Adds INPUT and the common options to a verb.
+/// Adds INPUT, --batch (`answers` says what comes for each line) and --quiet to a verb.
+void add_input_options(CLI::App& verb, CommonOptions& options, const char* answers);
+/// Adds INPUT and all the common options to a verb.
 void add_common_options(CLI::App& verb, CommonOptions& options);
 
 /// A verb, ready to run once the command line is parsed; returns the exit status.
@@ -26,6 +28,7 @@ using Command = std::function<int()>;
 // One verb, one file.
 void add_info(CLI::App& program, Command& chosen);
 void add_solve(CLI::App& program, Command& chosen);
+void add_cover(CLI::App& program, Command& chosen);
 void add_canonize(CLI::App& program, Command& chosen);
 void add_compare(CLI::App& program, Command& chosen);
 void add_identify(CLI::App& program, Command& chosen);

@@ -34,6 +34,9 @@ std::string_view link_kind(const topology::VertexLink& link);
 /// The keys that `info` and `solve` share: name, isosig, counts, orientable, edge_valences.
 void append_subject(JsonText& out, const Subject& subject);
 
+/// , "vertices": [...]: the links by vertex class.
+void append_vertices(JsonText& out, const topology::Triangulation& triangulation);
+
 /// "edge_classes": [[6] per tetrahedron].
 void append_edge_classes(JsonText& out, const topology::Triangulation& triangulation);
 

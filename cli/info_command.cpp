@@ -21,20 +21,6 @@ std::string objection(const topology::Triangulation& triangulation) {
   }
 }
 
-void append_vertices(JsonText& out, const topology::Triangulation& m) {
-  append(out, ", \"vertices\": [");
-  for (std::size_t v = 0; v < m.vertex_count(); ++v) {
-    const topology::VertexLink& link = m.link(v);
-    auto to = std::back_inserter(out);
-    fmt::format_to(to, "{}{{\"link_euler_characteristic\": {}, ", v == 0 ? "" : ", ",
-                   link.euler_characteristic);
-    if (link.orientable) fmt::format_to(to, "\"genus\": {}, ", link.genus());
-    fmt::format_to(to, "\"link_orientable\": {}, \"kind\": \"{}\", \"triangle_count\": {}}}",
-                   link.orientable, link_kind(link), link.triangle_count);
-  }
-  out.push_back(']');
-}
-
 std::string as_json(const Subject& subject) {
   const topology::Triangulation& m = subject.triangulation;
   JsonText out;

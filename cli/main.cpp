@@ -74,6 +74,7 @@ void add_verbs(CLI::App& program, Command& command) {
   program.require_subcommand(0, 1);
   add_info(program, command);
   add_solve(program, command);
+  add_cover(program, command);
   add_canonize(program, command);
   add_compare(program, command);
   add_identify(program, command);

@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include "cli/input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/report_text.hpp"
 #include "structure/solve.hpp"
@@ -111,6 +110,7 @@ class Gallery {
 
  private:
   Outcome make(const topology::BatchLine& line, viewer::GalleryEntry& entry) {
+    if (line.text == "-") throw InvalidInput(kNoStandardInput);
     const Subject subject = load_subject(line.text);
     structure::SolveOptions options;
     options.stop_requested = &interrupt_requested();
@@ -175,10 +175,9 @@ int write_gallery(const CommonOptions& list, const PageRequest& request) {
   check_pages(request);
   Gallery gallery(request);
   const std::string title = std::filesystem::path(list.batch).stem().string();
-  const std::string list_text = read_file(list.batch);  // before anything is written
-  gallery.write_index(title);                           // before any work is done
+  gallery.write_index(title);  // before the work, so that a wrong path costs none
   const int status = answer_lines(
-      list, list_text, [&](const topology::BatchLine& line) { return gallery.add(line); });
+      list, [&](const topology::BatchLine& line) { return gallery.add(line); });
   gallery.write_index(title);
   return status;
 }

@@ -34,10 +34,10 @@ Gluings barycentric_subdivision(const Gluings& gluings) {
           other = gluings.neighbour(t, p(3));
           q = gluings.gluing(t, p(3)) * p;
         }
-        fine.set_one_side(24 * t + static_cast<std::size_t>(rank), place(p)(corner),
-                          static_cast<TetrahedronIndex>(24 * other) +
-                              static_cast<TetrahedronIndex>(q.rank()),
-                          place(q) * place(p).inverse());
+        fine.set_one_side(
+            24 * t + static_cast<std::size_t>(rank), place(p)(corner),
+            static_cast<TetrahedronIndex>(24 * other) + static_cast<TetrahedronIndex>(q.rank()),
+            place(q) * place(p).inverse());
       }
     }
   return fine;

@@ -102,9 +102,8 @@ Signatures covers_by_force(const Triangulation& base, std::size_t degree) {
 
 Signatures covers_by_search(const Triangulation& base, std::size_t degree) {
   Signatures signatures;
-  for_each_cover(base, degree, [&](const Cover& cover) {
-    return ++signatures[isosig(cover.gluings)] > 0;
-  });
+  for_each_cover(base, degree,
+                 [&](const Cover& cover) { return ++signatures[isosig(cover.gluings)] > 0; });
   return signatures;
 }
 
@@ -129,9 +128,8 @@ TEST(CoversOfManifolds, CyclicOnesAreAmongThem) {
         return true;
       });
       Signatures cyclic;
-      for_each_cyclic_cover(base, degree, [&](const Cover& cover) {
-        return ++cyclic[isosig(cover.gluings)] > 0;
-      });
+      for_each_cyclic_cover(
+          base, degree, [&](const Cover& cover) { return ++cyclic[isosig(cover.gluings)] > 0; });
       ASSERT_FALSE(cyclic.empty());
       if (degree != 4) {  // a group of prime order is cyclic
         EXPECT_EQ(cyclic, regular) << degree;

@@ -72,8 +72,8 @@ TEST(ManifoldStays, UnderRandomMovesOfEveryKind) {
     Gluings gluings = random_relabelling(decode_isosig(signature), seed);
     const Fingerprint before(gluings);
     for (int round = 0; round < 12; ++round) {
-      for (const Move& move : randomize(gluings, {.count = 12, .seed = seed++, .kinds = kinds,
-                                                  .max_tetrahedra = 14}))
+      for (const Move& move :
+           randomize(gluings, {.count = 12, .seed = seed++, .kinds = kinds, .max_tetrahedra = 14}))
         ++made[move.kind];
       ASSERT_TRUE(Fingerprint(gluings) == before) << isosig(gluings);
     }

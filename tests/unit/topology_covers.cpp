@@ -82,8 +82,8 @@ TEST(TransitiveActions, OfFreeAbelianGroupsAreSumsOverDivisors) {
 
 // The symmetric group of degree 4 as a Coxeter group has 30 subgroups in 11 classes.
 TEST(TransitiveActions, OfTheSymmetricGroup) {
-  const Presentation group{3, {{1, 1}, {2, 2}, {3, 3}, {1, 2, 1, 2, 1, 2}, {2, 3, 2, 3, 2, 3},
-                               {1, 3, 1, 3}}};
+  const Presentation group{
+      3, {{1, 1}, {2, 2}, {3, 3}, {1, 2, 1, 2, 1, 2}, {2, 3, 2, 3, 2, 3}, {1, 3, 1, 3}}};
   std::size_t classes = 0;
   std::uint64_t all = 0;
   for (std::size_t degree = 1; degree <= 24; ++degree) {
@@ -191,7 +191,8 @@ TEST(CyclicClasses, RefuseWrongValues) {
   EXPECT_THAT(cover({2, 4}, 6), ThrowsMessage<InvalidInput>(HasSubstr("common divisor 2")));
   EXPECT_THAT(cover({0, 0}, 2), ThrowsMessage<InvalidInput>(HasSubstr("not onto Z/2")));
   EXPECT_THAT(cover({1, 0}, 0), ThrowsMessage<InvalidInput>(HasSubstr("degree 0")));
-  EXPECT_THAT(cover({1, 0}, std::size_t{1} << 60), ThrowsMessage<InvalidInput>(HasSubstr("degree")));
+  EXPECT_THAT(cover({1, 0}, std::size_t{1} << 60),
+              ThrowsMessage<InvalidInput>(HasSubstr("degree")));
   const Triangulation lens = triangulation("cMcabbjqs");
   EXPECT_THAT([&] { cyclic_cover_of_class(lens, 16, std::vector<std::int64_t>{1}); },
               ThrowsMessage<InvalidInput>(HasSubstr("order 8")));

@@ -88,7 +88,8 @@ AbelianGroup first_homology(const Presentation& presentation, const TransitiveAc
 }
 
 CoverHomology cover_homology(const Triangulation& triangulation, std::size_t degree) {
-  const Presentation presentation = reduced(fundamental_group(triangulation).presentation).presentation;
+  const Presentation presentation =
+      reduced(fundamental_group(triangulation).presentation).presentation;
   CoverHomology result;
   for_each_transitive_action(presentation, degree, [&](const TransitiveAction& action) {
     ++result[to_string(first_homology(presentation, action))];

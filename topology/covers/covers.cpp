@@ -20,7 +20,9 @@ void require_size(const Triangulation& base, std::size_t degree) {
 
 Cover make_cyclic(const Triangulation& base, const CyclicClasses& classes, std::size_t degree,
                   std::span<const std::int64_t> values) {
-  return {cyclic_cover(base.gluings(), classes.shifts(values), degree), degree, degree,
+  return {cyclic_cover(base.gluings(), classes.shifts(values), degree),
+          degree,
+          degree,
           {values.begin(), values.end()}};
 }
 

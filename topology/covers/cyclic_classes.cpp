@@ -129,8 +129,7 @@ std::vector<int> CyclicClasses::shifts(std::span<const std::int64_t> values) con
 
 std::int64_t CyclicClasses::common_divisor(std::span<const std::int64_t> values) const {
   std::int64_t divisor = modulus_;
-  for (const std::int64_t value : values)
-    divisor = std::gcd(divisor, remainder(value, modulus_));
+  for (const std::int64_t value : values) divisor = std::gcd(divisor, remainder(value, modulus_));
   return divisor;
 }
 

@@ -163,8 +163,7 @@ class ActionTable {
           number_[other] = count;
           sheet_[count++] = other;
         }
-        if (number_[other] != mine)
-          return number_[other] < mine ? Order::kSmaller : Order::kOpen;
+        if (number_[other] != mine) return number_[other] < mine ? Order::kSmaller : Order::kOpen;
       }
     }
     return Order::kEqual;
@@ -186,7 +185,7 @@ class ActionTable {
 struct Choice {
   std::size_t slot;
   Sheet next = 0;
-  std::size_t known;   // what there was before
+  std::size_t known;  // what there was before
   std::size_t sheets;
 };
 
@@ -235,7 +234,8 @@ SearchEnd for_each_transitive_action(const Presentation& presentation, std::size
                                      const VisitAction& visit,
                                      const std::atomic<bool>* stop_requested) {
   if (degree == 0 || degree > kLargestSearchDegree)
-    throw InvalidInput("degree " + std::to_string(degree) + "; all covers are searched for from 1 to " +
+    throw InvalidInput("degree " + std::to_string(degree) +
+                       "; all covers are searched for from 1 to " +
                        std::to_string(kLargestSearchDegree) + " sheets");
   return Search(presentation, degree).run(visit, stop_requested);
 }

@@ -23,7 +23,8 @@ Ball ball_here(const Gluings& gluings, const Move& move) {
   const int bottom = 2 + move.choice;
   const int top = 4 + move.choice;
   const std::array<int, 4> ring{0, 3 + move.choice, 1, move.choice == 0 ? 5 : 2};
-  for (std::size_t i = 0; i < 4; ++i) ball.fresh.push_back({bottom, top, ring[i], ring[(i + 1) % 4]});
+  for (std::size_t i = 0; i < 4; ++i)
+    ball.fresh.push_back({bottom, top, ring[i], ring[(i + 1) % 4]});
   return ball;
 }
 

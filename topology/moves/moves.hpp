@@ -95,7 +95,7 @@ struct MoveInfo {
   int finite_vertices;  ///< change of the number of sphere links; every other link stays
   MoveKind inverse;
   MoveRefusal (*refusal)(const Gluings&, const Move&);
-  MoveChange (*apply)(Gluings&, const Move&);                    ///< legal moves only
+  MoveChange (*apply)(Gluings&, const Move&);         ///< legal moves only
   detail::Ball (*ball)(const Gluings&, const Move&);  ///< what is replaced by what; null: not so
   void (*candidates)(const Triangulation&, std::vector<Move>&);  ///< places, once each, to be tried
 };

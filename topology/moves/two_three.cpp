@@ -47,10 +47,9 @@ Ball two_three_ball(const Gluings& gluings, const Move& move) {
 MoveChange apply_two_three(Gluings& gluings, const Move& move) {
   Ball ball = two_three_ball(gluings, move);
   MoveChange change = plan_ball(gluings, ball).apply(gluings);
-  change.inverse =
-      Move{.kind = MoveKind::kThreeTwo,
-           .tetrahedron = change.added[0],
-           .place = static_cast<std::uint8_t>(edge_at(ball.fresh[0], move.place, 4))};
+  change.inverse = Move{.kind = MoveKind::kThreeTwo,
+                        .tetrahedron = change.added[0],
+                        .place = static_cast<std::uint8_t>(edge_at(ball.fresh[0], move.place, 4))};
   return change;
 }
 

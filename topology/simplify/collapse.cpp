@@ -105,52 +105,37 @@ CollapseRefusal EdgeCollapse::refusal(TetrahedronIndex t, int edge) {
   return CollapseRefusal::kNone;
 }
 
-std::uint32_t EdgeCollapse::root(std::uint32_t node) {
-  while (parent_[node] != node) node = parent_[node] = parent_[parent_[node]];
-  return node;
-}
-
-/// False if the two are connected already.
-bool EdgeCollapse::join(std::uint32_t one, std::uint32_t two) {
-  one = root(one);
-  two = root(two);
-  parent_[one] = two;
-  return one != two;
-}
-
-std::uint32_t EdgeCollapse::node(Label edge) {
-  std::uint32_t& known = node_of_edge_[edge];
+std::uint32_t EdgeCollapse::node(TetrahedronIndex t, int e) {
+  const Label label = m_->edge(t, e);
+  std::uint32_t& known = node_of_edge_[label];
   if (known == 0) {
-    met_.push_back(edge);
-    parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
-    known = static_cast<std::uint32_t>(parent_.size());
+    nodes_.push_back({t, e, label});
+    known = edge_sets_.add() + 1;
   }
   return known - 1;
 }
 
 bool EdgeCollapse::has_edge_cycle() {
   if (node_of_edge_.size() < m_->edge_labels()) node_of_edge_.resize(m_->edge_labels(), 0);
-  parent_.clear();
+  edge_sets_.clear();
+  nodes_.clear();
   bool cycle = false;
   for (const auto& at : corners_) {
-    const std::uint32_t one = node(m_->edge(at.t, edge_number(at.a, at.d)));
-    const std::uint32_t two = node(m_->edge(at.t, edge_number(at.b, at.d)));
-    cycle = !join(one, two);
+    const auto t = static_cast<TetrahedronIndex>(at.t);
+    const std::uint32_t one = node(t, edge_number(at.a, at.d));
+    const std::uint32_t two = node(t, edge_number(at.b, at.d));
+    cycle = !edge_sets_.join(one, two);
     if (cycle) break;
   }
-  for (const Label edge : met_) node_of_edge_[edge] = 0;
-  met_.clear();
+  for (const Node& met : nodes_) node_of_edge_[met.label] = 0;
   return cycle;
 }
 
 // With tetrahedra as nodes and their common faces as arcs: the same cycles.
 bool EdgeCollapse::has_face_cycle() {
   if (corner_of_.size() < m_->slot_count()) corner_of_.resize(m_->slot_count(), 0);
-  parent_.clear();
-  for (const auto& at : corners_) {
-    parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
-    corner_of_[at.t] = static_cast<std::uint32_t>(parent_.size());
-  }
+  tetrahedron_sets_.clear();
+  for (const auto& at : corners_) corner_of_[at.t] = tetrahedron_sets_.add() + 1;
   bool cycle = false;
   for (std::uint32_t i = 0; i < corners_.size() && !cycle; ++i) {
     const auto& at = corners_[i];
@@ -161,7 +146,7 @@ bool EdgeCollapse::has_face_cycle() {
       // Each common face once, from its first side.
       const int g = m_->gluings().gluing(at.t, f)(f);
       if (std::pair(other, g) < std::pair(static_cast<TetrahedronIndex>(at.t), f)) continue;
-      if (!join(i, j - 1)) cycle = true;
+      if (!tetrahedron_sets_.join(i, j - 1)) cycle = true;
     }
   }
   for (const auto& at : corners_) corner_of_[at.t] = 0;
@@ -170,16 +155,16 @@ bool EdgeCollapse::has_face_cycle() {
 
 void EdgeCollapse::merge_labels() {
   MutableTriangulation& m = *m_;
-  for (const auto& at : corners_) {
-    const auto t = static_cast<TetrahedronIndex>(at.t);
-    const int first = edge_number(at.a, at.d);
-    const int second = edge_number(at.b, at.d);
-    const Label one = m.edge(t, first);
-    const Label two = m.edge(t, second);
-    if (m.valence(one) >= m.valence(two))
-      m.relabel_edge(t, second, one);
-    else
-      m.relabel_edge(t, first, two);
+  largest_.resize(nodes_.size());
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) largest_[i] = i;
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    std::uint32_t& largest = largest_[edge_sets_.root(i)];
+    if (m.valence(nodes_[i].label) > m.valence(nodes_[largest].label)) largest = i;
+  }
+  // The classes are still circles of their own: each is relabelled by itself.
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    const std::uint32_t largest = largest_[edge_sets_.root(i)];
+    if (i != largest) m.relabel_edge(nodes_[i].t, nodes_[i].e, nodes_[largest].label);
   }
   const auto& at = corners_.front();
   const auto t = static_cast<TetrahedronIndex>(at.t);
@@ -195,8 +180,7 @@ void EdgeCollapse::merge_labels() {
 // What lies behind the two ends of every chain of merged faces is glued together.
 void EdgeCollapse::close_gap() {
   MutableTriangulation& m = *m_;
-  for (std::uint32_t i = 0; i < corners_.size(); ++i)
-    corner_of_[corners_[i].t] = i + 1;
+  for (std::uint32_t i = 0; i < corners_.size(); ++i) corner_of_[corners_[i].t] = i + 1;
   for (const auto& at : corners_)
     for (const int f : {at.a, at.b}) {
       const TetrahedronIndex near = m.gluings_.neighbour(at.t, f);
@@ -225,8 +209,8 @@ void EdgeCollapse::collapse() {
   merge_labels();
   m.touched_.clear();
   close_gap();
-  const Label collapsed = m.edge(static_cast<TetrahedronIndex>(corners_.front().t),
-                                 corners_.front().edge());
+  const Label collapsed =
+      m.edge(static_cast<TetrahedronIndex>(corners_.front().t), corners_.front().edge());
   for (const auto& at : corners_) m.uncount(static_cast<TetrahedronIndex>(at.t));
   m.free_edge(collapsed);
   for (const auto& at : corners_) m.free_tetrahedron(static_cast<TetrahedronIndex>(at.t));

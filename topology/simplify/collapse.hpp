@@ -11,13 +11,13 @@ namespace tripus::topology {
 
 /// Why an edge cannot be collapsed.
 enum class CollapseRefusal : std::uint8_t {
-  kNone,          ///< it can
-  kNoSuchPlace,   ///< the tetrahedron or edge does not exist
-  kSameEnds,      ///< the edge is a loop
-  kNoFiniteEnd,   ///< neither end has a sphere as its link
-  kMeetsItself,   ///< a tetrahedron around the edge has it twice
-  kEdgeCycle,     ///< the edges to be merged form a cycle
-  kFaceCycle,     ///< the faces to be merged form a cycle
+  kNone,         ///< it can
+  kNoSuchPlace,  ///< the tetrahedron or edge does not exist
+  kSameEnds,     ///< the edge is a loop
+  kNoFiniteEnd,  ///< neither end has a sphere as its link
+  kMeetsItself,  ///< a tetrahedron around the edge has it twice
+  kEdgeCycle,    ///< the edges to be merged form a cycle
+  kFaceCycle,    ///< the faces to be merged form a cycle
 };
 std::string_view to_string(CollapseRefusal refusal);
 
@@ -43,21 +43,52 @@ class EdgeCollapse {
  private:
   using Label = MutableTriangulation::Label;
 
+  /// Disjoint sets of 0, 1, ..., for the components of a graph.
+  class Sets {
+   public:
+    void clear() { parent_.clear(); }
+    std::size_t size() const { return parent_.size(); }
+    std::uint32_t add() {
+      parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
+      return parent_.back();
+    }
+    std::uint32_t root(std::uint32_t i) {
+      while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+      return i;
+    }
+    /// False if the two are in one set already.
+    bool join(std::uint32_t one, std::uint32_t two) {
+      one = root(one);
+      two = root(two);
+      parent_[one] = two;
+      return one != two;
+    }
+
+   private:
+    std::vector<std::uint32_t> parent_;
+  };
+  /// An edge class that is to be merged with others, by one of its corners.
+  struct Node {
+    TetrahedronIndex t;
+    int e;
+    Label label;
+  };
+
   bool has_edge_cycle();
   bool has_face_cycle();
+  std::uint32_t node(TetrahedronIndex t, int e);
   void collapse();
   void merge_labels();
   void close_gap();
-  std::uint32_t node(Label edge);
-  std::uint32_t root(std::uint32_t node);
-  bool join(std::uint32_t one, std::uint32_t two);
 
   MutableTriangulation* m_;
-  std::vector<detail::EdgeWalk> corners_;     // around the edge, set by refusal
-  std::vector<std::uint32_t> parent_;         // union-find over the nodes of a graph
-  std::vector<std::uint32_t> node_of_edge_;   // by label; 0: none, else node + 1
-  std::vector<Label> met_;                    // labels to be cleared in it
-  std::vector<std::uint32_t> corner_of_;      // by tetrahedron; 0: none, else corner + 1
+  std::vector<detail::EdgeWalk> corners_;  // around the edge; set by refusal, as what follows
+  std::vector<Node> nodes_;
+  Sets edge_sets_;                           // of nodes_
+  Sets tetrahedron_sets_;                    // of corners_
+  std::vector<std::uint32_t> node_of_edge_;  // by label: 0 none, else node + 1; cleared after use
+  std::vector<std::uint32_t> corner_of_;     // by tetrahedron, likewise
+  std::vector<std::uint32_t> largest_;       // node, by root
 };
 
 /// The same for a plain table, as a move by itself: the collapsed table, tetrahedra in their order.

@@ -21,8 +21,8 @@ using EdgeLabels = std::array<MutableTriangulation::Label, kMostPoints * kMostPo
 
 std::size_t pair(const detail::Points& points, int e) {
   const auto [a, b] = kEdgeEnds[static_cast<std::size_t>(e)];
-  const auto [low, high] = std::minmax(points[static_cast<std::size_t>(a)],
-                                       points[static_cast<std::size_t>(b)]);
+  const auto [low, high] =
+      std::minmax(points[static_cast<std::size_t>(a)], points[static_cast<std::size_t>(b)]);
   return static_cast<std::size_t>(low) * kMostPoints + static_cast<std::size_t>(high);
 }
 

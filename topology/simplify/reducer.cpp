@@ -27,8 +27,10 @@ void Reducer::step() {
     head_ = 0;
   }
   if (!m_->is_live(t)) return;
+  const bool all = moves_ == Moves::kAll;
   const bool finite = m_->finite_vertex_count() > 0;
-  if (reduce_at_edges(t) || (finite && (reduce_at_vertices(t) || collapse_at(t)))) {
+  if ((all && reduce_at_edges(t)) || (all && finite && reduce_at_vertices(t)) ||
+      (finite && collapse_at(t))) {
     push_touched();
     push(t);  // if it is still there
   }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 #include <vector>
 
 #include "topology/simplify/collapse.hpp"
@@ -10,11 +9,15 @@
 namespace tripus::topology {
 
 /// Moves that make a triangulation smaller, driven by a queue of the tetrahedra around which
-/// something may be possible: edge collapse, 3-2, 2-0, 2-1 and 4-1. A move puts what it touched into
-/// the queue, so the work is proportional to the moves made.
+/// something may be possible: edge collapse, 3-2, 2-0, 2-1 and 4-1. A move puts what it touched
+/// into the queue, so the work is proportional to the moves made.
 class Reducer {
  public:
   explicit Reducer(MutableTriangulation& triangulation) : m_(&triangulation), collapse_(*m_) {}
+
+  enum class Moves : std::uint8_t { kCollapse, kAll };
+  /// Which moves step() makes; all at first.
+  void allow(Moves moves) { moves_ = moves; }
 
   void push(TetrahedronIndex t);
   void push_touched() {
@@ -32,8 +35,6 @@ class Reducer {
   /// Forgets the queue.
   void clear();
 
-  EdgeCollapse& collapse() { return collapse_; }
-
  private:
   bool reduce_at_edges(TetrahedronIndex t);
   bool reduce_at_vertices(TetrahedronIndex t);
@@ -41,6 +42,7 @@ class Reducer {
 
   MutableTriangulation* m_;
   EdgeCollapse collapse_;
+  Moves moves_ = Moves::kAll;
   std::vector<TetrahedronIndex> queue_;
   std::size_t head_ = 0;
   std::vector<std::uint8_t> queued_;

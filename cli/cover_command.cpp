@@ -1,0 +1,266 @@
+// tripus cover: finite covers, as a stream.
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/answer.hpp"
+#include "cli/commands.hpp"
+#include "cli/describe.hpp"
+#include "cli/exit_status.hpp"
+#include "cli/help.hpp"
+#include "cli/input.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/numbers.hpp"
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "topology/covers/covers.hpp"
+#include "topology/formats/json.hpp"
+#include "topology/homology.hpp"
+
+namespace tripus::cli {
+namespace {
+
+using topology::Cover;
+
+/// A cover and its description take some hundred bytes a tetrahedron.
+constexpr std::size_t kMostTetrahedra = 5'000'000;
+
+struct CoverCommand {
+  CommonOptions common;
+  int cyclic = 0, degree = 0;  ///< one of them is given
+  std::optional<std::string> cyclic_class;
+  int limit = 0;               ///< 0: none
+  std::string output;
+
+  std::size_t sheets() const { return static_cast<std::size_t>(cyclic > 0 ? cyclic : degree); }
+};
+
+/// Where covers go: lines to standard output or to a file, or a file each to a folder as well.
+class Sink {
+ public:
+  explicit Sink(const std::string& path) : path_(path) {
+    if (path.empty()) return;
+    std::error_code error;
+    if (path.ends_with('/')) std::filesystem::create_directories(path, error);
+    if (std::filesystem::is_directory(path, error)) {
+      folder_ = true;
+      return;
+    }
+    file_.open(path, std::ios::binary);
+    check(file_.is_open(), path);
+  }
+
+  void add(const std::string& line, const topology::NamedGluings& cover) {
+    ++count_;
+    if (folder_) {
+      const auto path =
+          std::filesystem::path(path_) / fmt::format("cover-{:06}.json", count_);
+      std::ofstream out(path, std::ios::binary);
+      out << topology::write_json(cover) << std::flush;
+      check(bool(out), path.string());
+    }
+    write_line(line);
+  }
+  void comment(const std::string& text) { write_line("# " + text); }
+  std::size_t count() const { return count_; }
+
+ private:
+  void write_line(const std::string& line) {
+    if (file_.is_open()) {
+      file_ << line << '\n' << std::flush;
+      check(bool(file_), path_);
+    } else {
+      write_output(line);
+      write_output("\n");
+      flush_output();
+    }
+  }
+  static void check(bool good, const std::string& path) {
+    if (!good) throw InvalidInput(tripus::quoted(path) + " cannot be written");
+  }
+  std::string path_;
+  bool folder_ = false;
+  std::ofstream file_;
+  std::size_t count_ = 0;
+};
+
+/// "1,0,-2"
+std::vector<std::int64_t> parse_class(const std::string& text) {
+  std::vector<std::int64_t> values;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (true) {
+    std::int64_t value = 0;
+    const auto [next, error] = std::from_chars(at, end, value);
+    if (error != std::errc() || (next != end && *next != ','))
+      throw InvalidInput("--class " + tripus::quoted(text) + ": entry " +
+                         std::to_string(values.size() + 1) +
+                         " is no whole number; write them as 1,0,-2");
+    values.push_back(value);
+    if (next == end) return values;
+    at = next + 1;
+  }
+}
+
+std::string as_json(const Subject& subject, const Cover& cover, std::size_t number) {
+  const topology::Triangulation& m = subject.triangulation;
+  JsonText out;
+  append_header(out, subject.input);
+  auto to = std::back_inserter(out);
+  fmt::format_to(to, ", \"cover\": {}, \"degree\": {}, \"deck_group_order\": {}, \"regular\": {}",
+                 number, cover.degree, cover.deck_group_order, cover.is_regular());
+  if (!cover.cyclic_class.empty())
+    fmt::format_to(to, ", \"class\": [{}]", fmt::join(cover.cyclic_class, ", "));
+  append_subject(out, subject);
+  append_vertices(out, m);
+  append(out, ", \"H1\": ");
+  append_string(out, topology::to_string(topology::first_homology(m)));
+  append(out, ", ");
+  const std::string table = topology::write_json({{}, m.gluings()});  // {"gluings": ...}, line end
+  append(out, std::string_view(table).substr(1, table.size() - 2));
+  return fmt::to_string(out);
+}
+
+/// A line that --batch takes: a signature and a comment.
+std::string as_text(const Subject& subject, const Cover& cover, std::size_t number) {
+  const topology::Triangulation& m = subject.triangulation;
+  std::string text = subject.isosig
+                         ? *subject.isosig + "  # "
+                         : fmt::format("# cover {}, whose signature would take too long: ", number);
+  text += fmt::format("{}; H1 {}", one_line(m), topology::to_string(topology::first_homology(m)));
+  if (cover.cyclic_class.empty()) {
+    text += cover.is_regular() ? "; regular" : "";
+  } else {
+    text += fmt::format("; class {}", fmt::join(cover.cyclic_class, ","));
+  }
+  return text;
+}
+
+std::string no_cover(const CoverCommand& command, const topology::Triangulation& base) {
+  if (command.degree > 0)
+    return fmt::format("there is no connected cover of degree {}", command.degree);
+  return fmt::format("there is no cyclic cover of degree {}: H1 is {}, which has no map onto Z/{}",
+                     command.cyclic, topology::to_string(topology::first_homology(base)),
+                     command.cyclic);
+}
+
+/// Writes the covers of one INPUT; the exit status it deserves.
+int write_covers(const CoverCommand& command, const std::string& input, Sink& sink,
+                 Progress& progress) {
+  const topology::NamedGluings loaded = load_input(input);
+  const topology::Triangulation base(loaded.gluings);
+  catch_interrupts();
+  if (command.sheets() > kMostTetrahedra / base.tetrahedron_count())
+    throw InvalidInput(fmt::format(
+        "degree {}: the cover would have {} tetrahedra; at most {} are made here",
+        command.sheets(), command.sheets() * base.tetrahedron_count(), kMostTetrahedra));
+  std::size_t number = 0;
+  const auto visit = [&](const Cover& cover) {
+    ++number;
+    const Subject subject = make_subject(input, loaded.name, cover.gluings);
+    sink.add(command.common.json ? as_json(subject, cover, number)
+                                 : as_text(subject, cover, number),
+             {fmt::format("{}, degree {}, cover {}", loaded.name.empty() ? input : loaded.name,
+                          cover.degree, number),
+              cover.gluings});
+    if (progress.due()) progress.show(fmt::format("{} covers", sink.count()));
+    return number != static_cast<std::size_t>(command.limit) && !interrupt_requested();
+  };
+  const std::atomic<bool>* stop = &interrupt_requested();
+  if (command.cyclic_class) {
+    visit(topology::cyclic_cover_of_class(base, command.sheets(),
+                                          parse_class(*command.cyclic_class)));
+  } else if (command.cyclic > 0) {
+    topology::for_each_cyclic_cover(base, command.sheets(), visit, stop);
+  } else {
+    topology::for_each_cover(base, command.sheets(), visit, stop);
+  }
+  if (number > 0 || interrupt_requested()) return kSuccess;
+  write_message(fmt::format("tripus: {}: {}\n", printable(input), no_cover(command, base)));
+  return kNoAnswer;
+}
+
+int run(const CoverCommand& command) {
+  const bool batch = !command.common.batch.empty();
+  std::vector<topology::BatchLine> inputs{{0, command.common.input}};
+  if (batch) inputs = topology::read_batch(read_file(command.common.batch));
+  Sink sink(command.output);
+  int status = kSuccess;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const std::string& input = inputs[i].text;
+    try {
+      if (batch && !command.common.json) sink.comment(printable(input));
+      if (batch && input == "-") throw InvalidInput(kNoStandardInput);
+      Progress progress(!command.common.quiet);
+      status = write_covers(command, input, sink, progress);
+    } catch (const OutputError&) {
+      throw;
+    } catch (const std::exception& error) {
+      status = status_of(error);
+      const Answer answer = error_answer(input, command.common.json, error);
+      write_message(batch ? fmt::format("tripus: line {}: {}\n", inputs[i].line_number, answer.message)
+                          : fmt::format("tripus: {}\n", answer.message));
+      if (!answer.text.empty()) write_output(answer.text + "\n");
+    }
+    if (!interrupt_requested()) continue;
+    write_message(fmt::format("tripus: interrupted after {}\n",
+                              counted(sink.count(), "cover", "covers")));
+    return kNoAnswer;
+  }
+  return batch ? int(kSuccess) : status;
+}
+
+constexpr const char* kFooter =
+    "\nEach line is a signature and, after #, what it is, so that the covers can be piped:\n"
+    "  tripus cover cPcbbbihq --degree 3 | tripus solve --batch - --json\n"
+    "Tetrahedron t of INPUT, with T tetrahedra, is number t + T k on sheet k in the table that\n"
+    "--json and -o FOLDER/ write. Two covers may be the same manifold.\n"
+    "\nExit status: 0 done, 1 there is no such cover or interrupted, 2 bad usage or bad input,\n"
+    "3 a failure of the program itself.";
+
+}  // namespace
+
+void add_cover(CLI::App& program, Command& chosen) {
+  CLI::App* verb = program.add_subcommand("cover", "finite covers: cyclic ones, or all of a degree");
+  auto command = std::make_shared<CoverCommand>();
+  constexpr int kMost = std::numeric_limits<int>::max();
+  auto* cyclic = verb->add_option("--cyclic", command->cyclic,
+                                  "connected cyclic covers with N sheets: the classes of H^1\n"
+                                  "that are onto Z/N, up to units")
+                     ->option_text("N")
+                     ->check(whole_number(kMost));
+  auto* degree = verb->add_option("--degree", command->degree,
+                                  "all connected covers with N sheets up to isomorphism; their\n"
+                                  "number explodes: for N up to 7 or so")
+                     ->option_text("N")
+                     ->check(whole_number(kMost));
+  cyclic->excludes(degree);
+  verb->add_option("--class", command->cyclic_class,
+                   "only the cyclic cover of this class: its values modulo N on the\n"
+                   "summands of H1, in the order in which `tripus info` prints them")
+      ->option_text("A,B,...")
+      ->needs(cyclic);
+  verb->add_option("--limit", command->limit, "stop after N covers of an INPUT (default: none)")
+      ->option_text("N")
+      ->check(whole_number(kMost));
+  verb->add_option("-o,--output", command->output,
+                   "write the lines to this file; or, for a folder (FOLDER/), also every\n"
+                   "cover as a gluing table in a file of its own")
+      ->option_text("FILE");
+  add_input_options(*verb, command->common, "their covers follow one another");
+  verb->add_flag("--json", command->common.json, "one JSON object for each cover, one a line");
+  verb->footer(std::string(kInputHelp) + kFooter);
+  verb->final_callback([command, cyclic, degree, &chosen] {
+    if (cyclic->count() + degree->count() == 0)
+      throw CLI::RequiredError("--cyclic N or --degree N");
+    chosen = [command] { return run(*command); };
+  });
+}
+
+}  // namespace tripus::cli

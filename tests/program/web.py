@@ -77,7 +77,7 @@ class Outside(Browser):
         self.assertGreater(len(set(seen)), 15)
 
     def test_upper_half_space(self):
-        self.check(self.page(TRIPUS, "--model", "upper"), "cells=12&yaw=2&pitch=0.6", (0.15, 0.6))
+        self.check(self.page(TRIPUS, "--model", "upper"), "cells=12&yaw=2&pitch=0.6", (0.05, 0.6))
 
     def test_one_cell_of_an_asymmetric_manifold(self):
         self.check(self.page(ASYMMETRIC), "model=ball&cells=1&yaw=1.1", (0.02, 0.6))

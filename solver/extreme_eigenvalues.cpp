@@ -10,8 +10,8 @@
 
 // Lanczos with full reorthogonalisation. The largest eigenvalue comes from the Hessian H, the
 // smallest as the largest one of H^-1: its spectrum is spread out where that of H is crowded, and a
-// few dozen steps are enough. Conjugate gradients, preconditioned by the diagonal of H, apply H^-1 to
-// nearly all digits.
+// few dozen steps are enough. Conjugate gradients, preconditioned by the diagonal of H, apply H^-1
+// to nearly all digits.
 
 namespace tripus::solver {
 namespace {
@@ -56,7 +56,8 @@ double largest_eigenvalue(Eigen::Index n, const Apply& apply, Vector& vector) {
     const double residual = std::fabs(beta[k] * small.eigenvectors()(k, k));
     if (size == most || !(residual > kRitzResidual * std::fabs(value))) {
       vector = Vector::Zero(n);
-      for (Eigen::Index i = 0; i < size; ++i) vector += small.eigenvectors()(i, k) * basis[std::size_t(i)];
+      for (Eigen::Index i = 0; i < size; ++i)
+        vector += small.eigenvectors()(i, k) * basis[std::size_t(i)];
       vector.normalize();
       return value;
     }

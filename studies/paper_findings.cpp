@@ -78,9 +78,9 @@ Figure volumes_figure(const std::vector<VolumeGroup>& groups) {
   std::size_t most = 0;
   for (const VolumeGroup& group : groups) most = std::max(most, group.size());
   figure.caption = fmt::format(
-      "One circle and one triangle for every volume that occurs: the number of inputs that are "
+      "One circle and one square for every volume that occurs: the number of inputs that are "
       "triangulations of a manifold of this volume, and the number of different manifolds among "
-      "them, at most {}. A triangle at 1 is a manifold that its volume tells apart from all others "
+      "them, at most {}. A square at 1 is a manifold that its volume tells apart from all others "
       "here.",
       most);
   figure.x = {"volume", false, std::nan(""), std::nan(""), {}};

@@ -55,12 +55,10 @@ Figure irregular_figure(const Table& table) {
   figure.name = "irregular-angle-error";
   figure.title = "Dihedral angles of irregular tetrahedra: error against 60 digits";
   figure.caption = fmt::format(
-      "The largest error of an angle among ten tetrahedra of a size. Long edges matter to the "
-      "angles by "
-      "their differences, and rounding a length of 1e6 moves it by 1e-10: no kernel in double "
-      "precision can be better than the dashed black line, which says what rounding the lengths "
-      "may do. "
-      "Tripus's errors are at most {:.2g} times that. A gap: an angle is not a number.",
+      "The largest error of an angle among ten tetrahedra of a size. The last line says what "
+      "rounding the lengths to doubles may do to an angle: it grows, because long edges matter by "
+      "their differences. Tripus's errors are at most {:.2g} times that. A gap: an angle is not a "
+      "number.",
       worst_ratio(table));
   figure.x = {"edge length L (curvature -1)", true, 1e-8, 1e6, {}};
   figure.y = {"largest relative error of an angle", true, 1e-20, 10, {}};

@@ -15,12 +15,14 @@
 // The four vertices of a tetrahedron lie in a plane of the manifold's own metric. Lengths within
 // rounding of the minimiser then make it now flat, now a true one with angles off by 1e-8.
 //
-// An edge class has corners in flat tetrahedra only. H does not depend on its length as long as these
-// stay flat, and the iteration comes to rest where one of them is just about to be a true one.
+// An edge class has corners in flat tetrahedra only. H does not depend on its length as long as
+// these stay flat, and the iteration comes to rest where one of them is just about to be a true
+// one.
 //
-// With these tetrahedra held flat (CoVolume::hold_flat) the functional is smooth, and Newton's method
-// is quick. Then the lengths of the second kind are moved to where all of them are truly flat. A
-// minimiser of the functional with tetrahedra held where they are flat is one of H: theory (55).
+// With these tetrahedra held flat (CoVolume::hold_flat) the functional is smooth, and Newton's
+// method is quick. Then the lengths of the second kind are moved to where all of them are truly
+// flat. A minimiser of the functional with tetrahedra held where they are flat is one of H: theory
+// (55).
 
 namespace tripus::structure::detail {
 namespace {
@@ -64,7 +66,8 @@ struct Held {
       }
       if (!touches) return true;
       geometry::extended_dihedral_angles(l, theta);
-      return theta[straight_edge(before.dihedral_angles[t])] >= std::numbers::pi - tolerance::kFlatAngleMargin;
+      return theta[straight_edge(before.dihedral_angles[t])] >=
+             std::numbers::pi - tolerance::kFlatAngleMargin;
     });
   }
 
@@ -85,7 +88,8 @@ struct Held {
     double sum = 0;
     for (const std::size_t t : tetrahedra) {
       std::array<double, 6> l, theta;
-      for (std::size_t i = 0; i < 6; ++i) l[i] = x[triangulation.edge_class(t, static_cast<int>(i))];
+      for (std::size_t i = 0; i < 6; ++i)
+        l[i] = x[triangulation.edge_class(t, static_cast<int>(i))];
       geometry::extended_dihedral_angles(l, theta);
       const std::size_t straight = straight_edge(before.dihedral_angles[t]);
       for (std::size_t i = 0; i < 6; ++i) {

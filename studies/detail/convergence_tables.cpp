@@ -33,7 +33,8 @@ std::vector<TableLayout> convergence_layouts() {
         {"seconds_per_digit", "seconds", "time a decimal digit of max|K|", true},
         {"seconds", "seconds", "of the whole run", true}}},
       {"iterations",
-       "One iterate of a run on the first input, its covers and up to 20 other inputs: every one up "
+       "One iterate of a run on the first input, its covers and up to 20 other inputs: every one "
+       "up "
        "to the 100th, then those 2 % apart.",
        {input,
         {"method", "", "as after --method"},

@@ -91,9 +91,9 @@ std::vector<Table> manifold_tables(const std::vector<Manifold>& manifolds,
     if (group.size() < 2) continue;
     ++number;
     for (const Manifold& m : group) {
-      std::vector<std::string> row = cells(
-          number, group.size(),
-          of_same_kind(group, m) == 1 ? "boundary and homology" : "canonical decomposition");
+      std::vector<std::string> row =
+          cells(number, group.size(),
+                of_same_kind(group, m) == 1 ? "boundary and homology" : "canonical decomposition");
       const std::vector<std::string> more = manifold_cells(m);
       row.insert(row.end(), more.begin(), more.end());
       shared.add(std::move(row));

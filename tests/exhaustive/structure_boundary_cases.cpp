@@ -1,5 +1,5 @@
-// Minimisers at which the angles are not smooth, theory (55): no verdict is left open, and the lengths
-// reported are those of a minimiser by formulae of the tests' own.
+// Minimisers at which the angles are not smooth, theory (55): no verdict is left open, and the
+// lengths reported are those of a minimiser by formulae of the tests' own.
 #include <gtest/gtest.h>
 
 #include "energies/co_volume.hpp"
@@ -85,8 +85,7 @@ TEST(FarStarts, OfEqualLengthsFindTheMetricByThemselves) {
         const auto summary = solver::find_method(method)->minimise(energy, x, {});
         EXPECT_EQ(summary.termination, solver::Termination::kConverged)
             << method << ", " << signature << " from " << length;
-        for (std::size_t e = 0; e < x.size(); ++e)
-          EXPECT_NEAR(x[e], metric.edge_lengths[e], 1e-10);
+        for (std::size_t e = 0; e < x.size(); ++e) EXPECT_NEAR(x[e], metric.edge_lengths[e], 1e-10);
       }
     }
   }

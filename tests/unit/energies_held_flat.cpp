@@ -12,8 +12,8 @@ namespace tripus::energies {
 namespace {
 
 // Tetrahedra 2, 5 and 6 are flat at these lengths (with a margin), the others are not.
-const std::vector<double> kBoundary = {0.611602812689677, 9.739231867212784, 5.103547623180673,
-                                       10.363718798947069, 9.47356625593969, 13.584200258001813,
+const std::vector<double> kBoundary = {0.611602812689677,  9.739231867212784, 5.103547623180673,
+                                       10.363718798947069, 9.47356625593969,  13.584200258001813,
                                        3.1151003547950773, 6.726599906974571};
 
 class HeldFlat : public ::testing::Test {
@@ -56,7 +56,8 @@ TEST_F(HeldFlat, GradientAndHessianAreThoseOfItsValue) {
     for (double& l : x) l = length(random_);
     for (double& v : d) v = step(random_);
     const double h = 1e-5;
-    for (std::size_t i = 0; i < x.size(); ++i) above[i] = x[i] + h * d[i], below[i] = x[i] - h * d[i];
+    for (std::size_t i = 0; i < x.size(); ++i)
+      above[i] = x[i] + h * d[i], below[i] = x[i] - h * d[i];
     double high = 0, low = 0;
     std::vector<double> g_high(x.size()), g_low(x.size()), Hd(x.size());
     held_.evaluate(above, g_high, {.value = &high});

@@ -292,6 +292,41 @@ std::string newton_against_flow(const Table& runs) {
       1e6 * at("flow:curvature/dopri5", "seconds_per_digit"));
 }
 
+/// What has to hold, what was measured, and whether it does.
+struct Law {
+  const char* statement;
+  double bound;
+  double measured;
+  bool holds;
+};
+
+std::vector<Law> laws(const std::vector<Fact>& facts, bool covers) {
+  const auto at_most = [&](const char* statement, double bound, const char* name) {
+    return Law{statement, bound, fact(facts, name), fact(facts, name) <= bound};
+  };
+  const double order = fact(facts, "newton_order_least");
+  std::vector<Law> result = {
+      {"least measured order of Newton's method is at least the bound", 1.9, order, order >= 1.9},
+      at_most("Euler limit / (2 / lambda_max) is 1 within the bound", 0.01, "euler_deviation"),
+      at_most("decay rate / lambda_min is 1 within the bound", 0.02, "decay_deviation"),
+      at_most("flows along which sum K^2 increases", 0, "flows_not_decreasing")};
+  if (covers)
+    result.push_back(at_most("volume of a cover / (degree x volume) is 1 within the bound", 1e-13,
+                             "cover_volume_error"));
+  return result;
+}
+
+Table law_table(const std::vector<Law>& laws) {
+  Table table({"laws",
+               "What theory demands of the measurements.",
+               {{"law", "", "the demand"},
+                {"bound", "", "in it"},
+                {"measured", "", "the worst over all triangulations"},
+                {"holds", "", "yes or no"}}});
+  for (const Law& law : laws) table.add(cells(law.statement, law.bound, law.measured, law.holds));
+  return table;
+}
+
 /// How well two numbers agree, for a sentence.
 std::string within(double error) {
   return error > 0 ? fmt::format("within {:.1e}", error) : "to the last digit of a double";
@@ -322,6 +357,14 @@ Findings convergence_findings(const std::vector<Table>& tables) {
                    greatest(column_of(tables[kTheory], "tetrahedra")),
                    within(value("cover_volume_error")))
              : std::string());
+  const std::vector<Law> demands = laws(findings.facts, covers);
+  const auto broken = std::ranges::count(demands, false, &Law::holds);
+  findings.facts.push_back({"laws_broken", double(broken), "demands of theory that do not hold"});
+  findings.paragraph +=
+      broken == 0 ? fmt::format(" All {} demands of theory (laws.csv) hold.", demands.size())
+                  : fmt::format(" {} of the {} demands of theory (laws.csv) do not hold.", broken,
+                                demands.size());
+  findings.tables = {law_table(demands)};
   findings.figures = {history_figure(tables), iterations_figure(runs),
                       theory_figure(tables[kTheory]),
                       cost_figure(runs, "evaluations-per-digit", "evaluations_per_digit", 1,

@@ -12,7 +12,7 @@ TABLES = {
     "stability": ["thresholds.csv", "angles.csv", "irregular_angles.csv", "starts.csv",
                   "flow_thresholds.csv", "outcomes.csv"],
     "triangulations": ["triangulations.csv"],
-    "convergence": ["runs.csv", "iterations.csv", "theory.csv"],
+    "convergence": ["runs.csv", "iterations.csv", "theory.csv", "laws.csv"],
     "paper": ["triangulations.csv", "manifolds.csv", "same_volume.csv"],
 }
 

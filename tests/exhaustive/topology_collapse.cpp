@@ -164,6 +164,7 @@ TEST_P(CollapseLists, MovesAreThoseOfPlainTables) {
 
 // Long random runs of moves and collapses, with trials that are undone in between.
 TEST_P(CollapseLists, RandomRunsKeepTheManifoldAndTheLabels) {
+  int made = 0;
   for_each_shaken(5, 8, [&](const Gluings& gluings, std::uint64_t seed) {
     std::mt19937_64 engine(seed);
     const ManifoldInvariants before{Triangulation(gluings)};
@@ -175,7 +176,9 @@ TEST_P(CollapseLists, RandomRunsKeepTheManifoldAndTheLabels) {
       if (!m.is_live(t)) return;
       const auto place = static_cast<std::uint8_t>(engine() % 6);
       if (engine() % 3 == 0) {
-        finite -= collapse.try_apply(t, place) == CollapseRefusal::kNone;
+        const bool collapsed = collapse.try_apply(t, place) == CollapseRefusal::kNone;
+        finite -= collapsed;
+        made += collapsed;
         return;
       }
       const MoveInfo& line = move_table()[engine() % move_table().size()];
@@ -188,8 +191,10 @@ TEST_P(CollapseLists, RandomRunsKeepTheManifoldAndTheLabels) {
       if (m.try_apply({.kind = line.kind,
                        .tetrahedron = t,
                        .place = static_cast<std::uint8_t>(place % places),
-                       .choice = choice}))
+                       .choice = choice})) {
         finite += line.finite_vertices;
+        ++made;
+      }
     };
     for (int run = 0; run < 12; ++run) {
       for (int i = 0; i < 100; ++i) step();
@@ -209,6 +214,7 @@ TEST_P(CollapseLists, RandomRunsKeepTheManifoldAndTheLabels) {
     }
     expect_kept(before, ManifoldInvariants(Triangulation(m.compacted())), finite);
   });
+  EXPECT_GT(made, 1000);
 }
 
 INSTANTIATE_TEST_SUITE_P(Data, CollapseLists,

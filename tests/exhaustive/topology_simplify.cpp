@@ -34,9 +34,10 @@ Gluings there_and_back(const std::string& signature, std::uint64_t seed) {
 // triangulation (or one near it that carries the metric).
 TEST(SimplifyManifolds, AllComeBackToTheirLeastSizeAndAreIsometric) {
   std::uint64_t seed = 1;
-  for (const auto& row : testing::compact_manifolds()) {
+  for (const auto& row : testing::data_table("manifolds-2-3.tsv")) {
     SCOPED_TRACE(row.at("isosig"));
     const Gluings small = there_and_back(row.at("isosig"), seed++);
+    if (row.at("boundary").find('T') != std::string::npos) continue;  // a cusp: no metric here yet
     const auto answer = canonical::canonize(Triangulation(small));
     const auto given = canonical::canonize(Triangulation(decode_isosig(row.at("isosig"))));
     ASSERT_TRUE(answer.manifold && given.manifold) << answer.message;

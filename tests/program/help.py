@@ -2,7 +2,7 @@
 
 from support import ProgramTest
 
-VERBS = ["info", "solve", "canonize", "compare", "identify", "census", "check", "methods"]
+VERBS = ["info", "solve", "canonize", "compare", "identify", "census", "check", "methods", "simplify"]
 
 
 class Help(ProgramTest):

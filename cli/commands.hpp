@@ -36,7 +36,10 @@ void add_identify(CLI::App& program, Command& chosen);
 void add_census(CLI::App& program, Command& chosen);
 void add_check(CLI::App& program, Command& chosen);
 void add_study(CLI::App& program, Command& chosen);
+void add_mesh(CLI::App& program, Command& chosen);
+void add_embed(CLI::App& program, Command& chosen);
 void add_view(CLI::App& program, Command& chosen);
+void add_tube(CLI::App& program, Command& chosen);
 void add_methods(CLI::App& program, Command& chosen);
 
 }  // namespace tripus::cli

@@ -5,9 +5,9 @@
 #include <benchmark/benchmark.h>
 
 #include "tests/support/cube_meshes.hpp"
-#include "tests/support/relabelled.hpp"
 #include "topology/cone.hpp"
 #include "topology/cyclic_cover.hpp"
+#include "topology/isomorphism.hpp"
 #include "topology/isosig.hpp"
 #include "topology/simplify/locality.hpp"
 #include "topology/simplify/reducer.hpp"
@@ -73,7 +73,7 @@ std::size_t collapse_all(MutableTriangulation& m) {
 }
 
 void BM_Collapse(benchmark::State& state) {
-  Gluings fine = testing::relabelled(subdivided_cover(state.range(0)), 1);
+  Gluings fine = random_relabelling(subdivided_cover(state.range(0)), 1);
   if (is_scattered(fine)) fine = breadth_first(fine);  // as simplify does
   const MutableTriangulation start{Triangulation(fine)};
   std::size_t left = 0;
@@ -89,7 +89,7 @@ void BM_Collapse(benchmark::State& state) {
 BENCHMARK(BM_Collapse)->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 
 void BM_CollapseRebuild(benchmark::State& state) {
-  const Gluings fine = testing::relabelled(subdivided_cover(state.range(0)), 1);
+  const Gluings fine = random_relabelling(subdivided_cover(state.range(0)), 1);
   std::size_t left = 0;
   for (auto _ : state) {
     MutableTriangulation m{Triangulation(fine)};
@@ -150,7 +150,7 @@ BENCHMARK(BM_SimplifyCover)
     ->Unit(benchmark::kMillisecond);
 
 void BM_SimplifyShuffledCover(benchmark::State& state) {
-  const Gluings fine = testing::relabelled(subdivided_cover(state.range(0)), 1);
+  const Gluings fine = random_relabelling(subdivided_cover(state.range(0)), 1);
   simplify_to(state, fine, fine.tetrahedron_count() / 24);
 }
 BENCHMARK(BM_SimplifyShuffledCover)

@@ -5,7 +5,7 @@
 #include "canonical/canonize.hpp"
 #include "tests/support/data_files.hpp"
 #include "tests/support/manifold_invariants.hpp"
-#include "tests/support/relabelled.hpp"
+#include "topology/isomorphism.hpp"
 #include "topology/isosig.hpp"
 #include "topology/simplify/simplify.hpp"
 #include "topology/subdivide.hpp"
@@ -16,12 +16,11 @@ namespace tripus::topology {
 namespace {
 
 using testing::ManifoldInvariants;
-using testing::relabelled;
 
 /// Subdivided, relabelled and made small again: no larger than it was, the same invariants.
 Gluings there_and_back(const std::string& signature, std::uint64_t seed) {
   const Gluings gluings = decode_isosig(signature);
-  const Gluings fine = relabelled(barycentric_subdivision(gluings), seed);
+  const Gluings fine = random_relabelling(barycentric_subdivision(gluings), seed);
   const Simplified result = simplify(fine, {.seed = seed});
   EXPECT_LE(result.tetrahedron_count(), gluings.tetrahedron_count());
   EXPECT_EQ(result.finite_vertices_left, 0u);

@@ -8,9 +8,9 @@
 #include "base/error.hpp"
 #include "tests/support/cube_meshes.hpp"
 #include "tests/support/manifold_invariants.hpp"
-#include "tests/support/relabelled.hpp"
 #include "topology/cone.hpp"
 #include "topology/cyclic_cover.hpp"
+#include "topology/isomorphism.hpp"
 #include "topology/isosig.hpp"
 #include "topology/simplify/simplify.hpp"
 #include "topology/subdivide.hpp"
@@ -19,7 +19,6 @@ namespace tripus::topology {
 namespace {
 
 using testing::ManifoldInvariants;
-using testing::relabelled;
 
 Gluings fine_tripus(std::size_t degree) {
   const Triangulation base(decode_isosig("cPcbbbihq"));
@@ -30,7 +29,7 @@ Gluings fine_tripus(std::size_t degree) {
 // covers carry the metric with 2 n.
 TEST(Simplify, BringsSubdividedCoversBack) {
   for (const std::size_t degree : {1u, 2u, 7u, 100u}) {
-    const Gluings fine = relabelled(fine_tripus(degree), degree);
+    const Gluings fine = random_relabelling(fine_tripus(degree), degree);
     const Simplified result = simplify(fine);
     EXPECT_EQ(result.given, 48 * degree);
     EXPECT_EQ(result.tetrahedron_count(), 2 * degree);
@@ -72,7 +71,7 @@ TEST(Simplify, KnowsClosedManifolds) {
     SCOPED_TRACE(signature);
     const Triangulation given(decode_isosig(signature));
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
-      const Gluings fine = relabelled(barycentric_subdivision(given.gluings()), seed);
+      const Gluings fine = random_relabelling(barycentric_subdivision(given.gluings()), seed);
       const Simplified result = simplify(fine, {.seed = seed});
       EXPECT_LE(result.tetrahedron_count(), count);
       EXPECT_EQ(result.finite_vertices_left, 0u);
@@ -102,7 +101,7 @@ TEST(Simplify, TakesComponentsOneByOne) {
 }
 
 TEST(Simplify, IsDeterministic) {
-  const Gluings fine = relabelled(fine_tripus(20), 1);
+  const Gluings fine = random_relabelling(fine_tripus(20), 1);
   EXPECT_EQ(simplify(fine, {.seed = 3}).gluings, simplify(fine, {.seed = 3}).gluings);
 }
 
@@ -145,7 +144,7 @@ TEST(Simplify, TellsItsProgress) {
     if (stages.empty() || stages.back() != stage) stages.emplace_back(stage);
     last = tetrahedra;
   };
-  const Simplified result = simplify(relabelled(fine_tripus(50), 9), options);
+  const Simplified result = simplify(random_relabelling(fine_tripus(50), 9), options);
   EXPECT_EQ(stages.front(), "collapse");
   EXPECT_EQ(stages.back(), "done");
   EXPECT_EQ(last, result.tetrahedron_count());

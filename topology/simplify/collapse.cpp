@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "topology/detail/edge_walk.hpp"
 
 // The collapse of an edge e between vertex classes u and w is a map q from the triangulated space
 // M to another, M'. Every tetrahedron abcd at e = ab is mapped linearly to a triangle, a and b to
@@ -85,7 +84,7 @@ CollapseRefusal EdgeCollapse::refusal(TetrahedronIndex t, int edge) {
   const MutableTriangulation& m = *m_;
   if (t >= m.slot_count() || !m.is_live(t) || edge < 0 || edge > 5)
     return CollapseRefusal::kNoSuchPlace;
-  const auto start = detail::EdgeWalk::start(t, edge);
+  const auto start = EdgeWalk::start(t, edge);
   const Label one = m.vertex(t, start.a);
   const Label two = m.vertex(t, start.b);
   if (one == two) return CollapseRefusal::kSameEnds;
@@ -93,12 +92,12 @@ CollapseRefusal EdgeCollapse::refusal(TetrahedronIndex t, int edge) {
 
   const Label collapsed = m.edge(t, edge);
   corners_.clear();
-  detail::EdgeWalk walk = start;
+  EdgeWalk walk = start;
   for (std::uint32_t i = m.valence(collapsed); i > 0; --i) {
     for (int other = 0; other < 6; ++other)
       if (other != walk.edge() && m.edge(walk.t, other) == collapsed)
         return CollapseRefusal::kMeetsItself;
-    corners_.push_back({static_cast<TetrahedronIndex>(walk.t), walk.a, walk.b, walk.c, walk.d});
+    corners_.push_back(walk);
     walk.step(m.gluings());
   }
   if (has_edge_cycle()) return CollapseRefusal::kEdgeCycle;
@@ -122,8 +121,9 @@ bool EdgeCollapse::has_edge_cycle() {
   nodes_.clear();
   bool cycle = false;
   for (const auto& at : corners_) {
-    const std::uint32_t one = node(at.t, edge_number(at.a, at.d));
-    const std::uint32_t two = node(at.t, edge_number(at.b, at.d));
+    const auto t = static_cast<TetrahedronIndex>(at.t);
+    const std::uint32_t one = node(t, edge_number(at.a, at.d));
+    const std::uint32_t two = node(t, edge_number(at.b, at.d));
     cycle = !edge_sets_.join(one, two);
     if (cycle) break;
   }
@@ -145,7 +145,7 @@ bool EdgeCollapse::has_face_cycle() {
       if (j == 0) continue;
       // Each common face once, from its first side.
       const int g = m_->gluings().gluing(at.t, f)(f);
-      if (std::pair(other, g) < std::pair(at.t, f)) continue;
+      if (std::pair(other, g) < std::pair(static_cast<TetrahedronIndex>(at.t), f)) continue;
       if (!tetrahedron_sets_.join(i, j - 1)) cycle = true;
     }
   }
@@ -167,13 +167,14 @@ void EdgeCollapse::merge_labels() {
     if (i != largest) m.relabel_edge(nodes_[i].t, nodes_[i].e, nodes_[largest].label);
   }
   const auto& at = corners_.front();
-  const Label one = m.vertex(at.t, at.a);
-  const Label two = m.vertex(at.t, at.b);
+  const auto t = static_cast<TetrahedronIndex>(at.t);
+  const Label one = m.vertex(t, at.a);
+  const Label two = m.vertex(t, at.b);
   const bool keep_one = !m.is_finite(one) || (m.is_finite(two) && m.degree(one) >= m.degree(two));
   if (keep_one)
-    m.relabel_vertex(at.t, at.b, one);
+    m.relabel_vertex(t, at.b, one);
   else
-    m.relabel_vertex(at.t, at.a, two);
+    m.relabel_vertex(t, at.a, two);
 }
 
 // What lies behind the two ends of every chain of merged faces is glued together.
@@ -186,7 +187,7 @@ void EdgeCollapse::close_gap() {
       if (corner_of_[near] != 0) continue;
       const Perm4 out = m.gluings_.gluing(at.t, f);
       Perm4 map = out.inverse();
-      TetrahedronIndex t = at.t;
+      auto t = static_cast<TetrahedronIndex>(at.t);
       do {
         const auto& here = corners_[corner_of_[t] - 1];
         map = transposition(here.a, here.b) * map;
@@ -208,10 +209,11 @@ void EdgeCollapse::collapse() {
   merge_labels();
   m.touched_.clear();
   close_gap();
-  const Label collapsed = m.edge(corners_.front().t, corners_.front().edge());
-  for (const auto& at : corners_) m.uncount(at.t);
+  const Label collapsed =
+      m.edge(static_cast<TetrahedronIndex>(corners_.front().t), corners_.front().edge());
+  for (const auto& at : corners_) m.uncount(static_cast<TetrahedronIndex>(at.t));
   m.free_edge(collapsed);
-  for (const auto& at : corners_) m.free_tetrahedron(at.t);
+  for (const auto& at : corners_) m.free_tetrahedron(static_cast<TetrahedronIndex>(at.t));
 }
 
 void EdgeCollapse::apply(TetrahedronIndex t, int edge) {

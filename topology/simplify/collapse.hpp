@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "topology/edge_walk.hpp"
 #include "topology/simplify/mutable_triangulation.hpp"
 
 namespace tripus::topology {
@@ -67,14 +68,6 @@ class EdgeCollapse {
    private:
     std::vector<std::uint32_t> parent_;
   };
-  /// A tetrahedron around the edge, which runs from its vertex a to b.
-  struct Corner {
-    TetrahedronIndex t;
-    int a, b, c, d;
-    int edge() const {
-      return kEdgeNumber[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
-    }
-  };
   /// An edge class that is to be merged with others, by one of its corners.
   struct Node {
     TetrahedronIndex t;
@@ -90,7 +83,7 @@ class EdgeCollapse {
   void close_gap();
 
   MutableTriangulation* m_;
-  std::vector<Corner> corners_;  // around the edge; set by refusal, as what follows
+  std::vector<EdgeWalk> corners_;  // around the edge; set by refusal, as what follows
   std::vector<Node> nodes_;
   Sets edge_sets_;                           // of nodes_
   Sets tetrahedron_sets_;                    // of corners_

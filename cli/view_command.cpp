@@ -163,8 +163,7 @@ Outcome view_one(const ViewCommand& command, const std::string& input) {
 }
 
 int run(ViewCommand& command) {
-  if (!command.common.batch.empty())
-    return write_gallery(command.common, page_request(command));
+  if (!command.common.batch.empty()) return write_gallery(command.common, page_request(command));
   if (!command.page.empty()) check_pages(page_request(command));
   parse_size(command);
   parse_camera(command);

@@ -11,7 +11,8 @@ int main() {
   std::puts(answer.message.c_str());
   if (!answer.manifold) return 1;  // no metric was found
   const auto& signature = answer.manifold->signature;
-  std::printf("%s, %zu isometries\n", signature.oriented.c_str(), answer.manifold->isometries.order);
+  std::printf("%s, %zu isometries\n", signature.oriented.c_str(),
+              answer.manifold->isometries.order);
   const auto* entry = canonical::shipped_census().find(signature.unoriented);
   if (entry == nullptr) return 1;
   std::puts(entry->name.c_str());

@@ -6,7 +6,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace tripus;
   const auto write = [](const canonical::JournalText& journal) {
     std::string text;
-    for (const canonical::CensusLine& line : journal.lines) text += canonical::to_journal(line) + '\n';
+    for (const canonical::CensusLine& line : journal.lines)
+      text += canonical::to_journal(line) + '\n';
     return text;
   };
   try {

@@ -250,7 +250,11 @@ void add_making_options(CLI::App& verb, CensusCommand& command) {
       ->check(whole_number(1024));
   verb.add_flag("--quiet", command.quiet, "no progress and no summary on standard error");
   add_canonize_options(verb, command.classify.canonize);
-  verb.get_option("--journal")->needs(verb.get_option("--from"));
+  CLI::Option* from = verb.get_option("--from");
+  verb.get_option("--journal")->needs(from);
+  for (const char* query :
+       {"--in", "--volume", "--boundary", "--homology", "--cells", "--tetrahedra"})
+    verb.get_option(query)->excludes(from);
 }
 
 }  // namespace

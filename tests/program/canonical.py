@@ -122,6 +122,12 @@ class Census(ProgramTest):
             self.assertEqual(self.run_program("census", "--in", "census.sqlite", *query).text,
                              self.run_program("census", *query).text)
 
+    def test_a_query_makes_no_census(self):
+        list_file = str(DATA / "triangulations-2.txt")
+        result = self.run_program("census", "--from", list_file, "--boundary", "g2")
+        self.assertEqual((result.status, result.out), (2, b""))
+        self.assertEqual(self.run_program("census", "--journal", "j").status, 2)
+
     def test_foreign_files_are_left_alone(self):
         list_file = str(DATA / "triangulations-2.txt")
         for text in ("cPcbbbihq\n", "cPcbbbihq", "a\tb\n"):

@@ -19,12 +19,11 @@
 //
 // Against the outer surface: what lies inside must be deeper than 1.5 times the room, which with
 // the grid of tube_surface.cpp keeps tube and outer surface apart by more than two cells.
-#include "meshing/tube/detail/clearance.hpp"
-
 #include <cmath>
 #include <numbers>
 
 #include "base/error.hpp"
+#include "meshing/tube/detail/clearance.hpp"
 #include "meshing/tube/detail/text.hpp"
 
 namespace tripus::meshing::tube {
@@ -74,7 +73,8 @@ class ClearanceSearch {
       limit(depth / kDepthPerRoom, [&] {
         return "the point " + as_text(node.point) + " of " +
                name_of(strands_.segments[node.segments.front()]) + " is only " + as_text(depth) +
-               (crossing ? " from the next face of the outer box" : " from the outer surface");
+               (crossing ? " from the next face of the outer box"
+                         : " from the outer surface");
       });
     }
   }
@@ -86,8 +86,9 @@ class ClearanceSearch {
         const double phi = angle_between(leaving(at[i], n), leaving(at[j], n));
         if (phi < kSharpest)
           throw InvalidInput(name_of(strands_.segments[at[i]]) + " and " +
-                             name_of(strands_.segments[at[j]]) + " leave the same direction from " +
-                             as_text(strands_.nodes[n].point) + "; move one of them aside");
+                             name_of(strands_.segments[at[j]]) +
+                             " leave the same direction from " + as_text(strands_.nodes[n].point) +
+                             "; move one of them aside");
         if (phi < std::numbers::pi - kTurn) check_sharp_corner(n, phi, at[i], at[j]);
       }
   }

@@ -1,6 +1,6 @@
-#include "meshing/tube/detail/outer_surface.hpp"
-
 #include <limits>
+
+#include "meshing/tube/detail/outer_surface.hpp"
 
 namespace tripus::meshing::tube {
 namespace {

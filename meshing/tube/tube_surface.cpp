@@ -178,9 +178,9 @@ Tube make_tube(const SpatialGraph& graph, const TubeOptions& options) {
   tube.room = clearance.room;
   tube.room_place = clearance.place;
   tube.euler_characteristics = strands.expected().euler_characteristics;
-  const std::size_t wanted = options.triangles
-                                 ? *options.triangles
-                                 : usual_triangles(strands, tube.radius, options.edges_around);
+  const std::size_t wanted =
+      options.triangles ? *options.triangles
+                        : usual_triangles(strands, tube.radius, options.edges_around);
   const double largest = kLargestCell * std::min(tube.radius, tube.room - tube.radius);
   const double area = tube_area(strands, tube.radius) + outer_area(strands);
   const double cell = std::min(

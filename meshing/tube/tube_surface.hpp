@@ -21,8 +21,8 @@ struct TubeOptions {
 struct Tube {
   SurfaceMesh surface;  ///< triangles face out of the piece of space that they bound
   double radius = 0;
-  double room = 0;                          ///< radii below this keep the tube's shape
-  std::string room_place;                   ///< what limits them
+  double room = 0;         ///< radii below this keep the tube's shape
+  std::string room_place;  ///< what limits them
   std::vector<long> euler_characteristics;  ///< of the components, sorted
 };
 

@@ -176,8 +176,7 @@ void Renderer::Implementation::solve_product(const CellProduct& product, const V
     primitive.setBoundingBox(low[0], low[1], low[2], high[0], high[1], high[2]);
     pointers.push_back(&primitive);
   }
-  OpenCSG::setOption(OpenCSG::AlgorithmSetting, OpenCSG::SCS);
-  OpenCSG::setOption(OpenCSG::DepthComplexitySetting, OpenCSG::NoDepthComplexitySampling);
+  OpenCSG::setOption(OpenCSG::AlgorithmSetting, OpenCSG::SCS);OpenCSG::setOption(OpenCSG::DepthComplexitySetting, OpenCSG::NoDepthComplexitySampling);
   OpenCSG::render(pointers);
 }
 

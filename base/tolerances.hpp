@@ -16,6 +16,11 @@ inline constexpr double kCurvatureRounding = 1e-15;
 /// pi - O(sqrt(-det G)), and rounding alone moves det G across 0.
 inline constexpr double kFlatAngleMargin = 1e-6;
 
+/// Where no lengths in double precision bring max|K| below its tolerance, a tetrahedron with an
+/// angle within this of pi is tried as a flat one: such angles are off by the square root of
+/// rounding, 1e-8, times the condition of the problem.
+inline constexpr double kNearlyFlat = 1e-3;
+
 /// Bound on the estimated distance of the lengths from those of the metric, relative to 1 or the
 /// shortest edge (docs/theory.md (49)). At a metric found to max|K| = 1e-12 the estimate is some
 /// 1e-11; where lengths run off to infinity it is of order 1 however small max|K| becomes.

@@ -82,16 +82,22 @@ void check_sizes(const SpatialGraph& graph) {
   }
   if (count == 0) return;
   const double size = bounds.diagonal();
-  if (size < kSmallestSize && size > 0)
+  if (largest > 0 && size < kSmallestSize)
     throw InvalidInput("the drawing is only " + as_text(size) + " large; scale it up");
   if (largest > kMostOffset * size)
     throw InvalidInput("the drawing is " + as_text(size) + " large but its coordinates reach " +
                        as_text(largest) + "; move it to the origin");
 }
 
+void require_room(const Clearance& clearance) {
+  if (!(clearance.room > 0))
+    throw InvalidInput("there is no room for a tube: " + clearance.place + "; draw them apart");
+}
+
 /// A sphere that leaves the graph's own room around it, and as much again.
 OuterSurface automatic_outer(const SpatialGraph& graph) {
-  const double room = find_clearance(make_strands(graph, OuterSurface{})).room;
+  const Clearance clearance = find_clearance(make_strands(graph, OuterSurface{}));
+  require_room(clearance);
   Bounds bounds;
   for (const auto& edge : graph.edges)
     for (const Point& p : edge) bounds.add(p);
@@ -99,7 +105,7 @@ OuterSurface automatic_outer(const SpatialGraph& graph) {
   double farthest = 0;
   for (const auto& edge : graph.edges)
     for (const Point& p : edge) farthest = std::max(farthest, distance(p, center));
-  return OuterSurface(OuterSphere{center, farthest + 2 * std::min(room, farthest)});
+  return OuterSurface(OuterSphere{center, farthest + 2 * std::min(clearance.room, farthest)});
 }
 
 Strands cut_at_outer(const SpatialGraph& graph) {
@@ -119,8 +125,7 @@ Strands cut_at_outer(const SpatialGraph& graph) {
 
 double choose_radius(const Clearance& clearance, const TubeOptions& options) {
   const double most = kMostOfRoom * clearance.room;
-  if (!(clearance.room > 0))
-    throw InvalidInput("there is no room for a tube: " + clearance.place + "; draw them apart");
+  require_room(clearance);
   if (!options.radius) return kUsualPartOfRoom * clearance.room;
   if (!(*options.radius > 0) || !std::isfinite(*options.radius))
     throw InvalidInput("the radius of the tube must be a finite number greater than 0");

@@ -13,7 +13,7 @@ TEST(TubeFamily, RandomLatticeGraphsHaveTheirOwnGenera) {
   std::mt19937_64 random(20261122);
   std::size_t most_components = 0;
   long least = 2;
-  for (int trial = 0; trial < 24; ++trial) {
+  for (int trial = 0; trial < 16; ++trial) {
     const double density = 0.1 + 0.1 * (trial % 7);
     const auto lattice =
         testing::random_lattice_graph(2 + trial % 2, density, trial % 4 > 1, random);

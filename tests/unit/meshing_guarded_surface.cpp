@@ -86,6 +86,19 @@ TEST(Sweep, TellsFlatBodiesApart) {
   EXPECT_TRUE(meet_in_common_face_only(flat, away));
 }
 
+/// Flat faces and straight rows of edges are nothing special.
+TEST(GuardedSurface, CoarsensABoxToAFewTriangles) {
+  GuardedSurface surface(testing::box_surface(0, 1, 8));
+  for (int pass = 0; pass < 10; ++pass)
+    for (std::uint32_t v = 0; v < surface.point_count(); ++v)
+      for (int k = 0; k < 3 && !surface.star(v).empty(); ++k) {
+        const Triangle& t = surface.triangle(surface.star(v).front());
+        if (t[std::size_t(k)] != v) surface.collapse(v, t[std::size_t(k)], 0.05);
+      }
+  EXPECT_LT(surface.triangle_count(), 150u);  // of 768
+  EXPECT_FALSE(first_self_intersection(surface.mesh()));
+}
+
 /// Two rings in each other, so that motions have something to run into.
 SurfaceMesh linked_tori() {
   SurfaceMesh one = testing::torus_surface(1, 0.4, 24, 10), other = one;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include "embedding/colour.hpp"
@@ -18,6 +19,7 @@ constexpr double kSize = 640;       // pixels
 constexpr double kMargin = 0.08;    // of the picture
 constexpr double kSmallest = 0.25;  // circles of a smaller radius, in pixels, are left out
 constexpr const char* kBlack = "#222222";
+constexpr const char* kFaceName = "#0072b2";
 
 std::string hex(const Colour& colour) {
   return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
@@ -91,6 +93,13 @@ std::string label(const Circle& circle, const Window& window, const std::string&
       window.x(place) + 4, window.y(place) - 4, colour, name);
 }
 
+/// Whether the vertices are oriented otherwise than in the paper's place.
+bool is_mirrored(const HyperboloidTetrahedron& tetrahedron) {
+  Matrix4 vertices;
+  for (int v = 0; v < 4; ++v) vertices.col(v) = tetrahedron.vertices[static_cast<std::size_t>(v)];
+  return vertices.determinant() < 0;
+}
+
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -114,9 +123,11 @@ std::vector<CirclePicture> circle_pictures(const Embedding& embedding, std::span
   std::vector<CirclePicture> pictures;
   if (cells.empty()) return pictures;
   const std::uint32_t root = cells.front().tetrahedron;
-  const Matrix4 to_paper = geometry::isometry_between(
-      embedding.tetrahedra[root],
-      geometry::to_hyperboloid(geometry::circle_packing(dihedral_angles[root])));
+  // Exactly where the paper has it, or its mirror image: its lines are lines to the last bit.
+  CirclePacking first = geometry::circle_packing(dihedral_angles[root]);
+  if (is_mirrored(embedding.tetrahedra[root])) first = geometry::mirrored(first);
+  const Matrix4 to_paper =
+      geometry::isometry_between(embedding.tetrahedra[root], geometry::to_hyperboloid(first));
   const geometry::MoebiusMap frame = geometry::to_moebius(to_paper);
   for (const Cell& cell : cells) {
     const geometry::MoebiusMap map =
@@ -127,6 +138,7 @@ std::vector<CirclePicture> circle_pictures(const Embedding& embedding, std::span
       for (Circle& circle : *circles) circle = geometry::apply(map, circle);
     pictures.push_back(picture);
   }
+  pictures.front().packing = first;
   return pictures;
 }
 
@@ -160,8 +172,7 @@ std::string circles_as_svg(std::span<const CirclePicture> pictures, const std::s
     const CirclePacking& first = pictures.front().packing;
     for (std::size_t i = 0; i < 4; ++i) {
       const double turn = 0.7 + 1.5 * static_cast<double>(i);
-      svg += label(first.faces[i], window, fmt::format("f{}", i + 1),
-                   hex(tetrahedron_colour(4 + (pictures.front().tetrahedron == 4))), turn);
+      svg += label(first.faces[i], window, fmt::format("f{}", i + 1), kFaceName, turn);
       svg += label(first.vertices[i], window, fmt::format("v{}", i + 1), kBlack, turn + 0.8);
     }
   }

@@ -82,9 +82,9 @@ TEST(UniversalCover, HoldsEachCellOnce) {
     const auto m = testing::try_embed(name);
     ASSERT_TRUE(m) << name;
     UniversalCoverOptions options;
-    options.max_cells = 2000;
+    options.max_cells = 1000;
     const auto cells = universal_cover(m->embedding, m->triangulation, options);
-    ASSERT_EQ(cells.size(), 2000u);
+    ASSERT_EQ(cells.size(), 1000u);
     // Pairwise, without any index.
     for (std::size_t a = 0; a < cells.size(); ++a)
       for (std::size_t b = 0; b < a; ++b)

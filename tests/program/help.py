@@ -2,7 +2,7 @@
 
 from support import ProgramTest
 
-VERBS = ["info", "solve", "canonize", "compare", "identify", "census", "check", "methods"]
+VERBS = ["info", "solve", "canonize", "compare", "identify", "census", "check", "embed", "methods"]
 
 
 class Help(ProgramTest):

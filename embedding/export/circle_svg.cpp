@@ -77,20 +77,27 @@ std::string drawn(const Circle& circle, const Window& window, const std::string&
                      window.x(circle.centre()), window.y(circle.centre()), radius, style);
 }
 
-/// Where a name stands: on the circle, at an angle of its own so that names keep apart.
-std::string label(const Circle& circle, const Window& window, const std::string& name,
-                  const std::string& colour, double angle) {
-  Complex place;
-  if (draws_as_line(circle, window)) {
-    const auto [point, direction] = line_of(circle);
-    place = point + direction * (direction.real() < 0 ? -0.62 : 0.62) * window.half;
-  } else {
-    place = circle.centre() + std::polar(circle.radius(), angle);
-  }
+/// Where the names of the faces stand: in the middle of a circle, towards the left end of a line.
+Complex place_of_face(const Circle& circle, const Window& window) {
+  if (!draws_as_line(circle, window)) return circle.centre();
+  const auto [point, direction] = line_of(circle);
+  return point + direction * (direction.real() < 0 ? 0.75 : -0.75) * window.half;
+}
+
+/// The names of the truncations stand on their circles: v1 above, v2 below, v3 and v4 to the left,
+/// as the paper's place puts the first two side by side within the others.
+Complex place_of_vertex(const Circle& circle, std::size_t vertex) {
+  constexpr double kDirections[4] = {1.6, 4.7, 2.6, 2.6};
+  if (circle.is_line()) return {};
+  return circle.centre() + std::polar(circle.radius(), kDirections[vertex]);
+}
+
+std::string label(const Complex& place, const Window& window, const std::string& name,
+                  const char* colour) {
   return fmt::format(
       "<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\" stroke=\"white\" stroke-width=\"4\" "
-      "paint-order=\"stroke\">{}</text>\n",
-      window.x(place) + 4, window.y(place) - 4, colour, name);
+      "paint-order=\"stroke\" text-anchor=\"middle\">{}</text>\n",
+      window.x(place), window.y(place) + 6, colour, name);
 }
 
 /// Whether the vertices are oriented otherwise than in the paper's place.
@@ -171,9 +178,10 @@ std::string circles_as_svg(std::span<const CirclePicture> pictures, const std::s
     }
     const CirclePacking& first = pictures.front().packing;
     for (std::size_t i = 0; i < 4; ++i) {
-      const double turn = 0.7 + 1.5 * static_cast<double>(i);
-      svg += label(first.faces[i], window, fmt::format("f{}", i + 1), kFaceName, turn);
-      svg += label(first.vertices[i], window, fmt::format("v{}", i + 1), kBlack, turn + 0.8);
+      svg += label(place_of_face(first.faces[i], window), window, fmt::format("f{}", i + 1),
+                   kFaceName);
+      svg +=
+          label(place_of_vertex(first.vertices[i], i), window, fmt::format("v{}", i + 1), kBlack);
     }
   }
   return svg + "</svg>\n";

@@ -11,7 +11,7 @@ from collections import Counter
 from support import TRIPUS, TRIPUS_LENGTH, ProgramTest, read_json
 
 WITHOUT_METRIC = "dLQbcbcaekw"
-NON_ORIENTABLE = "cMcabbjdw"
+NON_ORIENTABLE = "dLQbccchrqg"
 
 
 def product(x, y):
@@ -191,8 +191,10 @@ class EmbedRefusals(ProgramTest):
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_a_full_disk_is_reported(self):
-        result = self.run_program("embed", TRIPUS, "-o", "/dev/full.obj")
-        self.assertEqual(result.status, 2)
+        (self.folder / "full.obj").symlink_to("/dev/full")
+        result = self.run_program("embed", TRIPUS, "-o", "full.obj")
+        self.assertEqual((result.status, result.out), (2, b""))
+        self.assertIn("No space left", result.err)
 
     def test_no_metric(self):
         result = self.run_program("embed", WITHOUT_METRIC, "-o", "x.ply")

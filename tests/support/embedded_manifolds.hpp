@@ -30,10 +30,15 @@ inline std::optional<Embedded> try_embed(const std::string& isosig) {
 
 inline Embedded embedded_tripus() { return *try_embed("cPcbbbihq"); }
 
-/// Every geometric triangulation of data/triangulations-2.txt and -3.txt, and every `step`-th line
-/// of -4.txt.
+/// Non-orientable manifolds with orientable boundary; the lists of data/ are all orientable.
+inline constexpr const char* kNonOrientable[] = {"dLQbccchrqg", "eLPkbcdddjjvkx", "eLMkbcddddlnar",
+                                                 "eLPkbcdddmhdpu", "eLPkbcddddqlfs"};
+
+/// Every geometric triangulation of data/triangulations-2.txt and -3.txt, every `step`-th line of
+/// -4.txt, and the non-orientable ones: visit(signature, Embedded, whether of the list of 4).
 template <class Visit>
 void for_geometric_triangulations(std::size_t step, Visit visit) {
+  for (const char* name : kNonOrientable) visit(name, try_embed(name).value(), false);
   for (const char* file :
        {"triangulations-2.txt", "triangulations-3.txt", "triangulations-4.txt"}) {
     const auto lines = data_lines(file);

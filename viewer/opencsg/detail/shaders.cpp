@@ -30,10 +30,18 @@ uniform float line_width;      // pixels
 varying vec3 position;
 
 void main() {
-  // From the mesh to the true wall, along the gradient (of length 1 there).
+  // From the mesh to the true wall: along the ray, so that all meshes of one wall give one point; where
+  // the ray grazes the wall, along the gradient (of length 1 there).
   vec3 p = position;
+  vec3 ray = normalize(position - eye);
   float f_own = square[own] * dot(p, p) + dot(linear[own].xyz, p) + linear[own].w;
-  p -= f_own * (2.0 * square[own] * p + linear[own].xyz);
+  float f_now = f_own;
+  for (int step = 0; step < 2; ++step) {
+    vec3 gradient = 2.0 * square[own] * p + linear[own].xyz;
+    float along = dot(gradient, ray);
+    p -= abs(along) > 0.05 ? ray * (f_now / along) : gradient * f_now;
+    f_now = square[own] * dot(p, p) + dot(linear[own].xyz, p) + linear[own].w;
+  }
   vec3 normal = normalize(2.0 * square[own] * p + linear[own].xyz);
 
   // Distances in pixels to the other walls: where they meet this one are the edges of the cell.

@@ -1,5 +1,5 @@
-// Frame times of the desktop viewer, at one sample a pixel as in its window: image-based CSG against
-// the baseline, hollow cells by discarded pixels. Drawn by whatever EGL finds: label.
+// Frame times of the desktop viewer, at one sample a pixel as in its window: image-based CSG
+// against the baseline, hollow cells by discarded pixels. Drawn by whatever EGL finds: label.
 #include <stdexcept>
 
 #include <benchmark/benchmark.h>

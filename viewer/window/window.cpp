@@ -164,8 +164,8 @@ class Viewer {
         set_cells(cells_ - std::max<std::size_t>(cells_ > 1 ? 1 : 0, cells_ / 5));
         break;
       case GLFW_KEY_M:
-        shown_.model = shown_.model == Model::kUpperHalfSpace ? Model::kPoincareBall
-                                                              : Model::kUpperHalfSpace;
+        shown_.model =
+            shown_.model == Model::kUpperHalfSpace ? Model::kPoincareBall : Model::kUpperHalfSpace;
         load();
         break;
       case GLFW_KEY_C:
@@ -186,7 +186,8 @@ class Viewer {
       case GLFW_KEY_LEFT_BRACKET:
       case GLFW_KEY_RIGHT_BRACKET:
         if (shown_.cut_away)
-          *shown_.cut_away += (key == GLFW_KEY_RIGHT_BRACKET ? 0.04 : -0.04) * renderer_.scene_ball().radius;
+          *shown_.cut_away +=
+              (key == GLFW_KEY_RIGHT_BRACKET ? 0.04 : -0.04) * renderer_.scene_ball().radius;
         break;
       case GLFW_KEY_S:
         shown_.drawing = shown_.drawing == Drawing::kSolid ? Drawing::kHollow : Drawing::kSolid;
@@ -276,7 +277,8 @@ class Viewer {
     const Image image = read_pixels(width, height);
     namespace fs = std::filesystem;
     for (int number = 1;; ++number) {
-      const fs::path path = fs::path(options_.picture_folder) / ("tripus-" + std::to_string(number) + ".png");
+      const fs::path path =
+          fs::path(options_.picture_folder) / ("tripus-" + std::to_string(number) + ".png");
       std::error_code status;
       if (fs::exists(path, status)) continue;
       try {

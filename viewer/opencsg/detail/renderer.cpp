@@ -65,8 +65,9 @@ class Renderer::Implementation {
 Renderer::Implementation::Implementation()
     : wall_program_(make_program(kWallVertexShader, kWallFragmentShader)),
       bounding_(bounding_mesh()) {
-  // All primitives are convex: the sequenced subtraction of Stewart, Leach and John. Occlusion queries
-  // would save passes, but each waits for the graphics card, and with 8 subtractions that costs more.
+  // All primitives are convex: the sequenced subtraction of Stewart, Leach and John. Occlusion
+  // queries would save passes, but each waits for the graphics card, and with 8 subtractions that
+  // costs more.
   OpenCSG::setOption(OpenCSG::AlgorithmSetting, OpenCSG::SCS);
   OpenCSG::setOption(OpenCSG::DepthComplexitySetting, OpenCSG::NoDepthComplexitySampling);
 }

@@ -140,7 +140,7 @@ float openness(vec2 at, vec2 pixel) {
 
 vec3 background(vec2 at) {
   vec3 direction = to_model * normalize(place(at, 1.0));
-  vec3 sky = mix(vec3(0.90, 0.92, 0.945), vec3(0.985, 0.985, 0.98), smoothstep(0.0, 1.0, 1.0 - at.y));
+  vec3 sky = mix(vec3(0.93, 0.945, 0.96), vec3(0.985, 0.985, 0.98), smoothstep(0.0, 1.0, 1.0 - at.y));
   if (model == 0) {
     // The plane at infinity, z = 0, fading out around the scene.
     float t = -eye.z / direction.z;

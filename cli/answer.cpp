@@ -7,6 +7,7 @@
 #include "cli/json.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "meshing/stopped.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -33,6 +34,7 @@ Answer error_answer(const std::string& input, bool json, const std::exception& e
 }
 
 int status_of(const std::exception& error) {
+  if (dynamic_cast<const meshing::Stopped*>(&error) != nullptr) return kNoAnswer;
   return dynamic_cast<const InvalidInput*>(&error) != nullptr ? kBadInput : kInternalFailure;
 }
 

@@ -34,10 +34,11 @@ class EdgeCollapse {
   CollapseRefusal refusal(TetrahedronIndex t, int edge);
   /// Throws InvalidInput with the place and the reason if it is refused; nothing is changed then.
   void apply(TetrahedronIndex t, int edge);
-  bool try_apply(TetrahedronIndex t, int edge) {
-    if (refusal(t, edge) != CollapseRefusal::kNone) return false;
-    collapse();
-    return true;
+  /// Collapses the edge if that is legal; says why not otherwise.
+  CollapseRefusal try_apply(TetrahedronIndex t, int edge) {
+    const CollapseRefusal reason = refusal(t, edge);
+    if (reason == CollapseRefusal::kNone) collapse();
+    return reason;
   }
 
  private:

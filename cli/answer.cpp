@@ -86,20 +86,27 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
       ->check(whole_number(kMostThreads));
 }
 
+int answer_lines(const CommonOptions& options,
+                 const std::function<Outcome(const topology::BatchLine&)>& answer) {
+  return run_batch({options.batch, options.threads, options.quiet},
+                   [&](const topology::BatchLine& line) -> Answer {
+                     try {
+                       std::string answered = answer(line).text;
+                       if (!answered.empty() && answered.back() == '\n') answered.pop_back();
+                       return {std::move(answered), {}};
+                     } catch (const std::exception& error) {
+                       return error_answer(line.text, options.json, error);
+                     }
+                   });
+}
+
 int answer_inputs(const CommonOptions& options,
                   const std::function<Outcome(const std::string&)>& answer) {
   if (options.batch.empty()) return answer_one(options, answer);
-  return run_batch({options.batch, options.threads, options.quiet},
-                   [&](const std::string& input) -> Answer {
-                     try {
-                       if (input == "-") throw InvalidInput(kNoStandardInput);
-                       std::string text = answer(input).text;
-                       if (!text.empty() && text.back() == '\n') text.pop_back();
-                       return {std::move(text), {}};
-                     } catch (const std::exception& error) {
-                       return error_answer(input, options.json, error);
-                     }
-                   });
+  return answer_lines(options, [&](const topology::BatchLine& line) {
+    if (line.text == "-") throw InvalidInput(kNoStandardInput);
+    return answer(line.text);
+  });
 }
 
 }  // namespace tripus::cli

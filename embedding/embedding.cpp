@@ -9,9 +9,9 @@
 
 #include "base/error.hpp"
 #include "base/tolerances.hpp"
+#include "embedding/detail/orientations.hpp"
 #include "geometry/moebius.hpp"
 #include "geometry/truncated_tetrahedron.hpp"
-#include "topology/dual_graph.hpp"
 
 namespace tripus::embedding {
 namespace {
@@ -101,25 +101,12 @@ Matrix4 face_pairing(const HyperboloidTetrahedron& here, const HyperboloidTetrah
   return geometry::reorthogonalised(pairing.cast<double>());
 }
 
-/// [T] 1 or -1: the frames of neighbours in a spanning forest agree, where the labels of a face are
-/// matched by an odd permutation exactly when they have the same orientation.
-std::vector<int> orientations(const Gluings& gluings) {
-  const topology::SpanningForest forest = topology::spanning_forest(gluings);
-  std::vector<int> sign(gluings.tetrahedron_count(), 1);
-  for (const std::size_t t : forest.order) {
-    if (forest.parent[t] == topology::kNoTetrahedron) continue;
-    const bool same = gluings.gluing(forest.parent[t], forest.face[t]).is_odd();
-    sign[t] = same ? sign[forest.parent[t]] : -sign[forest.parent[t]];
-  }
-  return sign;
-}
-
 }  // namespace
 
 Embedding embed(const Triangulation& triangulation, std::span<const double> edge_lengths) {
   require_lengths(triangulation, edge_lengths);
   const std::size_t count = triangulation.tetrahedron_count();
-  const std::vector<int> orientation = orientations(triangulation.gluings());
+  const std::vector<int> orientation = detail::orientations(triangulation.gluings());
   Embedding embedding;
   embedding.tetrahedra.reserve(count);
   for (std::size_t t = 0; t < count; ++t) {

@@ -140,6 +140,15 @@ HyperboloidTetrahedron to_hyperboloid(const CirclePacking& packing) {
   return tetrahedron;
 }
 
+CirclePacking circles_of(const HyperboloidTetrahedron& tetrahedron) {
+  CirclePacking packing;
+  for (std::size_t i = 0; i < 4; ++i) {
+    packing.vertices[i] = circle_of(tetrahedron.vertices[i]);
+    packing.faces[i] = circle_of(tetrahedron.faces[i]);
+  }
+  return packing;
+}
+
 Matrix4 isometry_between(const HyperboloidTetrahedron& from, const HyperboloidTetrahedron& to) {
   Matrix4 start, end;
   for (int i = 0; i < 4; ++i) {
@@ -160,7 +169,15 @@ CirclePacking mirrored(const CirclePacking& packing) {
 }
 
 Circle apply(const MoebiusMap& map, const Circle& circle) {
-  return circle_of(to_matrix(map) * plane_of(circle));
+  // M H M* for the Hermitian matrix H with rows (co-curvature, weighted centre) and (its conjugate,
+  // curvature): scales only multiply, so circles of very different sizes keep their digits.
+  const Complex u = map.reverses ? std::conj(circle.weighted_centre) : circle.weighted_centre;
+  const double k = circle.curvature, k2 = circle.co_curvature;
+  const Complex top_left = map.a * k2 + map.b * std::conj(u), top_right = map.a * u + map.b * k;
+  const Complex low_left = map.c * k2 + map.d * std::conj(u), low_right = map.c * u + map.d * k;
+  return {(low_left * std::conj(map.c) + low_right * std::conj(map.d)).real(),
+          top_left * std::conj(map.c) + top_right * std::conj(map.d),
+          (top_left * std::conj(map.a) + top_right * std::conj(map.b)).real()};
 }
 
 }  // namespace tripus::geometry

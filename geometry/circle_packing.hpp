@@ -55,6 +55,9 @@ double intersection_angle(const Circle& first, const Circle& second);
 /// `hyperboloid_tetrahedron` finds from the lengths, in another place.
 HyperboloidTetrahedron to_hyperboloid(const CirclePacking& packing);
 
+/// The circles at infinity of a tetrahedron in any place.
+CirclePacking circles_of(const HyperboloidTetrahedron& tetrahedron);
+
 /// The isometry that carries one tetrahedron to another with the same lengths, from the frames that
 /// their vertices are. It reverses orientation where their orientations differ.
 Matrix4 isometry_between(const HyperboloidTetrahedron& from, const HyperboloidTetrahedron& to);

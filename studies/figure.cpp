@@ -78,6 +78,16 @@ std::vector<Tick> ticks(const Axis& axis, const Scale& scale, int wanted) {
     result.push_back({double(i), escaped(axis.categories[i])});
   if (!result.empty()) return result;
   const double range = scale.upper - scale.lower;
+  // A few decades of numbers that are read as they stand: 1, 2, 5, 10, ...
+  if (scale.log && range >= 0.8 && range < 2.5 && scale.lower >= -3 && scale.upper <= 5) {
+    for (double k = std::floor(scale.lower); k <= scale.upper; ++k) {
+      for (const double digit : {1.0, 2.0, 5.0}) {
+        const double value = digit * std::pow(10.0, k);
+        if (scale.shows(value)) result.push_back({value, fmt::format("{:.6g}", value)});
+      }
+    }
+    return result;
+  }
   if (scale.log && range >= 1.5) {
     const double step = std::max(1.0, nice(range / wanted));
     for (double k = std::ceil(scale.lower / step) * step; k <= scale.upper; k += step) {

@@ -32,7 +32,7 @@ USES = {
     "meshing": ["topology"],
     "embedding": ["structure"],
     "viewer": ["embedding"],
-    "studies": ["structure"],
+    "studies": ["structure", "canonical"],
     "cli": ["canonical", "meshing", "embedding", "viewer", "studies"],
 }
 

@@ -2,7 +2,7 @@
 
 from support import ProgramTest
 
-VERBS = ["info", "solve", "canonize", "compare", "identify", "census", "check", "methods"]
+VERBS = ["info", "solve", "cover", "canonize", "compare", "identify", "census", "check", "methods"]
 
 
 class Help(ProgramTest):

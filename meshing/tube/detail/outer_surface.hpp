@@ -24,7 +24,7 @@ class OuterSurface {
   Point normal(const Point& p) const;
 
   /// The point after `from`, which is inside, where the ray through `to` leaves.
-  Point exit(const Point& from, const Point& to) const;
+  Point exit_point(const Point& from, const Point& to) const;
 
   /// How far inside a point of the surface is with respect to the other faces of the box; infinite
   /// for a sphere.

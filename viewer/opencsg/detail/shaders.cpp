@@ -20,6 +20,7 @@ uniform float kind[kMost];     // 0 face, 1 truncation, 2 side of the model, 3 c
 uniform int count;
 uniform int own;
 uniform bool discarding;       // whether this shader does the CSG itself
+uniform float slack;           // farthest that the mesh of a wall leaves it
 uniform bool plain;            // whether to show `colour` as it is
 uniform vec3 colour;
 uniform vec3 eye;              // in the local frame
@@ -36,21 +37,25 @@ void main() {
 
   // Distances in pixels to the other walls: where they meet this one are the edges of the cell.
   float ink = 0.0;
-  bool outside = false;
+  // The sides and the base that close a mesh are no wall.
+  bool outside = discarding && abs(f_own) > slack;
   for (int i = 0; i < kMost; ++i) {
     if (i >= count) break;
     float f = square[i] * dot(p, p) + dot(linear[i].xyz, p) + linear[i].w;
     vec2 slope = vec2(dFdx(f), dFdy(f));
     float pixels = -f / max(length(slope), 1e-12);
     if (i == own) continue;
-    outside = outside || f > 0.0;
+    outside = outside || pixels < (discarding ? -0.5 : -1.2);
     if (kind[i] == 2.0) continue;
     bool edge = kind[own] == 0.0 && kind[i] == 0.0;
     float width = edge ? line_width : 0.5 * line_width;
     float strength = edge ? 0.85 : 0.55;
     ink = max(ink, strength * (1.0 - smoothstep(width - 0.6, width + 0.6, pixels)));
   }
-  if (discarding && outside) discard;
+  // Cells along one geodesic plane share the surface of their truncations: that a pixel has our depth
+  // does not make it ours.
+  // A little beyond the edge is ours, or there were slits between cells.
+  if (outside) discard;
   if (plain) {
     gl_FragColor = vec4(colour, 1.0);
     return;

@@ -1,0 +1,220 @@
+// tripus embed: the metric in hyperbolic space, its gluings, its universal cover.
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/answer.hpp"
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/describe.hpp"
+#include "cli/embedding_text.hpp"
+#include "cli/help.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/numbers.hpp"
+#include "cli/output_file.hpp"
+#include "cli/report_text.hpp"
+#include "embedding/developing_map.hpp"
+#include "embedding/export/circle_svg.hpp"
+#include "embedding/export/mesh_formats.hpp"
+#include "structure/solve.hpp"
+
+namespace tripus::cli {
+namespace {
+
+struct EmbedCommand {
+  CommonOptions common;
+  std::string output;
+  std::string circles;
+  std::size_t cells = 0;  ///< 0: not given
+  int depth = -1;         ///< -1: not given
+  double radius = 0;      ///< 0: not given
+  std::string model = "ball";
+  double error = embedding::TessellationOptions{}.error;
+};
+
+/// What a file's name asks for: json, svg or a mesh format.
+std::string extension_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+const embedding::MeshFormat* find_mesh_format(std::string_view extension) {
+  for (const embedding::MeshFormat& format : embedding::mesh_formats())
+    if (format.extension == extension) return &format;
+  return nullptr;
+}
+
+/// Throws InvalidInput for a name whose ending says nothing.
+void require_known_extension(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension == "json" || extension == "svg" || find_mesh_format(extension) != nullptr) return;
+  std::vector<std::string> known{".json"};
+  for (const embedding::MeshFormat& format : embedding::mesh_formats())
+    known.push_back(fmt::format(".{}", format.extension));
+  known.emplace_back(".svg");
+  throw InvalidInput(
+      fmt::format("-o {}: the format goes by the ending of the name, and there are {}",
+                  quoted(path), fmt::join(known, ", ")));
+}
+
+geometry::Model model_named(std::string_view name) {
+  for (const auto model : {geometry::Model::kUpperHalfSpace, geometry::Model::kPoincareBall})
+    if (to_string(model) == name) return model;
+  return geometry::Model::kKleinBall;
+}
+
+/// The cells that were asked for; the fundamental domain if nothing was.
+embedding::UniversalCover cells_of(const EmbedCommand& command, const Subject& subject,
+                                   const embedding::Embedding& embedded) {
+  if (command.cells == 0 && command.depth < 0 && command.radius == 0)
+    return {embedding::fundamental_domain(embedded, subject.triangulation.gluings()), {}};
+  embedding::UniversalCoverOptions options;
+  if (command.cells > 0) options.max_cells = command.cells;
+  if (command.depth >= 0) options.max_depth = static_cast<std::uint32_t>(command.depth);
+  if (command.radius > 0) options.max_radius = command.radius;
+  options.stop_requested = &interrupt_requested();
+  embedding::UniversalCover cover =
+      embedding::grow_universal_cover(embedded, subject.triangulation, options);
+  // All the cells that were asked for are there: nothing ended early.
+  if (command.cells > 0 && cover.end == embedding::CoverEnd::kCells)
+    cover.end = embedding::CoverEnd::kComplete;
+  return cover;
+}
+
+void write_mesh(const EmbedCommand& command, const EmbeddedSubject& embedded,
+                const embedding::MeshFormat& format, OutputFile& file) {
+  const embedding::Tessellation tessellation(embedded.embedding, embedded.cover.cells,
+                                             {model_named(command.model), command.error});
+  if (tessellation.triangle_count() > embedding::kMostTriangles) {
+    throw InvalidInput(fmt::format(
+        "{} cells with an error of {} take {} triangles, more than {}; ask for fewer cells or a "
+        "larger --tessellation",
+        embedded.cover.cells.size(), command.error, tessellation.triangle_count(),
+        embedding::kMostTriangles));
+  }
+  format.write(file.open(), tessellation);
+}
+
+std::string circle_figure(const EmbeddedSubject& embedded) {
+  return embedding::circles_as_svg(
+      embedding::circle_pictures(embedded.embedding, embedded.cover.cells,
+                                 embedded.report.dihedral_angles),
+      fmt::format("circles of {}: {}", printable(embedded.subject.input),
+                  counted(embedded.cover.cells.size(), "cell", "cells")));
+}
+
+void write_file(const EmbedCommand& command, const EmbeddedSubject& embedded, OutputFile& file) {
+  const std::string extension = extension_of(file.path());
+  if (const embedding::MeshFormat* format = find_mesh_format(extension)) {
+    write_mesh(command, embedded, *format, file);
+  } else if (extension == "svg") {
+    file.open() << circle_figure(embedded);
+  } else {
+    file.open() << embedding_as_json(embedded) << '\n';
+  }
+  file.close();
+}
+
+Outcome embed_one(const EmbedCommand& command, const std::string& input) {
+  std::optional<OutputFile> file, circles;
+  if (!command.output.empty()) {
+    require_known_extension(command.output);
+    file.emplace(command.output);
+  }
+  if (!command.circles.empty()) circles.emplace(command.circles);
+  const Subject subject = load_subject(input);
+  catch_interrupts();
+  structure::SolveOptions solve;
+  solve.stop_requested = &interrupt_requested();
+  structure::Report report = structure::solve(subject.triangulation, solve);
+  const bool wants_json = command.common.json || command.output.empty();
+  if (report.outcome != structure::Outcome::kGeometric) {
+    return {wants_json ? report_as_json(subject, report)
+                       : report_as_text(subject, report) + "  nothing was embedded\n",
+            kNoAnswer};
+  }
+  embedding::Embedding placed = embedding::embed(subject.triangulation, report.edge_lengths);
+  embedding::UniversalCover cover = cells_of(command, subject, placed);
+  const EmbeddedSubject embedded{subject, report, std::move(placed), std::move(cover)};
+  if (file) write_file(command, embedded, *file);
+  if (circles) {
+    circles->open() << circle_figure(embedded);
+    circles->close();
+  }
+  return {wants_json ? embedding_as_json(embedded) : embedding_as_text(embedded, command.output),
+          embedded.cover.end == embedding::CoverEnd::kInterrupted ? kNoAnswer : kSuccess};
+}
+
+int run(const EmbedCommand& command) {
+  CommonOptions common = command.common;
+  common.json = common.json || command.output.empty();
+  return answer_inputs(common, [&](const std::string& input) { return embed_one(command, input); });
+}
+
+void add_cell_options(CLI::App& verb, EmbedCommand& command) {
+  auto* cells = verb.add_option("--cells", command.cells,
+                                fmt::format("the first N cells of the universal cover, nearest "
+                                            "first (1 to {})",
+                                            embedding::kMostCells))
+                    ->option_text("N")
+                    ->check(CLI::Range(std::size_t{1}, embedding::kMostCells));
+  auto* depth = verb.add_option("--depth", command.depth,
+                                "the cells that at most D faces part from the first")
+                    ->option_text("D")
+                    ->check(whole_number(std::numeric_limits<int>::max()));
+  verb.add_option("--radius", command.radius,
+                  "every cell that comes within the hyperbolic distance R of the\n"
+                  "centre of the first")
+      ->option_text("R")
+      ->check(positive_number())
+      ->excludes(cells)
+      ->excludes(depth);
+  depth->excludes(cells);
+}
+
+}  // namespace
+
+void add_embed(CLI::App& program, Command& chosen) {
+  CLI::App* verb = program.add_subcommand(
+      "embed", "tetrahedra in hyperbolic space, their gluings, the universal cover");
+  auto command = std::make_shared<EmbedCommand>();
+  verb->add_option("INPUT", command->common.input,
+                   "an isomorphism signature, a file, or - for standard input")
+      ->option_text(" ")
+      ->transform(unshield())
+      ->required();
+  std::string formats = "write to a file; its name ends in\n.json  as --json prints it\n";
+  for (const embedding::MeshFormat& format : embedding::mesh_formats())
+    formats += fmt::format(".{:<5} {}\n", format.extension, format.summary);
+  verb->add_option("-o,--output", command->output,
+                   formats + ".svg   the circles at infinity, as --circles")
+      ->option_text("FILE");
+  verb->add_flag("--json", command->common.json,
+                 "one JSON object on standard output; also without -o");
+  add_cell_options(*verb, *command);
+  verb->add_option("--model", command->model, "of obj, ply and vtk: upper, ball (default) or klein")
+      ->option_text("NAME")
+      ->check(CLI::IsMember({"upper", "ball", "klein"}));
+  verb->add_option("--tessellation", command->error,
+                   fmt::format("how far the triangles of obj, ply and vtk may lie from the curved\n"
+                               "faces, in the coordinates of the model (default: {})",
+                               command->error))
+      ->option_text("X")
+      ->check(positive_number());
+  verb->add_option("--circles", command->circles,
+                   "draw the circles of the cells at infinity, in the paper's place, as SVG")
+      ->option_text("FILE");
+  verb->footer(
+      std::string("Without --cells, --depth or --radius the cells are a fundamental domain: each\n"
+                  "tetrahedron once.\n\n") +
+      kInputHelp + "\n" + kExitStatusHelp);
+  verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
+}
+
+}  // namespace tripus::cli

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <iosfwd>
+#include <span>
+#include <string_view>
+
+#include "embedding/tessellate.hpp"
+
+/// Writers of tessellated cells. Each cell is a closed surface of its own; which cell, tetrahedron
+/// and side a triangle belongs to, and the colour of its cell, are written as the format allows.
+namespace tripus::embedding {
+
+/// Writes all cells of a tessellation; a failed write leaves the stream's error state.
+using WriteMesh = void (*)(std::ostream& out, const Tessellation& tessellation);
+
+struct MeshFormat {
+  std::string_view extension;  ///< "obj"
+  std::string_view summary;    ///< one line for people
+  WriteMesh write;
+};
+
+/// Every format. To add one: a file beside the others and a line in mesh_formats.cpp.
+std::span<const MeshFormat> mesh_formats();
+
+/// More triangles than this are refused: several gigabytes.
+inline constexpr std::size_t kMostTriangles = 100'000'000;
+
+/// Wavefront OBJ: a group for each cell, "cell_C_tetrahedron_T", and the colour behind each vertex.
+void write_obj(std::ostream& out, const Tessellation& tessellation);
+
+/// PLY, binary little-endian. Vertices: x y z (double). Faces: vertex_indices, red, green, blue
+/// (uchar), cell, tetrahedron (int), side (uchar: 0..3 the face, 4..7 4 + the truncated vertex).
+void write_ply(std::ostream& out, const Tessellation& tessellation);
+
+/// VTK legacy PolyData, binary, with the cell data `cell`, `tetrahedron`, `depth`, `side` (int) and
+/// `colour` (red, green, blue).
+void write_vtk(std::ostream& out, const Tessellation& tessellation);
+
+}  // namespace tripus::embedding

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "embedding/universal_cover.hpp"
+#include "geometry/hyperbolic_space.hpp"
+
+/// Cells as surfaces to draw: four hexagons on the faces and four triangles on the truncations,
+/// each on a geodesic plane.
+namespace tripus::embedding {
+
+using geometry::Model;
+using geometry::Vector3;
+
+/// No cell is divided more often than this.
+inline constexpr int kMostSubdivisions = 7;
+
+/// The closed surface of one truncated tetrahedron in its own frame: 28 patches (six about the
+/// middle of each hexagon, and the four triangles), each cut n times into four at the hyperbolic
+/// middles of its sides. 14 4^n + 2 points and 28 4^n triangles, counter-clockwise seen from
+/// outside; points on common sides are shared.
+struct CellShape {
+  std::vector<Vector4> points;  ///< on the hyperboloid
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint8_t> sides;  ///< [triangles] 0..3 the face, 4..7 4 + the truncated vertex
+};
+
+/// Throws InvalidInput unless subdivisions is from 0 to kMostSubdivisions.
+CellShape cell_shape(const HyperboloidTetrahedron& tetrahedron, int subdivisions);
+
+inline std::size_t point_count(int subdivisions) {
+  return (std::size_t{14} << (2 * subdivisions)) + 2;
+}
+inline std::size_t triangle_count(int subdivisions) {
+  return std::size_t{28} << (2 * subdivisions);
+}
+
+/// What a tessellation is to be like.
+struct TessellationOptions {
+  Model model = Model::kPoincareBall;
+  /// How far the flat triangles may lie from the surfaces and edges that they stand for, in the
+  /// coordinates of the model; > 0. In the upper half-space, where cells can be large, it is
+  /// multiplied by the diameter of a cell that is larger than 1.
+  double error = 1e-2;
+};
+
+/// Cells cut into triangles, one cell at a time, so that not all must be in memory. In the Klein
+/// model planes are flat and nothing is subdivided.
+class Tessellation {
+ public:
+  /// Finds the level of every cell: the least power of 2 that keeps the error.
+  /// Throws InvalidInput, naming the cell, where kFinestLevel is too coarse for the error, and for
+  /// an error that is not positive. The arguments must outlive the tessellation.
+  Tessellation(const Embedding& embedding, std::span<const Cell> cells,
+               const TessellationOptions& options);
+
+  std::span<const Cell> cells() const { return cells_; }
+  int subdivisions(std::size_t cell) const { return subdivisions_[cell]; }
+  std::size_t point_count() const { return point_count_; }
+  std::size_t triangle_count() const { return triangle_count_; }
+
+  /// The points of a cell in the model.
+  std::vector<Vector3> points(std::size_t cell) const;
+  /// The triangles of a cell as numbers of its points, counter-clockwise seen from outside.
+  std::vector<std::array<std::uint32_t, 3>> triangles(std::size_t cell) const;
+  /// As CellShape::sides.
+  const std::vector<std::uint8_t>& sides(std::size_t cell) const;
+
+ private:
+  const CellShape& shape(std::uint32_t tetrahedron, int subdivisions) const;
+  double largest_deviation(const Cell& cell, int subdivisions) const;
+
+  const Embedding& embedding_;
+  std::span<const Cell> cells_;
+  TessellationOptions options_;
+  std::vector<std::uint8_t> subdivisions_;
+  std::size_t point_count_ = 0, triangle_count_ = 0;
+  /// Shapes by tetrahedron and subdivisions, made when first asked for.
+  mutable std::vector<std::array<CellShape, kMostSubdivisions + 1>> shapes_;
+};
+
+/// The hyperbolic volume that a closed surface in the Klein ball encloses, by the divergence
+/// theorem and the value at the middle of each triangle: the error falls with the square of their
+/// size. Source: docs/theory.md (74).
+double enclosed_volume(std::span<const Vector3> points,
+                       std::span<const std::array<std::uint32_t, 3>> triangles);
+
+/// Hyperbolic area of the triangle with three corners on the hyperboloid.
+/// Source: docs/theory.md (75).
+double triangle_area(const Vector4& a, const Vector4& b, const Vector4& c);
+
+}  // namespace tripus::embedding

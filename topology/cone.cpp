@@ -127,20 +127,23 @@ std::vector<std::uint32_t> boundary_circles(const Gluings& gluings, const OpenFa
   return circles;
 }
 
-/// Marks every corner of an edge below the cones.
-void mark_edge(const Gluings& gluings, std::size_t inside, const EdgeWalk& start,
-               std::vector<std::uint8_t>& met) {
+/// Marks every corner of an edge below the cones. Returns the number of link vertices that are its
+/// ends: 1 if it is its own reverse, which is for others to refuse.
+int mark_edge(const Gluings& gluings, std::size_t inside, const EdgeWalk& start,
+              std::vector<std::uint8_t>& met) {
   EdgeWalk walk = start;
   for (int way = 0; way < 2; ++way) {
     while (true) {
       met[walk.t] = static_cast<std::uint8_t>(met[walk.t] | 1u << walk.edge());
       if (gluings.neighbour(walk.t, walk.c) >= inside) break;
       walk.step(gluings);
-      if (walk.t == start.t && walk.edge() == start.edge()) return;
+      if (walk.t == start.t && walk.edge() == start.edge())
+        return walk.reversed() == start.reversed() ? 2 : 1;
     }
     walk = start;
     std::swap(walk.c, walk.d);
   }
+  return 2;
 }
 
 /// Euler characteristics of the links below the cones.
@@ -161,8 +164,8 @@ std::vector<std::int64_t> euler_characteristics(const Gluings& gluings, std::siz
       if ((met[t] >> e & 1) != 0) continue;
       const auto [a, b] = kEdgeEnds[static_cast<std::size_t>(e)];
       doubled[classes[4 * t + static_cast<std::size_t>(a)]] += 2;
-      doubled[classes[4 * t + static_cast<std::size_t>(b)]] += 2;
-      mark_edge(gluings, inside, EdgeWalk::start(t, e), met);
+      if (mark_edge(gluings, inside, EdgeWalk::start(t, e), met) == 2)
+        doubled[classes[4 * t + static_cast<std::size_t>(b)]] += 2;
     }
   for (std::int64_t& value : doubled) value /= 2;
   return doubled;

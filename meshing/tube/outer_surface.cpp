@@ -1,6 +1,6 @@
-#include <limits>
-
 #include "meshing/tube/detail/outer_surface.hpp"
+
+#include <limits>
 
 namespace tripus::meshing::tube {
 namespace {

@@ -1,8 +1,9 @@
+#include "meshing/tube/detail/strands.hpp"
+
 #include <map>
 #include <numeric>
 
 #include "base/error.hpp"
-#include "meshing/tube/detail/strands.hpp"
 #include "meshing/tube/detail/text.hpp"
 
 namespace tripus::meshing::tube {

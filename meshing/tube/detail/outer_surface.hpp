@@ -17,7 +17,8 @@ class OuterSurface {
   bool exists() const { return shape_.index() != 0; }
   bool is_sphere() const { return std::holds_alternative<OuterSphere>(shape_); }
 
-  /// At most the distance to the surface, negative inside; convex, changes no faster than the place.
+  /// At most the distance to the surface, negative inside; convex, changes no faster than the
+  /// place.
   double value(const Point& p) const;
 
   /// Unit vector along which `value` grows.

@@ -173,7 +173,7 @@ int run(const MeshCommand& command) {
 
 void add_mesh(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
-      "mesh", "from a boundary surface or a tetrahedral mesh to a small ideal triangulation");
+      "mesh", "from a surface or a tetrahedral mesh to a small triangulation");
   auto command = std::make_shared<MeshCommand>();
   add_common_options(*verb, command->common);
   auto* output = verb->add_option("-o,--output", command->output,

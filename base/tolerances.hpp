@@ -16,6 +16,11 @@ inline constexpr double kCurvatureRounding = 1e-15;
 /// pi - O(sqrt(-det G)), and rounding alone moves det G across 0.
 inline constexpr double kFlatAngleMargin = 1e-6;
 
+/// Where no lengths in double precision bring max|K| below its tolerance, a tetrahedron with an
+/// angle within this of pi is tried as a flat one: such angles are off by the square root of
+/// rounding, 1e-8, times the condition of the problem.
+inline constexpr double kNearlyFlat = 1e-3;
+
 /// Bound on the estimated distance of the lengths from those of the metric, relative to 1 or the
 /// shortest edge (docs/theory.md (49)). At a metric found to max|K| = 1e-12 the estimate is some
 /// 1e-11; where lengths run off to infinity it is of order 1 however small max|K| becomes.
@@ -42,6 +47,20 @@ inline constexpr double kVolumeAgreement = 1e-9;
 /// beyond this times the sum of the sizes of its terms: each term has at most 8 roundings of 2^-53;
 /// twice that leaves room for the roundings of the bound. Below it, signs are computed exactly.
 inline constexpr double kOrientationRounding = 0x1p-49;
+
+/// Triangles of a tube's surface that come closer than this, relative to their size, count as
+/// meeting while one of them is moved: rounding in the test itself is some 1e-15, and triangles that
+/// keep this distance do not meet whatever the last bits do.
+inline constexpr double kSweepClearance = 1e-9;
+
+/// Boxes that a ray misses by less than this part of its length are looked into all the same. Each
+/// coordinate of the ray spans at least a third of the others, so its parameter has an error of some
+/// ten roundings of 2^-53.
+inline constexpr double kRayMargin = 1e-12;
+
+/// A point in a hole is looked for down to this part of the size of its triangles away from them;
+/// nearer, doubles are too coarse.
+inline constexpr double kThinnestHole = 1e-9;
 
 /// Lengths with an edge curvature above this are not placed in hyperbolic space: the misfit is
 /// multiplied by e^r at distance r, and pictures of radius 10 are to close up to some 1e-4. Solved

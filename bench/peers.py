@@ -4,15 +4,19 @@
     peers.py PROGRAM FILE      FILE holds a signature a line; a table on standard output
 
 What is compared is what a peer can do with these inputs:
-  read       the signature, its H1 and its signature again           Tripus, Regina; SnapPy: H1
-  structure  whether a strict angle structure exists                 Regina; Tripus as part of solve
-  metric     the hyperbolic metric with geodesic boundary            Tripus
+  read    the signature, its H1 and its signature again       Tripus, Regina; SnapPy: H1 only
+  metric  the hyperbolic metric with geodesic boundary        Tripus
+Regina's angle structures are those of ideal vertices, with vertex sums pi: a manifold whose boundary
+has genus 2 or more has none, so there is nothing to compare. Orb finds such metrics, but has no
+interface for scripts.
 Regina comes with a Python of its own on some systems: then run this script by regina-python.
-A peer that is not found is named as such. Answers are checked before times are printed.
+A peer that is not found is named as such. Answers are compared first. Times are of the processor, the
+least of three: other work on the machine counts little.
 """
 
 import importlib
 import json
+import resource
 import shutil
 import subprocess
 import sys
@@ -33,16 +37,28 @@ def load(module):
 
 
 def timed(work, inputs):
-    start = time.perf_counter()
-    answers = [work(text) for text in inputs]
-    return (time.perf_counter() - start) / len(inputs), answers
+    """Seconds an input, the least of three passes, and the answers."""
+    seconds = []
+    for _ in range(3):
+        start = time.process_time()
+        answers = [work(text) for text in inputs]
+        seconds.append(time.process_time() - start)
+    return min(seconds) / len(inputs), answers
+
+
+def children_seconds():
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
 
 
 def tripus(program, verb, path, count):
-    start = time.perf_counter()
-    done = subprocess.run([program, verb, "--batch", str(path), "--json", "--threads", "1"],
-                          capture_output=True, check=True, text=True)
-    seconds = time.perf_counter() - start
+    all_seconds = []
+    for _ in range(3):
+        start = children_seconds()
+        done = subprocess.run([program, verb, "--batch", str(path), "--json", "--threads", "1"],
+                              capture_output=True, check=True, text=True)
+        all_seconds.append(children_seconds() - start)
+    seconds = min(all_seconds)
     answers = [json.loads(line) for line in done.stdout.splitlines()]
     if len(answers) != count:
         raise SystemExit(f"tripus {verb} answered {len(answers)} of {count} inputs")
@@ -68,16 +84,13 @@ def main():
     if regina:
         def read(text):
             triangulation = regina.Triangulation3.fromIsoSig(text)
-            triangulation.homology()
-            return triangulation.isoSig()
+            return triangulation.isoSig(), triangulation.homology().str()
 
         seconds, answers = timed(read, inputs)
-        if answers != [answer["isosig"] for answer in info]:
-            raise SystemExit("Regina and Tripus disagree about signatures")
+        for text, theirs, ours in zip(inputs, answers, info):
+            if theirs != (ours["isosig"], ours["H1"]):
+                raise SystemExit(f"{text}: Regina says {theirs}, Tripus {ours['isosig'], ours['H1']}")
         rows.append(("read", "Regina", seconds))
-        seconds, answers = timed(
-            lambda text: regina.Triangulation3.fromIsoSig(text).hasStrictAngleStructure(), inputs)
-        rows.append(("structure", "Regina", seconds))
 
     snappy, version = load("snappy")
     found.append(("SnapPy", version))
@@ -100,6 +113,8 @@ def main():
     print(f"{len(inputs)} inputs of {path.name}, one thread; Tripus with its start-up and JSON")
     for name, version in found:
         print(f"  {name}: {version if version else 'not found, not timed'}")
+    metrics = sum(answer["outcome"] == "geometric" for answer in solved)
+    print(f"  {metrics} of the inputs carry the metric; Tripus decides the others with certificates")
     print(f"\n{'task':<12}{'program':<10}{'us an input':>14}")
     for task, name, seconds in rows:
         print(f"{task:<12}{name:<10}{1e6 * seconds:>14.1f}")

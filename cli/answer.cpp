@@ -7,6 +7,7 @@
 #include "cli/json.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "meshing/stopped.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -33,6 +34,7 @@ Answer error_answer(const std::string& input, bool json, const std::exception& e
 }
 
 int status_of(const std::exception& error) {
+  if (dynamic_cast<const meshing::Stopped*>(&error) != nullptr) return kNoAnswer;
   return dynamic_cast<const InvalidInput*>(&error) != nullptr ? kBadInput : kInternalFailure;
 }
 
@@ -84,20 +86,27 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
       ->check(whole_number(kMostThreads));
 }
 
+int answer_lines(const CommonOptions& options,
+                 const std::function<Outcome(const topology::BatchLine&)>& answer) {
+  return run_batch({options.batch, options.threads, options.quiet},
+                   [&](const topology::BatchLine& line) -> Answer {
+                     try {
+                       std::string answered = answer(line).text;
+                       if (!answered.empty() && answered.back() == '\n') answered.pop_back();
+                       return {std::move(answered), {}};
+                     } catch (const std::exception& error) {
+                       return error_answer(line.text, options.json, error);
+                     }
+                   });
+}
+
 int answer_inputs(const CommonOptions& options,
                   const std::function<Outcome(const std::string&)>& answer) {
   if (options.batch.empty()) return answer_one(options, answer);
-  return run_batch({options.batch, options.threads, options.quiet},
-                   [&](const std::string& input) -> Answer {
-                     try {
-                       if (input == "-") throw InvalidInput(kNoStandardInput);
-                       std::string text = answer(input).text;
-                       if (!text.empty() && text.back() == '\n') text.pop_back();
-                       return {std::move(text), {}};
-                     } catch (const std::exception& error) {
-                       return error_answer(input, options.json, error);
-                     }
-                   });
+  return answer_lines(options, [&](const topology::BatchLine& line) {
+    if (line.text == "-") throw InvalidInput(kNoStandardInput);
+    return answer(line.text);
+  });
 }
 
 }  // namespace tripus::cli

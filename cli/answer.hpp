@@ -22,6 +22,10 @@ struct Outcome {
 int answer_inputs(const CommonOptions& options,
                   const std::function<Outcome(const std::string& input)>& answer);
 
+/// The same for every line of the file options.batch, with its number.
+int answer_lines(const CommonOptions& options,
+                 const std::function<Outcome(const topology::BatchLine& line)>& answer);
+
 /// An exception as an answer: a JSON object for standard output, a line for standard error.
 Answer error_answer(const std::string& input, bool json, const std::exception& error);
 /// The exit status that an exception deserves.

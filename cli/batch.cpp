@@ -14,7 +14,6 @@
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
-#include "topology/formats/formats.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -36,7 +35,7 @@ struct Chunk {
 class Batch {
  public:
   Batch(std::vector<topology::BatchLine> lines, unsigned threads,
-        const std::function<Answer(const std::string&)>& answer)
+        const std::function<Answer(const topology::BatchLine&)>& answer)
       : lines_(std::move(lines)),
         answer_(answer),
         chunk_size_(chunk_size(lines_.size(), threads)),
@@ -91,7 +90,7 @@ class Batch {
     chunk.done = true;
     const std::size_t end = std::min((k + 1) * chunk_size_, lines_.size());
     for (std::size_t i = k * chunk_size_; i < end && !interrupt_requested(); ++i) {
-      const Answer answer = answer_(lines_[i].text);
+      const Answer answer = answer_(lines_[i]);
       ++chunk.answered;
       if (!answer.text.empty()) chunk.text += answer.text + '\n';
       if (!answer.message.empty())
@@ -102,7 +101,7 @@ class Batch {
   }
 
   const std::vector<topology::BatchLine> lines_;
-  const std::function<Answer(const std::string&)>& answer_;
+  const std::function<Answer(const topology::BatchLine&)>& answer_;
   const std::size_t chunk_size_;
   std::vector<Chunk> chunks_;
   const unsigned threads_;
@@ -115,7 +114,7 @@ class Batch {
 }  // namespace
 
 int run_batch(const BatchOptions& options,
-              const std::function<Answer(const std::string&)>& answer) {
+              const std::function<Answer(const topology::BatchLine&)>& answer) {
   const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
   const unsigned threads = options.threads == 0 ? cores : options.threads;
   Batch batch(topology::read_batch(read_file(options.file)), threads, answer);

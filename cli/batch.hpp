@@ -3,6 +3,8 @@
 #include <functional>
 #include <string>
 
+#include "topology/formats/formats.hpp"
+
 namespace tripus::cli {
 
 /// The answer to one line of a batch.
@@ -23,6 +25,6 @@ struct BatchOptions {
 /// the answers so far are out.
 /// Throws InvalidInput if the file cannot be read.
 int run_batch(const BatchOptions& options,
-              const std::function<Answer(const std::string& input)>& answer);
+              const std::function<Answer(const topology::BatchLine& line)>& answer);
 
 }  // namespace tripus::cli

@@ -28,6 +28,7 @@ using Command = std::function<int()>;
 // One verb, one file.
 void add_info(CLI::App& program, Command& chosen);
 void add_solve(CLI::App& program, Command& chosen);
+void add_simplify(CLI::App& program, Command& chosen);
 void add_cover(CLI::App& program, Command& chosen);
 void add_canonize(CLI::App& program, Command& chosen);
 void add_compare(CLI::App& program, Command& chosen);
@@ -35,8 +36,10 @@ void add_identify(CLI::App& program, Command& chosen);
 void add_census(CLI::App& program, Command& chosen);
 void add_check(CLI::App& program, Command& chosen);
 void add_study(CLI::App& program, Command& chosen);
+void add_mesh(CLI::App& program, Command& chosen);
 void add_embed(CLI::App& program, Command& chosen);
 void add_view(CLI::App& program, Command& chosen);
+void add_tube(CLI::App& program, Command& chosen);
 void add_methods(CLI::App& program, Command& chosen);
 
 }  // namespace tripus::cli

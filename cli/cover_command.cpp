@@ -35,7 +35,7 @@ struct CoverCommand {
   CommonOptions common;
   int cyclic = 0, degree = 0;  ///< one of them is given
   std::optional<std::string> cyclic_class;
-  int limit = 0;               ///< 0: none
+  int limit = 0;  ///< 0: none
   std::string output;
 
   std::size_t sheets() const { return static_cast<std::size_t>(cyclic > 0 ? cyclic : degree); }
@@ -59,8 +59,7 @@ class Sink {
   void add(const std::string& line, const topology::NamedGluings& cover) {
     ++count_;
     if (folder_) {
-      const auto path =
-          std::filesystem::path(path_) / fmt::format("cover-{:06}.json", count_);
+      const auto path = std::filesystem::path(path_) / fmt::format("cover-{:06}.json", count_);
       std::ofstream out(path, std::ios::binary);
       out << topology::write_json(cover) << std::flush;
       check(bool(out), path.string());
@@ -158,17 +157,17 @@ int write_covers(const CoverCommand& command, const std::string& input, Sink& si
   catch_interrupts();
   if (command.sheets() > kMostTetrahedra / base.tetrahedron_count())
     throw InvalidInput(fmt::format(
-        "degree {}: the cover would have {} tetrahedra; at most {} are made here",
-        command.sheets(), command.sheets() * base.tetrahedron_count(), kMostTetrahedra));
+        "degree {}: the cover would have {} tetrahedra; at most {} are made here", command.sheets(),
+        command.sheets() * base.tetrahedron_count(), kMostTetrahedra));
   std::size_t number = 0;
   const auto visit = [&](const Cover& cover) {
     ++number;
     const Subject subject = make_subject(input, loaded.name, cover.gluings);
-    sink.add(command.common.json ? as_json(subject, cover, number)
-                                 : as_text(subject, cover, number),
-             {fmt::format("{}, degree {}, cover {}", loaded.name.empty() ? input : loaded.name,
-                          cover.degree, number),
-              cover.gluings});
+    sink.add(
+        command.common.json ? as_json(subject, cover, number) : as_text(subject, cover, number),
+        {fmt::format("{}, degree {}, cover {}", loaded.name.empty() ? input : loaded.name,
+                     cover.degree, number),
+         cover.gluings});
     if (progress.due()) progress.show(fmt::format("{} covers", sink.count()));
     return number != static_cast<std::size_t>(command.limit) && !interrupt_requested();
   };
@@ -204,13 +203,14 @@ int run(const CoverCommand& command) {
     } catch (const std::exception& error) {
       status = status_of(error);
       const Answer answer = error_answer(input, command.common.json, error);
-      write_message(batch ? fmt::format("tripus: line {}: {}\n", inputs[i].line_number, answer.message)
-                          : fmt::format("tripus: {}\n", answer.message));
+      write_message(
+          batch ? fmt::format("tripus: line {}: {}\n", inputs[i].line_number, answer.message)
+                : fmt::format("tripus: {}\n", answer.message));
       if (!answer.text.empty()) write_output(answer.text + "\n");
     }
     if (!interrupt_requested()) continue;
-    write_message(fmt::format("tripus: interrupted after {}\n",
-                              counted(sink.count(), "cover", "covers")));
+    write_message(
+        fmt::format("tripus: interrupted after {}\n", counted(sink.count(), "cover", "covers")));
     return kNoAnswer;
   }
   return batch ? int(kSuccess) : status;
@@ -227,7 +227,8 @@ constexpr const char* kFooter =
 }  // namespace
 
 void add_cover(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand("cover", "finite covers: cyclic ones, or all of a degree");
+  CLI::App* verb =
+      program.add_subcommand("cover", "finite covers: cyclic ones, or all of a degree");
   auto command = std::make_shared<CoverCommand>();
   constexpr int kMost = std::numeric_limits<int>::max();
   auto* cyclic = verb->add_option("--cyclic", command->cyclic,

@@ -19,6 +19,8 @@ const char* const kInputHelp =
     "  a signature   isomorphism signature as Regina writes it: cPcbbbihq\n"
     "  a file        JSON gluing table, Regina (XML data file or printed gluing table),\n"
     "                SnapPea triangulation, or one signature; recognised by its content\n"
+    "                or a solid by its boundary (OFF, OBJ, STL, PLY) or in tetrahedra (Medit,\n"
+    "                VTK, TetGen): `tripus mesh --help` says how it becomes a triangulation\n"
     "  -             the same from standard input\n";
 
 const char* const kOutcomeHelp =

@@ -6,17 +6,32 @@
 #include <fstream>
 #include <iostream>
 #include <istream>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
+#include "cli/interrupt.hpp"
+#include "meshing/manifold.hpp"
 #include "topology/isosig.hpp"
 
 namespace tripus::cli {
 namespace {
 
+/// An error in a content, with where it comes from. Keeps apart what is wrong and what is too much.
+template <class Work>
+auto blame(const std::string& source, Work&& work) {
+  try {
+    return work();
+  } catch (const Unsupported& error) {
+    throw Unsupported(source + ": " + error.what());
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(source + ": " + error.what());
+  }
+}
+
 /// The one triangulation in a text; a list of several belongs to --batch.
 topology::NamedGluings read_single(const std::string& text, const std::string& source) {
-  try {
+  return blame(source, [&] {
     const topology::TextFormat format = topology::detect_format(text);
     if (format != topology::TextFormat::kUnknown && format != topology::TextFormat::kIsosig)
       return topology::read_triangulation(text);
@@ -28,9 +43,28 @@ topology::NamedGluings read_single(const std::string& text, const std::string& s
                          " inputs; give it to --batch to run them all");
     }
     return topology::read_triangulation(text);
-  } catch (const InvalidInput& error) {
-    throw InvalidInput(source + ": " + error.what());
-  }
+  });
+}
+
+std::string source_of(const std::string& input) {
+  return input == "-" ? "standard input" : quoted(input);
+}
+
+std::optional<meshing::MeshFile> read_as_mesh(const std::string& content,
+                                              const std::string& input) {
+  if (!meshing::detect_mesh_format(content, input)) return std::nullopt;
+  return blame(source_of(input), [&] { return meshing::read_mesh(content, input, read_file); });
+}
+
+topology::NamedGluings solid_of(meshing::MeshFile file, const std::string& source) {
+  return blame(source, [&]() -> topology::NamedGluings {
+    catch_interrupts();
+    meshing::ManifoldOptions options;
+    options.stop_requested = &interrupt_requested();
+    meshing::Manifold manifold = meshing::manifold_of(std::move(file), options);
+    if (manifold.has_only_spheres()) throw InvalidInput(meshing::ball_message(manifold));
+    return {{}, std::move(manifold.gluings)};
+  });
 }
 
 /// Enough for ten million tetrahedra in any format; some files, such as /dev/zero, have no end.
@@ -62,12 +96,21 @@ std::string read_file(const std::string& path) {
 
 topology::NamedGluings load_input(const std::string& input) {
   if (input.empty()) throw InvalidInput("the input is empty; give a signature or a file");
-  if (input == "-") return read_single(read_file(input), "standard input");
   std::error_code status;
-  if (std::filesystem::exists(input, status)) return read_single(read_file(input), quoted(input));
+  if (input == "-" || std::filesystem::exists(input, status)) {
+    const std::string content = read_file(input);
+    if (auto mesh = read_as_mesh(content, input))
+      return solid_of(*std::move(mesh), source_of(input));
+    return read_single(content, source_of(input));
+  }
   if (topology::looks_like_isosig(input)) return {{}, topology::decode_isosig(input)};
   throw InvalidInput(quoted(input) +
                      " is neither a file nor an isomorphism signature (letters, digits, + and -)");
+}
+
+std::optional<meshing::MeshFile> load_mesh(const std::string& input) {
+  if (input.empty()) throw InvalidInput("the input is empty; give a file");
+  return read_as_mesh(read_file(input), input);
 }
 
 }  // namespace tripus::cli

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/version.hpp"
+#include "meshing/stopped.hpp"
 
 namespace tripus::cli {
 
@@ -32,6 +33,7 @@ void append_header(JsonText& out, std::string_view input) {
 std::string_view error_kind(const std::exception& error) {
   if (dynamic_cast<const Unsupported*>(&error) != nullptr) return "unsupported";
   if (dynamic_cast<const InvalidInput*>(&error) != nullptr) return "invalid-input";
+  if (dynamic_cast<const meshing::Stopped*>(&error) != nullptr) return "interrupted";
   return "internal";
 }
 

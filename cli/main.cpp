@@ -74,6 +74,8 @@ void add_verbs(CLI::App& program, Command& command) {
   program.require_subcommand(0, 1);
   add_info(program, command);
   add_solve(program, command);
+  add_simplify(program, command);
+  add_mesh(program, command);
   add_cover(program, command);
   add_canonize(program, command);
   add_compare(program, command);
@@ -83,6 +85,7 @@ void add_verbs(CLI::App& program, Command& command) {
   add_study(program, command);
   add_embed(program, command);
   add_view(program, command);
+  add_tube(program, command);
   add_methods(program, command);
   for (CLI::App* verb : program.get_subcommands(nullptr)) verb->group("Verbs");
   program.footer(std::string(kInputHelp) + kExamples + "\n" + kExitStatusHelp);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "canonical/census.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
@@ -28,6 +29,7 @@ struct StudyCommandOptions {
   std::string name;
   std::vector<std::string> inputs;
   std::string folder;
+  std::size_t census = 0;
   studies::StudyOptions study;
   unsigned threads = 0;
   bool json = false;
@@ -54,10 +56,22 @@ void load(const std::string& input, std::vector<studies::StudyInput>& out) {
 /// The paper's example, when no INPUT is given.
 constexpr const char* kDefaultInput = "cPcbbbihq";
 
-std::vector<studies::StudyInput> load_inputs(const std::vector<std::string>& inputs) {
+/// Every triangulation with up to `tetrahedra` tetrahedra of a manifold in the census.
+void load_census(std::size_t tetrahedra, std::vector<studies::StudyInput>& out) {
+  for (const auto& manifold : canonical::shipped_census().manifolds) {
+    for (const std::string& signature : manifold.triangulations) {
+      topology::Gluings gluings = topology::decode_isosig(signature);
+      if (gluings.tetrahedron_count() <= tetrahedra) out.push_back({signature, std::move(gluings)});
+    }
+  }
+}
+
+std::vector<studies::StudyInput> load_inputs(const std::vector<std::string>& inputs,
+                                             std::size_t census) {
   std::vector<studies::StudyInput> loaded;
   for (const std::string& input : inputs) load(input, loaded);
   if (inputs.empty()) load(kDefaultInput, loaded);
+  load_census(census, loaded);
   std::set<std::string> names;
   std::erase_if(loaded, [&](const auto& input) { return !names.insert(input.name).second; });
   return loaded;
@@ -85,7 +99,9 @@ std::string result_text(const StudyCommandOptions& command, const studies::RunRe
 
 int run(StudyCommandOptions command) {
   const studies::Study& study = studies::find_study(command.name);
-  command.study.inputs = load_inputs(command.inputs);
+  command.study.inputs = load_inputs(command.inputs, command.census);
+  if (command.census > 0 && command.study.samples == 0)
+    command.study.samples = command.study.inputs.size();
   catch_interrupts();
   Progress progress(!command.quiet);
   studies::RunOptions options;
@@ -104,9 +120,11 @@ int run(StudyCommandOptions command) {
   }
   flush_output();
   if (result.finished()) return kSuccess;
+  const std::string state = result.total == 0
+                                ? "before any item was begun"
+                                : fmt::format("{} of {} items done", result.done, result.total);
   write_message(
-      fmt::format("tripus: interrupted: {} of {} items done; the same command goes on from there\n",
-                  result.done, result.total));
+      fmt::format("tripus: interrupted: {}; the same command goes on from there\n", state));
   return kNoAnswer;
 }
 
@@ -143,6 +161,11 @@ void add_study(CLI::App& program, Command& chosen) {
   verb->add_option("--samples", command->study.samples, "how much, see below")
       ->option_text("N")
       ->check(whole_number(std::numeric_limits<int>::max()));
+  verb->add_option("--census", command->census,
+                   "add all triangulations with up to N tetrahedra of the manifolds in the census, "
+                   "and take all inputs unless --samples says otherwise")
+      ->option_text("N")
+      ->check(CLI::Range(2, 4));
   verb->add_option("--methods", command->study.methods, "methods to compare, with commas")
       ->option_text("NAME,...")
       ->delimiter(',');

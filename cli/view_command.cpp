@@ -13,6 +13,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/report_text.hpp"
+#include "cli/view_pages.hpp"
 #include "embedding/universal_cover.hpp"
 #include "structure/solve.hpp"
 #include "viewer/egl/offscreen.hpp"
@@ -24,8 +25,7 @@ namespace {
 struct ViewCommand {
   CommonOptions common;
   std::string png;
-  std::string page;     ///< -o
-  std::string gallery;  ///< a file of INPUTs
+  std::string page;  ///< -o
   std::string size = "1200x900";
   std::string camera;
   std::string model = "upper";
@@ -118,6 +118,10 @@ std::string as_json(const Subject& subject, const std::string& file, std::size_t
   return fmt::to_string(out);
 }
 
+PageRequest page_request(const ViewCommand& command) {
+  return {command.page, command.cells, command.model, command.common.json};
+}
+
 Outcome view_one(const ViewCommand& command, const std::string& input) {
   Developed developed{load_subject(input), {}, {}};
   catch_interrupts();
@@ -133,8 +137,8 @@ Outcome view_one(const ViewCommand& command, const std::string& input) {
       embedding::embed(developed.subject.triangulation, developed.report.edge_lengths);
 
   if (!command.page.empty()) {
-    // TODO(web): viewer/web/page.hpp writes command.page from developed.embedding here.
-    throw Unsupported("-o: pages for a browser are not in this build; draw a picture with --png");
+    return write_page(developed.subject, developed.report, developed.embedding,
+                      page_request(command));
   }
   if (command.png.empty()) {
     viewer::WindowOptions window;
@@ -159,10 +163,8 @@ Outcome view_one(const ViewCommand& command, const std::string& input) {
 }
 
 int run(ViewCommand& command) {
-  if (!command.gallery.empty()) {
-    // TODO(web): viewer/web/page.hpp writes the gallery of the INPUTs in command.gallery here.
-    throw Unsupported("--gallery: pages for a browser are not in this build");
-  }
+  if (!command.common.batch.empty()) return write_gallery(command.common, page_request(command));
+  if (!command.page.empty()) check_pages(page_request(command));
   parse_size(command);
   parse_camera(command);
   name_choices(command);
@@ -205,7 +207,7 @@ void add_picture_options(CLI::App& verb, ViewCommand& command) {
 
 void add_view(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
-      "view", "see the universal cover: in a window, as a picture, as a page for a browser");
+      "view", "see the universal cover: window, picture or page for a browser");
   auto command = std::make_shared<ViewCommand>();
   auto* input = verb->add_option("INPUT", command->common.input,
                                  "an isomorphism signature, a file, or - for standard input")
@@ -216,13 +218,18 @@ void add_view(CLI::App& program, Command& chosen) {
   auto* page = verb->add_option("-o", command->page, "write a page for a browser, in one file")
                    ->option_text("FILE.html");
   auto* gallery =
-      verb->add_option("--gallery", command->gallery,
-                       "a file with one INPUT a line: pages for all of them, and an index")
+      verb->add_option("--gallery", command->common.batch,
+                       "a file with one INPUT a line: a page for each, and -o the index that\n"
+                       "shows them all")
           ->option_text("FILE");
   png->excludes(page)->excludes(gallery);
   input->excludes(gallery);
   add_picture_options(*verb, *command);
   verb->add_flag("--json", command->common.json, "one JSON object");
+  verb->add_option("--threads", command->common.threads,
+                   "threads for --gallery (default: all cores)")
+      ->option_text("N")
+      ->check(whole_number(1024));
   verb->add_flag("--quiet", command->common.quiet, "no progress on standard error");
   verb->parse_complete_callback([input, gallery] {
     if (input->count() == 0 && gallery->count() == 0)

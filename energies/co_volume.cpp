@@ -109,11 +109,39 @@ bool CoVolume::evaluate(std::span<const double> x, std::span<double> gradient,
     double* jacobian =
         request.second_derivatives ? jacobian_.data() + kPackedJacobian * kLanes * begin : nullptr;
     flat_count_ += kernels_.angles(count, lengths, theta, jacobian);
+    if (!held_.empty()) flatten(begin, begin + count, request.second_derivatives);
     for (std::size_t b = 0; b < count; ++b)
       scatter_add(begin + b, theta + 6 * kLanes * b, gradient);
   }
   if (request.value != nullptr) *request.value = value_at(x);
   return true;
+}
+
+void CoVolume::hold_flat(std::vector<std::size_t> tetrahedra) {
+  held_ = std::move(tetrahedra);
+  held_pi_.clear();
+  for (const std::size_t t : held_) {
+    const auto theta = dihedral_angles(t);
+    std::size_t most = 0;
+    for (std::size_t e = 1; e < 3; ++e)
+      if (theta[e] + theta[5 - e] > theta[most] + theta[5 - most]) most = e;
+    held_pi_.push_back(most);
+  }
+}
+
+/// Overwrites what the kernel found for those tetrahedra of the blocks that are held flat.
+void CoVolume::flatten(std::size_t first_block, std::size_t last_block, bool second_derivatives) {
+  auto k = static_cast<std::size_t>(
+      std::lower_bound(held_.begin(), held_.end(), kLanes * first_block) - held_.begin());
+  for (; k < held_.size() && held_[k] < kLanes * last_block; ++k) {
+    const std::size_t block = held_[k] / kLanes, lane = held_[k] % kLanes;
+    if (!is_flat(dihedral_angles(held_[k]))) ++flat_count_;
+    for (std::size_t e = 0; e < 6; ++e)
+      theta_[(block * 6 + e) * kLanes + lane] = std::min(e, 5 - e) == held_pi_[k] ? kPi : 0;
+    if (!second_derivatives) continue;
+    for (std::size_t q = 0; q < kPackedJacobian; ++q)
+      jacobian_[(block * kPackedJacobian + q) * kLanes + lane] = 0;
+  }
 }
 
 const solver::SparsityPattern& CoVolume::hessian_pattern() {

@@ -53,6 +53,13 @@ class CoVolume final : public solver::Problem {
   /// H at x, from the angles of the latest evaluation, which must have been at x.
   double value_at(std::span<const double> x) const;
 
+  /// From now on takes these tetrahedra for flat at all lengths, with angle pi at that pair of
+  /// opposite edges where the latest evaluation found the largest angles. What is evaluated then is
+  /// convex, nowhere above H, and equal to it where these tetrahedra are flat: a minimiser of it
+  /// where they are is one of H. Source: docs/theory.md (55).
+  ///   tetrahedra  indices < T, ascending
+  void hold_flat(std::vector<std::size_t> tetrahedra);
+
  private:
   const double* jacobian_block(std::size_t b) const {
     return jacobian_.data() + geometry::kPackedJacobian * geometry::kLanes * b;
@@ -63,6 +70,7 @@ class CoVolume final : public solver::Problem {
   }
   void gather(std::size_t block, std::span<const double> x, double padding, double* out) const;
   void scatter_add(std::size_t block, const double* in, std::span<double> y) const;
+  void flatten(std::size_t first_block, std::size_t last_block, bool second_derivatives);
 
   const topology::Triangulation& triangulation_;
   const geometry::BatchKernels& kernels_;
@@ -70,6 +78,8 @@ class CoVolume final : public solver::Problem {
   std::vector<double> theta_;        // [T/8][6][8]
   std::vector<double> jacobian_;     // [T/8][21][8], allocated at the first request
   std::size_t flat_count_ = 0;
+  std::vector<std::size_t> held_;     // tetrahedra held flat
+  std::vector<std::size_t> held_pi_;  // the first of the two edges of each that have angle pi
   std::optional<ElementPattern> pattern_;
 };
 

@@ -305,7 +305,9 @@ Summary Integration::follow() {
       return finish(Termination::kNumericalFailure, "unstable: the given step is too long");
     }
     if (max_abs(x_) > runaway) return finish(Termination::kUnbounded, "the flow runs away");
-    if (idle()) return finish(Termination::kStalled, "the gradient does not decrease any more");
+    if (idle())
+      return finish(Termination::kStalled,
+                    "20,000 steps have not brought max|gradient| down by a tenth");
   }
   std::copy(x_.begin(), x_.end(), result_.begin());
   return finish_converged(run_, x_, gradient_);

@@ -9,7 +9,7 @@ namespace tripus::meshing {
 /// The caller asked for the end through `stop_requested`: there is nothing to return.
 class Stopped : public Error {
  public:
-  Stopped() : Error("stopped") {}
+  Stopped() : Error("interrupted") {}
 };
 
 inline void throw_if_stopped(const std::atomic<bool>* stop_requested) {

@@ -9,6 +9,7 @@
 #include "base/tolerances.hpp"
 #include "geometry/curvature.hpp"
 #include "geometry/truncated_tetrahedron.hpp"
+#include "solver/extreme_eigenvalues.hpp"
 
 namespace tripus::structure {
 namespace {
@@ -55,7 +56,10 @@ std::string not_critical(const energies::CoVolume& energy, const Report& report,
   const double scale = *shortest > 0 ? std::min(1.0, *shortest) : 1.0;
   // Saturated angles do add up to 2 pi in floating point: a computed K = 0 is one within rounding.
   const double curvature = std::max(norm_of_curvature, tolerance::kCurvatureRounding);
-  if (!(curvature <= tolerance::kMaxDistanceToMetric * scale * energy.convexity_bound())) {
+  const double enough = curvature / (tolerance::kMaxDistanceToMetric * scale);
+  // The bound takes the flattest tetrahedron for all; the true least eigenvalue costs more.
+  if (!(energy.convexity_bound() >= enough) &&
+      !(solver::extreme_eigenvalues(energy).smallest >= enough)) {
     return fmt::format(
         "the curvature is small but so is the convexity of the energy (the longest edge has length "
         "{:.3g}), as when lengths run off to infinity",

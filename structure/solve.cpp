@@ -14,6 +14,7 @@
 #include "integrators/integrate.hpp"
 #include "structure/angle_structure.hpp"
 #include "structure/assess.hpp"
+#include "structure/detail/flat_minimiser.hpp"
 #include "structure/existence.hpp"
 #include "structure/method.hpp"
 #include "structure/starting_lengths.hpp"
@@ -194,7 +195,8 @@ constexpr const char* kRetriangulate =
 constexpr const char* kMoreTime = "Give it more time or iterations.";
 
 /// Turns the report of a run that found no metric into a verdict with evidence.
-Report settle(const topology::Triangulation& triangulation, Report report) {
+Report settle(const topology::Triangulation& triangulation, const SolveOptions& options,
+              Report report) {
   report.advice = kRetriangulate;
   if (triangulation.tetrahedron_count() > kExactLimit) {
     report.message += fmt::format(
@@ -211,6 +213,8 @@ Report settle(const topology::Triangulation& triangulation, Report report) {
     }
     report.certificate = std::move(*certificate);
   } else {
+    if (report.outcome == Outcome::kUnresolved)
+      report = detail::flat_minimiser(triangulation, options, report).value_or(report);
     report.strict_angles = std::move(std::get<StrictAngles>(found));
     if (report.outcome == Outcome::kUnresolved)
       report.message += " A strict angle structure exists, so the co-volume has a minimiser.";
@@ -232,7 +236,8 @@ Report find_outcome(const topology::Triangulation& triangulation, const SolveOpt
     }
   }
   if (!options.cone_angles.empty() || !options.evidence) return report;
-  if (report.outcome != Outcome::kGeometric) return settle(triangulation, std::move(report));
+  if (report.outcome != Outcome::kGeometric)
+    return settle(triangulation, options, std::move(report));
   if (options.angle_structure) {
     Existence found = existence(triangulation);
     if (auto* strict = std::get_if<StrictAngles>(&found)) report.strict_angles = std::move(*strict);

@@ -24,14 +24,17 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLevels[] = {1e-4, 1e-8, 1e-12};
 constexpr int kFirstOrderSteps = 100000;
-/// Above so many edge classes neither the dense spectrum nor the dense methods are tried.
-constexpr std::size_t kDenseLimit = 400;
+/// Inputs whose iterates are kept: the first with its covers, and this many more.
+constexpr std::size_t kTraced = 20;
+/// Above so many edge classes only the methods for large problems are tried.
+constexpr std::size_t kManyEdges = 400;
 
 struct Subject {
   std::string name;
   std::size_t degree = 1;  ///< of the cover; 1: the input itself
   topology::Triangulation triangulation;
   double base_volume = kNone;  ///< of what it covers
+  bool traced = false;         ///< whether the table of iterates has it
 };
 using SubjectPointer = std::shared_ptr<const Subject>;
 
@@ -60,12 +63,16 @@ double measured_order(const MethodRun& run, const std::vector<Measures>& measure
   return order;
 }
 
-/// Evaluations a decimal digit of max|K|, from the first to the last iterate.
-double evaluations_per_digit(const MethodRun& run, const std::vector<Measures>& measures) {
-  if (measures.size() < 2) return kNone;
+/// What a decimal digit of max|K| costs, from the first to the last iterate.
+struct DigitCost {
+  double evaluations = kNone, seconds = kNone;
+};
+DigitCost digit_cost(const MethodRun& run, const std::vector<Measures>& measures) {
+  if (measures.size() < 2) return {};
   const double last = std::max(measures.back().max_curvature, 1e-15);
   const double digits = std::log10(measures.front().max_curvature / last);
-  return digits > 0 ? double(run.trace.back().evaluations) / digits : kNone;
+  if (!(digits > 0)) return {};
+  return {double(run.trace.back().evaluations) / digits, run.trace.back().seconds / digits};
 }
 
 /// Whether sum K^2 decreased from row to row, up to rounding.
@@ -77,28 +84,32 @@ bool squares_decrease(const std::vector<Measures>& measures) {
 }
 
 std::vector<Row> run_rows(const Subject& subject, const std::string& method,
-                          const std::vector<double>& start) {
+                          const std::vector<double>& start, const Stop& stop) {
   const topology::Triangulation& m = subject.triangulation;
   const bool flow = method.starts_with("flow:") || method.find("ceres") != std::string::npos;
-  const MethodRun run = run_method(
-      m, method, start,
-      {.tolerance = 1e-12, .max_iterations = flow ? kFirstOrderSteps : 200, .trace = true});
+  const MethodRun run = run_method(m, method, start,
+                                   {.tolerance = 1e-12,
+                                    .max_iterations = flow ? kFirstOrderSteps : 200,
+                                    .trace = true,
+                                    .stop = &stop});
   energies::CoVolume energy(m);
   std::vector<Measures> measures;
   std::vector<Row> rows;
   for (const TracePoint& point : run.trace) {
+    if (stop) return {};
     measures.push_back(measure(energy, point.lengths));
+    if (!subject.traced) continue;
     const Measures& now = measures.back();
     rows.push_back({kIterations, cells(subject.name, method, point.iteration, point.evaluations,
                                        now.max_curvature, now.sum_squared_curvature, now.energy,
                                        now.volume, point.time, point.seconds)});
   }
+  const DigitCost cost = digit_cost(run, measures);
   std::vector<std::string> row =
       cells(subject.name, subject.degree, m.tetrahedron_count(), m.edge_count(), method,
             structure::to_string(run.report.outcome), run.report.iterations, run.report.evaluations,
             run.report.linear_iterations, run.report.max_curvature, run.report.volume,
-            measured_order(run, measures), evaluations_per_digit(run, measures),
-            squares_decrease(measures));
+            measured_order(run, measures), cost.evaluations, squares_decrease(measures));
   std::vector<std::string> times;
   for (const double level : kLevels) {
     const Reached at = reached(run, measures, level);
@@ -106,24 +117,27 @@ std::vector<Row> run_rows(const Subject& subject, const std::string& method,
     times.push_back(cell(at.seconds));
   }
   row.insert(row.end(), times.begin(), times.end());
+  row.push_back(cell(cost.seconds));
   row.push_back(cell(run.report.seconds));
   rows.push_back({kRuns, row});
   return rows;
 }
 
-std::vector<Row> theory_rows(const Subject& subject, std::uint64_t seed) {
+std::vector<Row> theory_rows(const Subject& subject, std::uint64_t seed, const Stop& stop) {
   const topology::Triangulation& m = subject.triangulation;
-  const structure::Report metric = structure::solve(m);
+  structure::SolveOptions options;
+  options.stop_requested = &stop;
+  const structure::Report metric = structure::solve(m, options);
   const bool found = metric.outcome == structure::Outcome::kGeometric;
   double values[8];
   std::fill(std::begin(values), std::end(values), kNone);
   bool monotone = false;
-  if (found && m.edge_count() <= kDenseLimit) {
+  if (found) {
     const Spectrum s = spectrum(m, metric.edge_lengths);
-    const Decay decay = flow_decay(m, metric.edge_lengths, s, seed);
+    const Decay decay = flow_decay(m, metric.edge_lengths, s, seed, stop);
     values[0] = s.smallest, values[1] = s.largest;
-    values[2] = newton_order(m, metric.edge_lengths, seed);
-    values[3] = euler_limit(m, metric.edge_lengths, s.largest, seed);
+    values[2] = newton_order(m, metric.edge_lengths, seed, stop);
+    values[3] = euler_limit(m, metric.edge_lengths, s.largest, seed, stop);
     values[4] = values[3] * s.largest / 2;
     values[5] = decay.rate;
     values[6] = decay.rate / s.smallest;
@@ -141,10 +155,15 @@ std::vector<Row> theory_rows(const Subject& subject, std::uint64_t seed) {
 void add_subjects(const StudyInput& input, const std::vector<std::size_t>& covers,
                   std::vector<SubjectPointer>& subjects) {
   const topology::Triangulation base(input.gluings);
+  structure::SolveOptions quick;
+  quick.evidence = false;
   const structure::Report metric =
-      subjects.empty() ? require_metric(base, input.name) : structure::solve(base);
+      subjects.empty() ? require_metric(base, input.name) : structure::solve(base, quick);
   if (metric.outcome != structure::Outcome::kGeometric) return;
-  subjects.push_back(std::make_shared<Subject>(Subject{input.name, 1, base, metric.volume}));
+  const auto inputs = std::ranges::count(subjects, 1u, [](const auto& s) { return s->degree; });
+  const bool traced = inputs <= std::ptrdiff_t(kTraced);
+  subjects.push_back(
+      std::make_shared<Subject>(Subject{input.name, 1, base, metric.volume, traced}));
   if (covers.empty()) return;
   const auto shifts = topology::primitive_class(base);
   if (!shifts)
@@ -153,8 +172,9 @@ void add_subjects(const StudyInput& input, const std::vector<std::size_t>& cover
   for (const std::size_t degree : covers) {
     if (degree < 2) continue;
     topology::Triangulation cover(topology::cyclic_cover(input.gluings, *shifts, degree));
-    subjects.push_back(std::make_shared<Subject>(Subject{
-        fmt::format("{} cover {}", input.name, degree), degree, std::move(cover), metric.volume}));
+    subjects.push_back(
+        std::make_shared<Subject>(Subject{fmt::format("{} cover {}", input.name, degree), degree,
+                                          std::move(cover), metric.volume, true}));
   }
 }
 
@@ -167,7 +187,7 @@ std::vector<double> common_start(const Subject& subject, std::uint64_t seed) {
 }
 
 bool suits(const std::string& method, const Subject& subject) {
-  if (subject.triangulation.edge_count() <= kDenseLimit) return true;
+  if (subject.triangulation.edge_count() <= kManyEdges) return true;
   return method == "newton" || method == "newton-cg" || method == "newton-cg-block" ||
          method == "ceres-lbfgs" || method == "ceres-cg" || method == "flow:curvature/dopri5";
 }
@@ -176,7 +196,7 @@ bool suits(const std::string& method, const Subject& subject) {
 
 Plan plan_convergence(const StudyOptions& options) {
   std::vector<SubjectPointer> subjects;
-  // The census is sampled: `samples` inputs besides the first, chosen by the seed.
+  // `samples` inputs besides the first, chosen by the seed if there are more.
   std::vector<std::size_t> chosen(options.inputs.size());
   for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = i;
   Random random(item_seed(options.seed, "inputs"));
@@ -184,8 +204,10 @@ Plan plan_convergence(const StudyOptions& options) {
     std::swap(chosen[i - 1], chosen[1 + random.bits() % (i - 1)]);
   if (chosen.size() > options.samples + 1) chosen.resize(options.samples + 1);
   std::sort(chosen.begin(), chosen.end());
-  for (const std::size_t i : chosen)
+  for (const std::size_t i : chosen) {
+    if (options.stop_requested != nullptr && *options.stop_requested) return {};
     add_subjects(options.inputs[i], i == 0 ? options.covers : std::vector<std::size_t>{}, subjects);
+  }
   const std::vector<std::string> methods =
       options.methods.empty() ? structure::solve_method_names() : options.methods;
   for (const std::string& method : methods) structure::find_solve_method(method, 1);
@@ -195,13 +217,14 @@ Plan plan_convergence(const StudyOptions& options) {
   for (const SubjectPointer& subject : subjects) {
     const std::string id = "theory " + subject->name;
     const std::uint64_t seed = item_seed(options.seed, id);
-    plan.items.push_back({id, [=] { return theory_rows(*subject, seed); }});
+    plan.items.push_back({id, [=](const Stop& stop) { return theory_rows(*subject, seed, stop); }});
     const auto start =
         std::make_shared<const std::vector<double>>(common_start(*subject, options.seed));
     for (const std::string& method : methods)
       if (suits(method, *subject))
-        plan.items.push_back({fmt::format("{} by {}", subject->name, method),
-                              [=] { return run_rows(*subject, method, *start); }});
+        plan.items.push_back(
+            {fmt::format("{} by {}", subject->name, method),
+             [=](const Stop& stop) { return run_rows(*subject, method, *start, stop); }});
   }
   plan.conclude = convergence_findings;
   return plan;

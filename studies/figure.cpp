@@ -1,7 +1,9 @@
 #include "studies/figure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -78,6 +80,16 @@ std::vector<Tick> ticks(const Axis& axis, const Scale& scale, int wanted) {
     result.push_back({double(i), escaped(axis.categories[i])});
   if (!result.empty()) return result;
   const double range = scale.upper - scale.lower;
+  // A few decades of numbers that are read as they stand: 1, 2, 5, 10, ...
+  if (scale.log && range >= 0.8 && range < 2.5 && scale.lower >= -3 && scale.upper <= 5) {
+    for (double k = std::floor(scale.lower); k <= scale.upper; ++k) {
+      for (const double digit : {1.0, 2.0, 5.0}) {
+        const double value = digit * std::pow(10.0, k);
+        if (scale.shows(value)) result.push_back({value, fmt::format("{:.6g}", value)});
+      }
+    }
+    return result;
+  }
   if (scale.log && range >= 1.5) {
     const double step = std::max(1.0, nice(range / wanted));
     for (double k = std::ceil(scale.lower / step) * step; k <= scale.upper; k += step) {
@@ -224,12 +236,14 @@ class Drawing {
     const int which = colour_of(i);
     if (series.mark == Mark::kBar) return draw_bars(series, which);
     std::string path, markers;
+    std::set<std::array<long, 2>> marked;  // thousands of marks on one spot show no more than one
     bool pen_down = false;
     for (const auto& [x, y] : series.points) {
       const bool shown = x_.shows(x) && y_.shows(y);
       if (shown) {
         path += fmt::format("{}{:.1f} {:.1f}", pen_down ? 'L' : 'M', x_.pixel(x), y_.pixel(y));
-        markers += marker(which, x_.pixel(x), y_.pixel(y), colour(which));
+        if (marked.insert({std::lround(x_.pixel(x)), std::lround(y_.pixel(y))}).second)
+          markers += marker(which, x_.pixel(x), y_.pixel(y), colour(which));
       }
       pen_down = shown;
     }

@@ -45,7 +45,10 @@ std::string fingerprint(const Study& study, const StudyOptions& options) {
 class Workers {
  public:
   Workers(const Plan& plan, RowStore& store, const RunOptions& run)
-      : plan_(plan), store_(store), run_(run) {
+      : plan_(plan),
+        store_(store),
+        run_(run),
+        stop_(run.stop_requested ? *run.stop_requested : never_) {
     for (const Item& item : plan.items)
       if (!store.has(item.id)) left_.push_back(&item);
   }
@@ -62,12 +65,14 @@ class Workers {
   }
 
  private:
-  bool stopped() const { return failed_ || (run_.stop_requested && *run_.stop_requested); }
+  bool stopped() const { return failed_ || stop_; }
 
   void work() {
     try {
       for (std::size_t k = next_++; k < left_.size() && !stopped(); k = next_++) {
-        store_.add(left_[k]->id, left_[k]->work());
+        std::vector<Row> rows = left_[k]->work(stop_);
+        if (stopped()) return;  // they may be cut short
+        store_.add(left_[k]->id, std::move(rows));
         const std::lock_guard lock(mutex_);
         if (run_.on_progress) run_.on_progress(store_.size(), plan_.items.size());
       }
@@ -81,6 +86,8 @@ class Workers {
   const Plan& plan_;
   RowStore& store_;
   const RunOptions& run_;
+  const Stop never_{false};
+  const Stop& stop_;
   std::vector<const Item*> left_;
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> failed_{false};
@@ -139,7 +146,9 @@ double Random::uniform() { return double(bits() >> 11) * 0x1p-53; }
 RunResult run_study(const Study& study, const StudyOptions& given, const RunOptions& run) {
   StudyOptions options = given;
   if (options.samples == 0) options.samples = study.default_samples;
+  options.stop_requested = run.stop_requested;
   const Plan plan = study.plan(options);
+  if (run.stop_requested != nullptr && *run.stop_requested) return {};
   std::error_code failed;
   std::filesystem::create_directories(run.folder, failed);
   if (failed) throw InvalidInput("cannot make the folder " + tripus::quoted(run.folder));
@@ -150,8 +159,9 @@ RunResult run_study(const Study& study, const StudyOptions& given, const RunOpti
   Workers(plan, store, run).run();
   for (const Item& item : plan.items) result.done += store.has(item.id);
   if (!result.finished()) return result;
-  const std::vector<Table> tables = collect(plan, store);
+  std::vector<Table> tables = collect(plan, store);
   const Findings findings = plan.conclude(tables);
+  tables.insert(tables.end(), findings.tables.begin(), findings.tables.end());
   write_results({study, options, run.threads, tables, findings}, folder, result);
   return result;
 }

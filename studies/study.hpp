@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -16,6 +17,10 @@
 
 namespace tripus::studies {
 
+/// Whether the run is to end. Work that takes long polls it and returns early with anything: what
+/// is returned once it is set is thrown away.
+using Stop = std::atomic<bool>;
+
 /// A triangulation to study.
 struct StudyInput {
   std::string name;  ///< a signature, or the name of a file
@@ -25,15 +30,16 @@ struct StudyInput {
 struct StudyOptions {
   std::vector<StudyInput> inputs;
   std::uint64_t seed = 1;
-  std::size_t samples = 0;           ///< how much of it; 0: the study's default
-  std::vector<std::string> methods;  ///< where the study compares methods; empty: all
-  std::vector<std::size_t> covers;   ///< degrees of cyclic covers to add, where it does that
+  std::size_t samples = 0;               ///< how much of it; 0: the study's default
+  std::vector<std::string> methods;      ///< where the study compares methods; empty: all
+  std::vector<std::size_t> covers;       ///< degrees of cyclic covers to add, where it does that
+  const Stop* stop_requested = nullptr;  ///< polled while the plan is made; no part of the study
 };
 
 /// A piece of work that depends on nothing but its own data: done in any order, on any thread.
 struct Item {
   std::string id;  ///< unique in the study, the same in every run
-  std::function<std::vector<Row>()> work;
+  std::function<std::vector<Row>(const Stop& stop)> work;
 };
 
 /// A number among the findings.
@@ -48,6 +54,7 @@ struct Findings {
   std::string paragraph;
   std::vector<Fact> facts;
   std::vector<Figure> figures;
+  std::vector<Table> tables = {};  ///< written beside those of the items, and computed from them
 };
 
 struct Plan {
@@ -74,14 +81,14 @@ const Study& find_study(std::string_view name);
 struct RunOptions {
   std::string folder;  ///< made if need be
   unsigned threads = 1;
-  const std::atomic<bool>* stop_requested = nullptr;                     ///< polled between items
+  const Stop* stop_requested = nullptr;  ///< polled between items and within long ones
   std::function<void(std::size_t done, std::size_t total)> on_progress;  ///< one call at a time
 };
 
 struct RunResult {
   std::size_t done = 0;
   std::size_t total = 0;
-  bool finished() const { return done == total; }
+  bool finished() const { return total > 0 && done == total; }
   std::string paragraph;           ///< the findings, if finished
   std::vector<Fact> facts;         ///< the same in numbers
   std::vector<std::string> files;  ///< written, in the folder

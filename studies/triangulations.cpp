@@ -36,6 +36,7 @@ std::vector<Found> find_triangulations(const StudyInput& input, const StudyOptio
   const std::size_t T = input.gluings.tetrahedron_count();
   for (std::size_t walk = 0;
        walk < kWalksPerSample * options.samples && found.size() < options.samples; ++walk) {
+    if (options.stop_requested != nullptr && *options.stop_requested) return {};
     Random random(item_seed(options.seed, fmt::format("{} walk {}", input.name, walk)));
     topology::Gluings gluings = input.gluings;
     std::size_t moves = 0;
@@ -52,9 +53,11 @@ std::vector<Found> find_triangulations(const StudyInput& input, const StudyOptio
   return found;
 }
 
-std::vector<Row> solve_rows(const std::string& input, const Found& found) {
+std::vector<Row> solve_rows(const std::string& input, const Found& found, const Stop& stop) {
   const topology::Triangulation m(topology::decode_isosig(found.signature));
-  const structure::Report report = structure::solve(m);
+  structure::SolveOptions options;
+  options.stop_requested = &stop;
+  const structure::Report report = structure::solve(m, options);
   std::size_t least = std::numeric_limits<std::size_t>::max(), most = 0, low = 0;
   for (std::size_t e = 0; e < m.edge_count(); ++e) {
     least = std::min(least, m.valence(e));
@@ -64,11 +67,13 @@ std::vector<Row> solve_rows(const std::string& input, const Found& found) {
   const bool metric = report.outcome == structure::Outcome::kGeometric;
   const double none = std::numeric_limits<double>::quiet_NaN();
   double condition = none, shortest = none, longest = none, deepest = none;
-  if (metric) {
-    condition = spectrum(m, report.edge_lengths).condition();
+  if (metric || report.outcome == structure::Outcome::kDegenerate) {
     const auto [low_end, high_end] =
         std::minmax_element(report.edge_lengths.begin(), report.edge_lengths.end());
     shortest = *low_end, longest = *high_end;
+  }
+  if (metric) {
+    condition = spectrum(m, report.edge_lengths).condition();
     for (const auto& theta : report.dihedral_angles)
       for (const double angle : theta) deepest = std::fmin(deepest, angle);
   }
@@ -100,8 +105,8 @@ TableLayout layout() {
            {"flat_tetrahedra", "", "of the minimiser"},
            {"iterations", "", "of Newton's method, where there is a metric"},
            {"volume", "", "of the metric"},
-           {"shortest", "", "shortest edge of the metric"},
-           {"longest", "", "longest edge of the metric"},
+           {"shortest", "", "shortest edge of the metric, or of the minimiser of a boundary case"},
+           {"longest", "", "longest edge, the same"},
            {"least_angle", "radians", "least dihedral angle of the metric"},
            {"condition", "", "condition number of the Hessian of H at the metric"},
            {"seconds", "seconds", "to solve and decide", true}}};
@@ -119,8 +124,9 @@ Plan plan_triangulations(const StudyOptions& options) {
       throw InvalidInput(tripus::quoted(input.name) + ": " + error.what());
     }
     for (const Found& found : find_triangulations(input, options)) {
-      plan.items.push_back({fmt::format("{} as {}", input.name, found.signature),
-                            [name = input.name, found] { return solve_rows(name, found); }});
+      plan.items.push_back(
+          {fmt::format("{} as {}", input.name, found.signature),
+           [name = input.name, found](const Stop& stop) { return solve_rows(name, found, stop); }});
     }
   }
   plan.conclude = triangulations_findings;

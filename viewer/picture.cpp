@@ -39,6 +39,8 @@ void require_drawable(const Scene& scene, const PictureOptions& options, int wid
   require(std::isfinite(camera.zoom) && camera.zoom > 0 && camera.shift.allFinite(),
           "the camera's zoom is not positive, or its shift no number");
   require(!options.cut_away || std::isfinite(*options.cut_away), "the cut-away is no number");
+  require(options.samples >= 0 && options.samples <= 4,
+          std::to_string(options.samples) + " samples a pixel: ask for up to 4");
   require(options.faces || options.truncations,
           "without faces and without truncations there is nothing to draw");
 }

@@ -12,6 +12,12 @@
 
 namespace tripus::viewer {
 
+/// How the surfaces of cells are found.
+enum class Drawing {
+  kSolid,   ///< image-based CSG: solid cells, also where they are cut
+  kHollow,  ///< each wall without its pixels outside of the others: faster, and hollow where cut
+};
+
 /// What a picture of a scene looks like.
 struct PictureOptions {
   Model model = Model::kUpperHalfSpace;
@@ -21,7 +27,9 @@ struct PictureOptions {
   /// Cells are cut at the plane x = cut_away of the model, and what lies beyond is not drawn.
   std::optional<double> cut_away;
   Camera camera;
+  Drawing drawing = Drawing::kSolid;
   bool occlusion = true;  ///< whether nooks are darkened; costs some
+  int samples = 0;        ///< a pixel, in each direction, up to 4; 0: what its size allows
 };
 
 /// An image: rows from the top, red, green, blue and alpha of each pixel.

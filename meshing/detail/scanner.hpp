@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <optional>
@@ -46,6 +47,9 @@ class Scanner {
     ++line_;
     return true;
   }
+
+  /// For binary blocks; lines are not counted in them.
+  void skip_bytes(std::size_t count) { rest_.remove_prefix(std::min(count, rest_.size())); }
 
   [[noreturn]] void fail(const std::string& what) const { fail_at(line_, what); }
   [[noreturn]] void fail_at(std::uint32_t line, const std::string& what) const {

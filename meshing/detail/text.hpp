@@ -17,6 +17,12 @@ inline void append_numbers(std::string& out, std::span<const double> numbers) {
   out.push_back('\n');
 }
 
+/// With the digits that read back to the same double; also nan and inf.
+inline std::string number_text(double x) {
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, x).ptr};
+}
+
 /// What is wrong with a face of so many corners, after "face 3".
 inline std::string not_a_triangle(std::size_t sides) {
   return " has " + std::to_string(sides) +

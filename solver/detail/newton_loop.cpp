@@ -106,6 +106,7 @@ class Loop {
   void accept_trial();
   void compute_direction(double forcing);
   Search search();
+  bool cross_bend();
   double next_trial(double t, int trial) const;
   bool update(double previous);
   Summary polish();
@@ -152,7 +153,10 @@ Summary Loop::minimise() {
       case Search::kAccepted:
         break;
       case Search::kFailed:
-        return finish(Termination::kStalled, "no acceptable step in floating point");
+        if (!cross_bend()) {
+          return finish(Termination::kStalled, "no acceptable step in floating point");
+        }
+        break;
       case Search::kRanAway:
         run_.observe(x_, gradient_);
         return finish(Termination::kUnbounded, kRanAwayMessage);
@@ -268,6 +272,18 @@ Loop::Search Loop::search() {
     if (!(t > low_ && t < high_ && high_ - low_ > shortest)) return Search::kFailed;
   }
   return Search::kFailed;
+}
+
+/// After a search that closed in on a bend narrower than rounding: to the far side of it, and if f
+/// is saturated there, on along the ray to the origin. Returns false if the bend is where x is.
+bool Loop::cross_bend() {
+  if (!(low_ > 0) || !(high_slope_ < kInfinity)) return false;
+  if (low_ * max_abs(d_) <= kTinyStep * size()) return false;
+  step_ = high_;
+  if (!evaluate_trial(high_, true)) return false;
+  accept_trial();
+  if (is_saturated()) shrink();
+  return true;
 }
 
 double Loop::next_trial(double t, int trial) const {

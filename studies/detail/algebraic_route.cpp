@@ -236,15 +236,25 @@ Medium schlaefli_volume(const std::array<Medium, 6>& theta) {
 
 }  // namespace
 
-AlgebraicMetric solve_algebraically(const topology::Triangulation& m) {
+std::optional<std::array<double, 6>> dihedral_angles_in_60_digits(const std::array<double, 6>& l) {
+  std::array<Wide, 6> c;
+  for (std::size_t e = 0; e < 6; ++e) c[e] = cosh(Wide(l[e]));
+  std::array<Unit<Wide>, 6> unit;
+  if (!dihedral_units(c, unit)) return std::nullopt;
+  std::array<double, 6> angles;
+  for (std::size_t e = 0; e < 6; ++e) angles[e] = double(Wide(atan2(unit[e].sine, unit[e].cosine)));
+  return angles;
+}
+
+AlgebraicMetric solve_algebraically(const topology::Triangulation& m, const Stop& stop) {
   AlgebraicMetric result;
   std::vector<double> start;
   std::vector<Wide> c;
-  result.found = approach(m, start) && polish(m, start, c, result);
+  result.found = approach(m, start) && !stop && polish(m, start, c, result);
   if (!result.found) return result;
   for (const Wide& value : c) result.lengths.push_back(double(Wide(acosh(value))));
   Medium volume = 0;
-  for (std::size_t t = 0; t < m.tetrahedron_count(); ++t) {
+  for (std::size_t t = 0; t < m.tetrahedron_count() && !stop; ++t) {
     std::array<Wide, 6> entries;
     std::array<Unit<Wide>, 6> unit;
     for (int e = 0; e < 6; ++e) entries[std::size_t(e)] = c[m.edge_class(t, e)];

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
+#include "studies/study.hpp"
 #include "topology/triangulation.hpp"
 
 // The metric without a flow, an energy or the kernels: the gluing equations as equations in the
@@ -27,8 +30,13 @@ struct AlgebraicMetric {
   double volume = 0;            ///< by Schlaefli's formula, integrated to some 20 digits
 };
 
+/// Dihedral angles [6] from lengths [6] by the same formulae in 60 digits, rounded; nothing where
+/// this is not a truncated tetrahedron. Lengths of up to 1e8.
+std::optional<std::array<double, 6>> dihedral_angles_in_60_digits(const std::array<double, 6>& l);
+
 /// From equal lengths, by damped Newton steps in double precision and then in 60 digits. Not found
 /// where the steps leave the truncated tetrahedra or do not settle.
-AlgebraicMetric solve_algebraically(const topology::Triangulation& triangulation);
+///   stop  polled; once it is set the result is not found
+AlgebraicMetric solve_algebraically(const topology::Triangulation& triangulation, const Stop& stop);
 
 }  // namespace tripus::studies::detail

@@ -33,14 +33,15 @@ solver::Options with_trace(const MethodRunOptions& options, std::vector<TracePoi
   solver::Options result;
   result.tolerance = options.tolerance;
   result.max_iterations = options.max_iterations;
-  if (!options.trace) return result;
-  result.observer = [&trace, thinning = Thinning()](const solver::Iterate& iterate) mutable {
-    if (thinning.keeps(iterate.iteration)) {
+  if (!options.trace && options.stop == nullptr) return result;
+  result.observer = [&options, &trace,
+                     thinning = Thinning()](const solver::Iterate& iterate) mutable {
+    if (options.trace && thinning.keeps(iterate.iteration)) {
       trace.push_back({iterate.iteration, iterate.evaluations, iterate.seconds,
                        iterate.max_gradient, iterate.time,
                        std::vector<double>(iterate.x.begin(), iterate.x.end())});
     }
-    return true;
+    return options.stop == nullptr || !*options.stop;
   };
   return result;
 }

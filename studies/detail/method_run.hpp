@@ -7,6 +7,7 @@
 #include "energies/co_volume.hpp"
 #include "solver/method.hpp"
 #include "structure/report.hpp"
+#include "studies/study.hpp"
 #include "topology/triangulation.hpp"
 
 namespace tripus::studies::detail {
@@ -33,6 +34,7 @@ struct MethodRunOptions {
   int max_iterations = 0;
   /// Keep every iterate up to the 100th, then those 2 % apart.
   bool trace = false;
+  const Stop* stop = nullptr;  ///< polled at every iteration
 };
 
 /// The name is one of structure::solve_method_names.

@@ -10,6 +10,7 @@
 #include <Eigen/Dense>
 
 #include "geometry/paper_formulae.hpp"
+#include "studies/study.hpp"
 #include "topology/triangulation.hpp"
 
 // The founding paper's own way, in any precision: its formulae for the angles, an explicit flow
@@ -66,8 +67,9 @@ struct PaperRun {
 template <class Real>
 class PaperRoute {
  public:
-  explicit PaperRoute(const topology::Triangulation& triangulation)
-      : triangulation_(triangulation) {}
+  /// Both runs end early, as not converged, once `stop` is set.
+  PaperRoute(const topology::Triangulation& triangulation, const Stop& stop)
+      : triangulation_(triangulation), stop_(stop) {}
 
   /// Edge curvatures K [E] at x [E]; false if an angle is not a number.
   bool curvature(const std::vector<Real>& x, std::vector<Real>& K) const {
@@ -110,7 +112,7 @@ class PaperRoute {
     for (int k = 0;; ++k) {
       if (!curvature(x, K)) return end("not a number", k, x);
       if (largest(K) <= tolerance) return end("metric", k, x);
-      if (k == max_steps) return end("no convergence", k, x);
+      if (k == max_steps || stop_) return end("no convergence", k, x);
       for (std::size_t e = 0; e < x.size(); ++e) {
         x[e] += step * K[e];
         if (!(x[e] > 0)) return end("length not positive", k + 1, x);
@@ -125,7 +127,7 @@ class PaperRoute {
     for (int k = 0;; ++k) {
       if (!curvature(x, K, A)) return end("not a number", k, x);
       if (largest(K) <= tolerance) return end("metric", k, x);
-      if (k == max_steps) return end("no convergence", k, x);
+      if (k == max_steps || stop_) return end("no convergence", k, x);
       Eigen::VectorXd rhs(static_cast<Eigen::Index>(x.size()));
       for (std::size_t e = 0; e < x.size(); ++e) rhs[Eigen::Index(e)] = double(K[e]);
       const Eigen::VectorXd step = A.ldlt().solve(rhs);
@@ -160,6 +162,7 @@ class PaperRoute {
   }
 
   const topology::Triangulation& triangulation_;
+  const Stop& stop_;
 };
 
 }  // namespace tripus::studies::detail

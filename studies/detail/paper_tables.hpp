@@ -5,7 +5,31 @@
 namespace tripus::studies::detail {
 
 /// Tables of the study of the paper's experiment, in this order.
-enum PaperTable : std::size_t { kManifolds };
+enum PaperTable : std::size_t { kTriangulations };
+
+/// What is known of a manifold, from the triangulations that belong to it.
+struct Manifold {
+  std::string signature;  ///< isometry signature: equal exactly for the same manifold
+  std::string input;      ///< the first of its triangulations
+  double volume = 0;
+  std::string boundary, homology, cells, isometries;
+  std::size_t triangulations = 0;
+  std::size_t geometric = 0;  ///< triangulations that carry the metric themselves
+};
+
+/// By volume, then by signature.
+std::vector<Manifold> manifolds_of(const Table& triangulations);
+
+/// Manifolds of one volume, as far as doubles can tell.
+using VolumeGroup = std::vector<Manifold>;
+std::vector<VolumeGroup> volume_groups(const std::vector<Manifold>& manifolds);
+
+/// Manifolds of the group with the boundary and homology of m, m included.
+std::size_t of_same_kind(const VolumeGroup& group, const Manifold& m);
+
+/// The tables manifolds.csv and same_volume.csv.
+std::vector<Table> manifold_tables(const std::vector<Manifold>& manifolds,
+                                   const std::vector<VolumeGroup>& groups);
 
 /// What they say.
 Findings paper_findings(const std::vector<Table>& tables);

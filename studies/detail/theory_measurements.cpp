@@ -75,15 +75,15 @@ double norm(const Vector& v) {
 }  // namespace
 
 double newton_order(const topology::Triangulation& triangulation, std::span<const double> metric,
-                    std::uint64_t seed) {
+                    std::uint64_t seed, const Stop& stop) {
   Random random(seed);
   const Vector direction = random_direction(metric.size(), random);
   Vector before, after;
   for (int k = 0; k <= 8; ++k) {
-    const double size = shortest(metric) * std::pow(10.0, -1.5 - 0.25 * k);
+    const double size = shortest(metric) * std::pow(10.0, -2.5 - 0.25 * k);
     const Vector start = shifted(metric, direction, size);
-    const MethodRun run =
-        run_method(triangulation, "newton", start, {.tolerance = 1e-15, .max_iterations = 1});
+    const MethodRun run = run_method(triangulation, "newton", start,
+                                     {.tolerance = 1e-15, .max_iterations = 1, .stop = &stop});
     const double error = distance(run.report.edge_lengths, metric);
     if (!(error > 1e-13 * norm(start)) || error >= size) continue;
     before.push_back(std::log(size));
@@ -93,7 +93,7 @@ double newton_order(const topology::Triangulation& triangulation, std::span<cons
 }
 
 double euler_limit(const topology::Triangulation& triangulation, std::span<const double> metric,
-                   double largest, std::uint64_t seed) {
+                   double largest, std::uint64_t seed, const Stop& stop) {
   constexpr int kSteps = 1000;
   Random random(seed);
   const Vector start =
@@ -102,7 +102,7 @@ double euler_limit(const topology::Triangulation& triangulation, std::span<const
   Flow flow(triangulation);
   const auto stable = [&](double step) {
     Vector x = start;
-    for (int k = 0; k < kSteps; ++k) {
+    for (int k = 0; k < kSteps && !stop; ++k) {
       const Vector K = flow.curvature(x);
       for (std::size_t i = 0; i < x.size(); ++i) x[i] += step * K[i];
       if (!(distance(x, metric) < 1e3 * size)) return false;
@@ -110,7 +110,7 @@ double euler_limit(const topology::Triangulation& triangulation, std::span<const
     return distance(x, metric) < size;
   };
   double lower = 0.5 / largest, upper = 8 / largest;
-  while (upper - lower > 1e-4 * lower) {
+  while (upper - lower > 1e-4 * lower && !stop) {
     const double middle = (lower + upper) / 2;
     (stable(middle) ? lower : upper) = middle;
   }
@@ -118,7 +118,7 @@ double euler_limit(const topology::Triangulation& triangulation, std::span<const
 }
 
 Decay flow_decay(const topology::Triangulation& triangulation, std::span<const double> metric,
-                 const Spectrum& spectrum, std::uint64_t seed) {
+                 const Spectrum& spectrum, std::uint64_t seed, const Stop& stop) {
   Random random(seed);
   const double size = 0.05 * shortest(metric);
   Vector x = shifted(metric, random_direction(metric.size(), random), 0.1 * size);
@@ -129,7 +129,7 @@ Decay flow_decay(const topology::Triangulation& triangulation, std::span<const d
   const auto window = std::size_t(std::ceil(1 / (spectrum.smallest * dt)));
   Decay result;
   Vector norms{norm(flow.curvature(x))};
-  while (norms.back() > 1e-9 && norms.size() < 200000) {
+  while (norms.back() > 1e-9 && norms.size() < 200000 && !stop) {
     flow.step(x, dt);
     norms.push_back(norm(flow.curvature(x)));
     result.monotone = result.monotone && norms.back() < norms[norms.size() - 2];

@@ -1,7 +1,8 @@
-// Law M6 of topology/README.md: whatever moves are made, the manifold stays the same, as far as H1,
+// Law C6 of topology/README.md: whatever moves are made, the manifold stays the same, as far as H1,
 // the links, orientability and the homology of its covers with two and three sheets tell.
 #include <algorithm>
 #include <map>
+#include <random>
 #include <set>
 #include <string>
 #include <tuple>
@@ -9,11 +10,15 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.hpp"
 #include "tests/support/data_files.hpp"
 #include "topology/covers/cover_homology.hpp"
 #include "topology/isomorphism.hpp"
 #include "topology/isosig.hpp"
 #include "topology/moves/moves.hpp"
+#include "topology/simplify/collapse.hpp"
+#include "topology/simplify/simplify.hpp"
+#include "topology/subdivide.hpp"
 
 namespace tripus::topology {
 namespace {
@@ -79,6 +84,51 @@ TEST(ManifoldStays, UnderRandomMovesOfEveryKind) {
     }
   }
   for (const MoveKind kind : kinds) EXPECT_GE(made[kind], 50u) << info(kind).name;
+}
+
+/// Collapses random edges, as often as it says or until few are left to try; returns how many.
+std::size_t collapse_at_random(Gluings& gluings, std::size_t most, std::mt19937_64& random) {
+  std::size_t made = 0;
+  for (int attempt = 0; attempt < 200 && made < most; ++attempt) {
+    const auto t = static_cast<TetrahedronIndex>(random() % gluings.tetrahedron_count());
+    const auto edge = static_cast<int>(random() % 6);
+    try {
+      gluings = collapse_edge(gluings, t, edge);
+      ++made;
+    } catch (const InvalidInput&) {
+      // Refused there; elsewhere, then.
+    }
+  }
+  return made;
+}
+
+TEST(ManifoldStays, UnderCollapseSubdivisionAndSimplification) {
+  const auto kinds = every_kind();
+  std::mt19937_64 random(20261122);
+  std::size_t collapses = 0;
+  std::size_t smaller = 0;
+  for (const std::string& signature : triangulations()) {
+    SCOPED_TRACE(signature);
+    Gluings gluings = decode_isosig(signature);
+    const Fingerprint before(gluings);
+    for (int round = 0; round < 3; ++round) {
+      randomize(gluings, {.count = 20, .seed = random(), .kinds = kinds, .max_tetrahedra = 12});
+      collapses += collapse_at_random(gluings, 4, random);
+      ASSERT_TRUE(Fingerprint(gluings) == before) << "collapsed: " << isosig(gluings);
+    }
+    Gluings fine = barycentric_subdivision(gluings);
+    collapses += collapse_at_random(fine, 8, random);
+    ASSERT_TRUE(Fingerprint(fine) == before) << "subdivided and collapsed: " << isosig(fine);
+    const std::size_t size = fine.tetrahedron_count();
+    SimplifyOptions options;
+    options.seed = random();
+    options.effort = 0.1;
+    gluings = simplify(fine, options).gluings;
+    smaller += gluings.tetrahedron_count() < size;
+    ASSERT_TRUE(Fingerprint(gluings) == before) << "simplified: " << isosig(gluings);
+  }
+  EXPECT_GT(collapses, 500u);
+  EXPECT_EQ(smaller, triangulations().size());
 }
 
 // The fingerprint would notice: it tells many manifolds apart that H1 and the boundary do not.

@@ -3,15 +3,17 @@
 import signal
 import subprocess
 import time
+from random import Random
 
 import samples
 from support import TRIPUS, ProgramTest, read_json
 
 TABLES = {
-    "stability": ["thresholds.csv", "angles.csv", "starts.csv", "flow_thresholds.csv"],
+    "stability": ["thresholds.csv", "angles.csv", "irregular_angles.csv", "starts.csv",
+                  "flow_thresholds.csv", "outcomes.csv"],
     "triangulations": ["triangulations.csv"],
-    "convergence": ["runs.csv", "iterations.csv", "theory.csv"],
-    "paper": ["manifolds.csv"],
+    "convergence": ["runs.csv", "iterations.csv", "theory.csv", "laws.csv"],
+    "paper": ["triangulations.csv", "manifolds.csv", "same_volume.csv"],
 }
 
 
@@ -67,6 +69,50 @@ class Study(ProgramTest):
         self.assertGreater(len(expected), 500)
         self.assertEqual(self.rows("threads", "triangulations.csv"), expected)
         self.assertEqual(self.rows("stopped", "triangulations.csv"), expected)
+
+    def test_every_study_survives_interruptions_at_random_moments(self):
+        """Cut off by signals, by kill -9, and with the last line of its journal torn."""
+        arguments = {
+            "stability": [TRIPUS, "--samples", "4", "--methods", "newton"],
+            "convergence": [TRIPUS, "--covers", "2,40", "--methods", "newton,flow:curvature/euler"],
+            "paper": ["--census", "2", TRIPUS],
+        }
+        random = Random(11)
+        for name, options in arguments.items():
+            with self.subTest(study=name):
+                command = ["study", name, *options, "--threads", "2"]
+                start = time.monotonic()
+                self.json_answer(*command, "-o", name + "-whole")
+                whole = time.monotonic() - start
+                stopped = self.folder / (name + "-stopped")
+                for attempt in range(8):
+                    process = subprocess.Popen(
+                        self.command(*command, "-o", stopped.name), cwd=self.folder,
+                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                    time.sleep(random.uniform(0, whole))
+                    process.send_signal(random.choice([signal.SIGKILL, signal.SIGINT]))
+                    process.communicate(timeout=60)
+                    journal = stopped / "items.jsonl"
+                    if journal.exists() and attempt % 2:
+                        data = journal.read_bytes()
+                        journal.write_bytes(data[:random.randint(0, len(data))])
+                self.json_answer(*command, "-o", stopped.name)
+                for table in TABLES[name]:
+                    self.assertEqual(self.rows(stopped.name, table),
+                                     self.rows(name + "-whole", table), table)
+
+    def test_census_is_taken_as_a_whole(self):
+        answer = self.json_answer("study", "paper", "--census", "3", "-o", "out")
+        summary = read_json((self.folder / "out" / "summary.json").read_text())
+        facts = {name: fact["value"] for name, fact in summary["facts"].items()}
+        # The manifolds with up to three tetrahedra that the literature lists.
+        self.assertEqual(facts["manifolds"], 8 + 150)
+        self.assertEqual(facts["algebraic_found"], facts["geometric"])
+        self.assertEqual(facts["flow_found"], facts["geometric"])
+        self.assertLessEqual(facts["flow_error"], 1e-8)
+        self.assertIn("158 different manifolds", answer["findings"])
+        shared = self.rows("out", "same_volume.csv")
+        self.assertEqual(len(shared) - 1, facts["manifolds_sharing"])
 
     def test_other_options_do_not_mix_with_what_is_there(self):
         self.json_answer("study", "paper", TRIPUS, "-o", "out")

@@ -1,13 +1,18 @@
 // The factorisations, the sparse solver and conjugate gradients, on problems too large for the
 // contract tests.
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
+#include "energies/co_volume.hpp"
 #include "solver/detail/dense_cholesky.hpp"
+#include "solver/extreme_eigenvalues.hpp"
 #include "solver/method.hpp"
 #include "solver/newton_direction.hpp"
 #include "solver/run.hpp"
 #include "tests/support/analytic_problems.hpp"
 #include "tests/support/grid_problem.hpp"
+#include "topology/cyclic_cover.hpp"
+#include "topology/isosig.hpp"
 
 namespace tripus::testing {
 namespace {
@@ -34,6 +39,56 @@ TEST(DenseCholesky, SolvesAndRecognisesIndefiniteMatrices) {
     Matrix zero = Matrix::Zero(n, n);
     EXPECT_FALSE(solver::detail::factor_cholesky({zero.data(), size * size}, size));
   }
+}
+
+/// The Hessian at x, dense, column by column from products with unit vectors.
+Matrix dense_hessian(solver::Problem& problem, std::vector<double> x) {
+  std::vector<double> gradient(x.size()), unit(x.size()), column(x.size());
+  problem.evaluate(x, gradient, {.value = nullptr, .second_derivatives = true});
+  const auto n = static_cast<Eigen::Index>(x.size());
+  Matrix H(n, n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    std::fill(unit.begin(), unit.end(), 0.0);
+    unit[static_cast<std::size_t>(j)] = 1;
+    problem.hessian_times(unit, column);
+    for (Eigen::Index i = 0; i < n; ++i) H(i, j) = column[static_cast<std::size_t>(i)];
+  }
+  return H;
+}
+
+TEST(ExtremeEigenvalues, AreThoseOfTheDenseSpectrum) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> length(0.5, 1.1);  // none is flat
+  for (const char* signature : {"cPcbbbihq", "eLAkbcbddhejqn", "jLLLzQQcdffhggihilvhhnkkawn"}) {
+    const topology::Triangulation base(topology::decode_isosig(signature));
+    for (const std::size_t degree : {1u, 2u, 7u, 100u}) {
+      const auto shifts = topology::primitive_class(base);
+      ASSERT_TRUE(shifts);
+      const topology::Triangulation triangulation(
+          topology::cyclic_cover(base.gluings(), *shifts, degree));
+      energies::CoVolume energy(triangulation);
+      std::vector<double> x(triangulation.edge_count());
+      for (double& l : x) l = length(random);
+      const Matrix H = dense_hessian(energy, x);
+      const Eigen::SelfAdjointEigenSolver<Matrix> dense(H);
+      const auto found = solver::extreme_eigenvalues(energy);
+      const double largest = dense.eigenvalues().maxCoeff(), smallest = dense.eigenvalues()[0];
+      EXPECT_NEAR(found.largest, largest, 1e-9 * largest);
+      EXPECT_NEAR(found.smallest, smallest, 1e-8 * smallest + 1e-14 * largest);
+      ASSERT_EQ(found.slowest.size(), x.size());
+      const Eigen::Map<const Vector> v(found.slowest.data(), H.rows());
+      EXPECT_LT((H * v - smallest * v).norm(), 1e-6 * largest);
+    }
+  }
+}
+
+TEST(ExtremeEigenvalues, OfASingularHessianAreZeroBelow) {
+  // All tetrahedra are flat or at length 0: nothing bends.
+  const topology::Triangulation triangulation(topology::decode_isosig("cPcbbbihq"));
+  energies::CoVolume energy(triangulation);
+  std::vector<double> x(1, -1.0), gradient(1);
+  energy.evaluate(x, gradient, {.value = nullptr, .second_derivatives = true});
+  EXPECT_EQ(solver::extreme_eigenvalues(energy).smallest, 0);
 }
 
 TEST(MaxAbs, IsInfiniteForNaN) {

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -127,11 +128,47 @@ TEST_F(StudyRun, StoppedAndResumedGivesTheSameCsvOnAnyNumberOfThreads) {
     ASSERT_LT(++runs, 1000);
   }
   EXPECT_GT(runs, 3);
-  for (const char* file : {"thresholds.csv", "angles.csv", "starts.csv", "flow_thresholds.csv"}) {
+  for (const char* file : {"thresholds.csv", "angles.csv", "irregular_angles.csv", "starts.csv",
+                           "flow_thresholds.csv", "outcomes.csv"}) {
     const std::string expected = read(folder_ / "whole" / file);
     EXPECT_GT(expected.size(), 50u);
     EXPECT_EQ(read(folder_ / "threads" / file), expected);
     EXPECT_EQ(read(folder_ / "stopped" / file), expected);
+  }
+}
+
+/// An item that never ends by itself, and one that has to wait for it.
+Plan endless_plan(const StudyOptions&) {
+  Plan plan;
+  plan.tables = {{"t", "", {{"value", "", ""}}}};
+  plan.items.push_back({"endless", [](const Stop& stop) {
+                          while (!stop) std::this_thread::yield();
+                          return std::vector<Row>{{0, {"cut short"}}};
+                        }});
+  plan.items.push_back({"quick", [](const Stop&) { return std::vector<Row>{{0, {"whole"}}}; }});
+  plan.conclude = [](const std::vector<Table>&) { return Findings(); };
+  return plan;
+}
+
+TEST_F(StudyRun, StopsWithinAnItemAndKeepsNothingOfIt) {
+  const Study study{"endless", "", "", 1, "", endless_plan};
+  std::atomic<bool> stop{false};
+  RunOptions options{folder_.string(), 2, &stop, {}};
+  options.on_progress = [&](std::size_t, std::size_t) { stop = true; };  // once "quick" is done
+  const RunResult result = run_study(study, tripus_options(), options);
+  EXPECT_FALSE(result.finished());
+  EXPECT_EQ(result.done, 1u);
+  EXPECT_EQ(result.total, 2u);
+  EXPECT_THAT(read(folder_ / "items.jsonl"), ::testing::Not(::testing::HasSubstr("cut short")));
+}
+
+TEST_F(StudyRun, StopsBeforeItsPlanIsMade) {
+  const std::atomic<bool> stop{true};
+  for (const Study& study : studies()) {
+    const RunResult result = run_study(
+        study, tripus_options(), {(folder_ / std::string(study.name)).string(), 1, &stop, {}});
+    EXPECT_FALSE(result.finished()) << study.name;
+    EXPECT_TRUE(result.files.empty());
   }
 }
 

@@ -36,7 +36,7 @@ std::vector<std::int64_t> divisors(std::int64_t n) {
 class ClassSearch {
  public:
   ClassSearch(std::int64_t modulus, const std::vector<std::int64_t>& orders)
-      : modulus_(modulus), orders_(orders), values_(orders.size()), best_(orders.size() + 1, 1) {
+      : modulus_(modulus), values_(orders.size()), best_(orders.size() + 1, 1) {
     for (std::size_t i = orders.size(); i-- > 0;) best_[i] = std::lcm(best_[i + 1], orders[i]);
     for (const std::int64_t order : orders) {
       factors_.push_back({});
@@ -72,7 +72,6 @@ class ClassSearch {
   }
 
   std::int64_t modulus_;
-  const std::vector<std::int64_t>& orders_;
   std::vector<std::int64_t> values_;
   std::vector<std::int64_t> best_;                  // what values i, i + 1, ... can still do
   std::vector<std::vector<std::int64_t>> factors_;  // divisors of N that value i may have

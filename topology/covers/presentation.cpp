@@ -88,7 +88,7 @@ class Reducer {
       const std::size_t generator = generator_of(relator[i]);
       if (best != relator.size() && count_[generator] >= count_[generator_of(relator[best])])
         continue;
-      const auto [first, last] = std::ranges::equal_range(generators, generator);
+      const auto [first, last] = std::equal_range(generators.begin(), generators.end(), generator);
       if (last - first == 1) best = i;
     }
     return best;
@@ -97,7 +97,7 @@ class Reducer {
   /// Solves relator r for its letter at the place, and puts the solution in everywhere.
   Word solve(std::size_t r, std::size_t place) {
     Word rest(relators_[r]);
-    std::ranges::rotate(rest, rest.begin() + static_cast<std::ptrdiff_t>(place));
+    std::rotate(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(place), rest.end());
     const Letter letter = rest.front();
     rest.erase(rest.begin());
     Word inverse(rest.rbegin(), rest.rend());

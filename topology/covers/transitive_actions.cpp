@@ -24,7 +24,6 @@ class ActionTable {
  public:
   ActionTable(const Presentation& presentation, std::size_t degree)
       : columns_(2 * presentation.generator_count),
-        degree_(degree),
         images_(columns_ * degree, kUnknown),
         rotations_(columns_),
         number_(degree),
@@ -170,7 +169,6 @@ class ActionTable {
   }
 
   std::size_t columns_;
-  std::size_t degree_;
   std::size_t sheets_ = 1;
   std::size_t symmetries_ = 1;
   std::vector<Sheet> images_;                     // [d x columns]

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "topology/detail/edge_walk.hpp"
+#include "topology/edge_walk.hpp"
 #include "topology/simplify/mutable_triangulation.hpp"
 
 namespace tripus::topology {
@@ -34,10 +34,11 @@ class EdgeCollapse {
   CollapseRefusal refusal(TetrahedronIndex t, int edge);
   /// Throws InvalidInput with the place and the reason if it is refused; nothing is changed then.
   void apply(TetrahedronIndex t, int edge);
-  bool try_apply(TetrahedronIndex t, int edge) {
-    if (refusal(t, edge) != CollapseRefusal::kNone) return false;
-    collapse();
-    return true;
+  /// Collapses the edge if that is legal; says why not otherwise.
+  CollapseRefusal try_apply(TetrahedronIndex t, int edge) {
+    const CollapseRefusal reason = refusal(t, edge);
+    if (reason == CollapseRefusal::kNone) collapse();
+    return reason;
   }
 
  private:
@@ -82,7 +83,7 @@ class EdgeCollapse {
   void close_gap();
 
   MutableTriangulation* m_;
-  std::vector<detail::EdgeWalk> corners_;  // around the edge; set by refusal, as what follows
+  std::vector<EdgeWalk> corners_;  // around the edge; set by refusal, as what follows
   std::vector<Node> nodes_;
   Sets edge_sets_;                           // of nodes_
   Sets tetrahedron_sets_;                    // of corners_

@@ -23,6 +23,7 @@ class Reducer {
   void push_touched() {
     for (const TetrahedronIndex t : m_->touched()) push(t);
   }
+  /// Puts everything into the queue, also edges whose turn would come later.
   void push_all();
   bool is_idle() const { return head_ == queue_.size(); }
 
@@ -46,6 +47,7 @@ class Reducer {
   std::vector<TetrahedronIndex> queue_;
   std::size_t head_ = 0;
   std::vector<std::uint8_t> queued_;
+  std::vector<std::uint32_t> waits_;  // by edge label: visits until the next try to collapse it
 };
 
 }  // namespace tripus::topology

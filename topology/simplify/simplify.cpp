@@ -1,5 +1,6 @@
 #include "topology/simplify/simplify.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "topology/simplify/locality.hpp"
 #include "topology/simplify/reducer.hpp"
 #include "topology/simplify/search.hpp"
 
@@ -55,14 +57,26 @@ std::size_t closed_components(const Triangulation& triangulation) {
   return closed;
 }
 
+/// With the tetrahedra in another order where that is better for the caches; but what is wrong is
+/// named by the caller's numbers.
+Triangulation skeleton_of(const Gluings& closed) {
+  require_consistent(closed, OpenFaces::kRefused);
+  if (is_scattered(closed)) {
+    try {
+      return Triangulation(breadth_first(closed));
+    } catch (const InvalidInput&) {
+    }
+  }
+  return Triangulation(closed);
+}
+
 class Simplifier {
  public:
   Simplifier(const Gluings& closed, const SimplifyOptions& options) : options_(&options) {
-    const Triangulation triangulation(closed);
+    const Triangulation triangulation = skeleton_of(closed);
     result_.given = triangulation.tetrahedron_count();
     component_count_ = triangulation.component_count();
     finite_to_keep_ = closed_components(triangulation);
-    result_.gluings = closed;
     start(triangulation);
   }
 
@@ -121,13 +135,16 @@ bool Simplifier::is_least() const {
 void Simplifier::search() {
   LocalSearch search(*m_, *reducer_, finite_to_keep_, options_->seed);
   const auto size = static_cast<double>(m_->tetrahedron_count());
-  const double in_a_row = options_->effort * (kTrialsInARow + kTrialsInARowATetrahedron * size);
-  const double in_all = options_->effort * (kTrials + kTrialsATetrahedron * size);
+  const double in_a_row = kTrialsInARow + kTrialsInARowATetrahedron * size;
+  const double in_all = kTrials + kTrialsATetrahedron * size;
   double in_vain = 0;
-  for (double made = 0; made < in_all && in_vain < in_a_row; ++made, ++in_vain) {
-    if (looks_stopped("search") || (is_least() && finite_vertices_to_go() == 0)) return;
-    const int depth =
-        kLeastDepth + static_cast<int>((kMostDepth - kLeastDepth) * in_vain / in_a_row);
+  for (double made = 0; !looks_stopped("search"); ++made, ++in_vain) {
+    // No effort is spared for vertices that ought to go.
+    const bool to_go = finite_vertices_to_go() > 0;
+    const double effort = to_go ? std::max(1.0, options_->effort) : options_->effort;
+    if (made >= effort * in_all || in_vain >= effort * in_a_row || (!to_go && is_least())) return;
+    const int depth = kLeastDepth + static_cast<int>((kMostDepth - kLeastDepth) *
+                                                     std::min(1.0, in_vain / in_a_row));
     const SearchSize before = search.size();
     search.trial(depth);
     if (search.size() < before) in_vain = -1;
@@ -143,7 +160,7 @@ Simplified Simplifier::run() {
   }
   reducer_->clear();
   result_.reduced = m_->tetrahedron_count();
-  if (!result_.stopped && options_->effort > 0) {
+  if (!result_.stopped && (options_->effort > 0 || finite_vertices_to_go() > 0)) {
     start(Triangulation(m_->compacted()));  // close together in memory again
     search();
   }

@@ -13,10 +13,10 @@ namespace tripus::topology {
 struct SimplifyOptions {
   std::uint64_t seed = 0;  ///< of the search; the same result for the same seed on every platform
   /// How long to search once nothing gets smaller directly: a factor of the default number of
-  /// trials, which is linear in T. 0: no search.
+  /// trials, which is linear in T. 0: no search, except for ways to remove finite vertices.
   double effort = 1.0;
   /// Called now and then with what is going on ("collapse", "reduce", "search") and with T.
-  std::function<void(std::string_view stage, std::size_t tetrahedra)> progress;
+  std::function<void(std::string_view stage, std::size_t tetrahedra)> progress = {};
   /// Where it becomes true, simplify returns soon, with what it has.
   const std::atomic<bool>* stop_requested = nullptr;
 };

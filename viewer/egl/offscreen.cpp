@@ -69,33 +69,46 @@ int samples_for(int width, int height) {
 
 }  // namespace
 
-Image render_picture(const Scene& scene, const PictureOptions& options, int width, int height,
-                     bool identities) {
-  require_drawable(scene, options, width, height);
-  const OffscreenContext context;
-  Renderer renderer;
-  renderer.set_scene(scene, options.model);
-  const RenderTarget target = make_render_target(width, height);
-  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
-  Renderer::Frame frame;
-  frame.width = width;
-  frame.height = height;
-  frame.samples = identities ? 1 : samples_for(width, height);
-  frame.identities = identities;
-  renderer.draw(options, frame);
+class OffscreenRenderer::Implementation {
+ public:
+  Image draw(const Scene& scene, const PictureOptions& options, int width, int height,
+             Pixels pixels) {
+    if (target_.width != width || target_.height != height)
+      target_ = make_render_target(width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, target_.framebuffer.name());
+    renderer_.set_scene(scene, options.model);
+    Renderer::Frame frame;
+    frame.width = width;
+    frame.height = height;
+    frame.identities = pixels == Pixels::kIdentities;
+    frame.samples = frame.identities      ? 1
+                    : options.samples > 0 ? options.samples
+                                          : samples_for(width, height);
+    renderer_.draw(options, frame);
 
-  Image image{width, height, {}};
-  const std::size_t row = 4 * static_cast<std::size_t>(width);
-  image.pixels.resize(row * static_cast<std::size_t>(height));
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-  // OpenGL's rows go up.
-  for (std::size_t low = 0, high = static_cast<std::size_t>(height) - 1; low < high; ++low, --high)
-    std::swap_ranges(image.pixels.begin() + static_cast<std::ptrdiff_t>(low * row),
-                     image.pixels.begin() + static_cast<std::ptrdiff_t>((low + 1) * row),
-                     image.pixels.begin() + static_cast<std::ptrdiff_t>(high * row));
-  for (std::size_t i = 3; i < image.pixels.size(); i += 4) image.pixels[i] = 255;
-  return image;
+    return read_pixels(width, height);
+  }
+
+ private:
+  // The context first: it must outlive what is in it.
+  OffscreenContext context_;
+  Renderer renderer_;
+  RenderTarget target_;
+};
+
+OffscreenRenderer::OffscreenRenderer() : implementation_(std::make_unique<Implementation>()) {}
+OffscreenRenderer::~OffscreenRenderer() = default;
+
+Image OffscreenRenderer::draw(const Scene& scene, const PictureOptions& options, int width,
+                              int height, Pixels pixels) {
+  require_drawable(scene, options, width, height);
+  return implementation_->draw(scene, options, width, height, pixels);
+}
+
+Image render_picture(const Scene& scene, const PictureOptions& options, int width, int height,
+                     Pixels pixels) {
+  require_drawable(scene, options, width, height);
+  return OffscreenRenderer().draw(scene, options, width, height, pixels);
 }
 
 }  // namespace tripus::viewer

@@ -1,14 +1,41 @@
 #pragma once
 
+#include <memory>
+
 #include "viewer/picture.hpp"
 
 namespace tripus::viewer {
 
-/// Draws a scene without a display, through EGL, by the driver in software if there is no other.
-/// With `identities` the pixels are those of Renderer::Frame::identities and alpha is 255.
-/// Throws InvalidInput for what cannot be drawn (require_drawable), and NoOpenGl, an Unsupported,
-/// where OpenGL is missing.
+/// What each pixel of a picture tells.
+enum class Pixels {
+  kColours,
+  /// The number of the cell, from 1, in red and green, the lower byte first, and of its wall, from
+  /// 1, in blue (9: the cut); 0 where there is none. One sample a pixel.
+  kIdentities,
+};
+
+/// Draws without a display, through EGL: by the driver in software if there is no other. One at a
+/// time, each on one thread.
+class OffscreenRenderer {
+ public:
+  /// Throws NoOpenGl where OpenGL is missing.
+  OffscreenRenderer();
+  ~OffscreenRenderer();
+  OffscreenRenderer(const OffscreenRenderer&) = delete;
+  OffscreenRenderer& operator=(const OffscreenRenderer&) = delete;
+
+  /// The picture of a scene; alpha is 255. What is kept from the last scene makes the next picture
+  /// of it faster. Throws InvalidInput for what cannot be drawn (require_drawable).
+  Image draw(const Scene& scene, const PictureOptions& options, int width, int height,
+             Pixels pixels = Pixels::kColours);
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// One picture.
 Image render_picture(const Scene& scene, const PictureOptions& options, int width, int height,
-                     bool identities = false);
+                     Pixels pixels = Pixels::kColours);
 
 }  // namespace tripus::viewer

@@ -60,6 +60,8 @@ class CellProduct {
   /// are already, and not far too fine. `cut_away`: the cut, or null.
   void prepare(double error, const HalfSpace* cut_away);
 
+  /// What the meshes leave their walls by at most (local).
+  double mesh_error() const { return error_; }
   const std::vector<Wall>& walls() const { return walls_; }
 
  private:

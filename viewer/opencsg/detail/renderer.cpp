@@ -22,6 +22,11 @@ constexpr double kSmallestCell = 0.4;
 
 Eigen::Matrix4f as_floats(const Eigen::Matrix4d& matrix) { return matrix.cast<float>(); }
 
+/// Without some of its walls a cell is no solid.
+bool is_solid(const PictureOptions& options) {
+  return options.drawing == Drawing::kSolid && options.faces && options.truncations;
+}
+
 struct Uniform {
   GLuint program;
   GLint at(const char* name) const { return glGetUniformLocation(program, name); }
@@ -59,7 +64,13 @@ class Renderer::Implementation {
 
 Renderer::Implementation::Implementation()
     : wall_program_(make_program(kWallVertexShader, kWallFragmentShader)),
-      bounding_(bounding_mesh()) {}
+      bounding_(bounding_mesh()) {
+  // All primitives are convex: the sequenced subtraction of Stewart, Leach and John. Occlusion
+  // queries would save passes, but each waits for the graphics card, and with 8 subtractions that
+  // costs more.
+  OpenCSG::setOption(OpenCSG::AlgorithmSetting, OpenCSG::SCS);
+  OpenCSG::setOption(OpenCSG::DepthComplexitySetting, OpenCSG::NoDepthComplexitySampling);
+}
 
 void Renderer::Implementation::set_scene(const Scene& scene, Model model) {
   // Cells that stay keep their meshes.
@@ -133,17 +144,14 @@ void Renderer::Implementation::draw_cell(std::size_t number, const PictureOption
     if (beyond > product.scale()) return;
     if (beyond < -product.scale()) cut = nullptr;
   }
-  product.prepare(kMeshError / pixels, cut);
+  product.prepare(kMeshError * frame.samples / pixels, cut);
 
   Eigen::Matrix4d place = Eigen::Matrix4d::Identity();
   place.topLeftCorner<3, 3>() *= product.scale();
   place.topRightCorner<3, 1>() = product.centre();
   glLoadMatrixf(as_floats(view.model_view * place).data());
-  const bool solid = frame.method == Method::kOpenCsg && options.faces && options.truncations;
-  if (solid) solve_product(product, view);
-  Frame shading = frame;
-  if (!solid) shading.method = Method::kDiscard;
-  shade(number, options, shading, view);
+  if (is_solid(options)) solve_product(product, view);
+  shade(number, options, frame, view);
 }
 
 void Renderer::Implementation::solve_product(const CellProduct& product, const View& view) {
@@ -203,14 +211,16 @@ void Renderer::Implementation::shade(std::size_t number, const PictureOptions& o
   glUniform1fv(uniform.at("square"), kMostHalfSpaces, square.data());
   glUniform1fv(uniform.at("kind"), kMostHalfSpaces, kind.data());
   glUniform1i(uniform.at("count"), static_cast<GLint>(walls.size()));
-  const bool discarding = frame.method == Method::kDiscard;
+  const bool discarding = !is_solid(options);
   glUniform1i(uniform.at("discarding"), discarding ? 1 : 0);
   glUniform1i(uniform.at("plain"), frame.identities ? 1 : 0);
   glUniform3fv(uniform.at("eye"), 1, eye.data());
   glUniform3fv(uniform.at("key_light"), 1, light.data());
-  // Small cells have thin edges, or they would be nothing but edges.
   const double pixels = product.scale() / (product.centre() - view.eye).norm() * frame.height *
                         frame.samples / view.height_at_one;
+  glUniform1f(uniform.at("slack"), static_cast<GLfloat>(2 * product.mesh_error()));
+  glUniform1f(uniform.at("pixel"), static_cast<GLfloat>(1 / pixels));
+  // Small cells have thin edges, or they would be nothing but edges.
   const double widest = 1.5 * frame.samples * std::max(1.0, frame.height / 900.0);
   glUniform1f(uniform.at("line_width"), static_cast<GLfloat>(std::min(widest, 0.03 * pixels)));
 

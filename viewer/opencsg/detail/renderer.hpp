@@ -6,12 +6,6 @@
 
 namespace tripus::viewer {
 
-/// How the cells' surfaces are found.
-enum class Method {
-  kOpenCsg,  ///< image-based CSG of the primitives, solid cells
-  kDiscard,  ///< every wall drawn, without the pixels outside of the others: fast, hollow cells
-};
-
 /// Draws a scene in the OpenGL context that is current when it is made, and must be at every call
 /// and when it ends. One thread, one renderer at a time: OpenCSG keeps its state in globals.
 class Renderer {
@@ -28,8 +22,7 @@ class Renderer {
   struct Frame {
     int width = 0;
     int height = 0;
-    int samples = 1;  ///< a pixel, in each direction
-    Method method = Method::kOpenCsg;
+    int samples = 1;  ///< in the place of options.samples
     /// Instead of colours: the number of the cell, from 1, in red and green, the lower byte first,
     /// and the number of its wall, from 1, in blue (9: the cut-away); 0 where there is none.
     bool identities = false;

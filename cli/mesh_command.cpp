@@ -1,0 +1,223 @@
+// tripus mesh: from a boundary surface or a tetrahedral mesh to a small ideal triangulation.
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <memory>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/answer.hpp"
+#include "cli/commands.hpp"
+#include "cli/describe.hpp"
+#include "cli/help.hpp"
+#include "cli/input.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/numbers.hpp"
+#include "cli/progress.hpp"
+#include "meshing/formats/medit.hpp"
+#include "meshing/formats/vtk.hpp"
+#include "meshing/manifold.hpp"
+#include "meshing/picture.hpp"
+#include "topology/formats/json.hpp"
+
+namespace tripus::cli {
+namespace {
+
+constexpr const char* kMeshHelp =
+    "INPUT is a closed triangle surface (OFF, OBJ, STL, PLY) or a tetrahedral mesh (Medit .mesh,\n"
+    "legacy VTK, TetGen .node and .ele), recognised by its content; - for standard input. Of a\n"
+    "surface, the solid is what lies inside the outermost component and outside the others.\n"
+    "It is checked first, and what is wrong is named with its place. Then it is filled with\n"
+    "tetrahedra (mesh), the boundary is coned off (coned), edges are collapsed until only the\n"
+    "cone points are left (collapsed), and moves make it as small as they can (minimal). A\n"
+    "boundary component of genus 1 or more becomes an ideal vertex, a sphere is filled in.\n"
+    "\n"
+    "Exit status: 0 done, 1 the solid is a ball, or interrupted, 2 bad usage or bad input, 3 a\n"
+    "failure of the program itself.";
+
+struct MeshCommand {
+  CommonOptions common;
+  meshing::ManifoldOptions options;
+  std::string output;
+  std::string mesh_output;
+  std::string pictures;
+};
+
+bool ends_with(const std::string& path, std::string_view ending) {
+  return path.size() > ending.size() && path.ends_with(ending);
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  errno = 0;
+  std::ofstream out(path, std::ios::binary);
+  out << text << std::flush;
+  if (!out)
+    throw InvalidInput("cannot write " + tripus::quoted(path) + ": " + std::strerror(errno));
+}
+
+/// Before the work, not after it.
+void require_known_outputs(const MeshCommand& command) {
+  if (!command.output.empty() && !ends_with(command.output, ".json") &&
+      !ends_with(command.output, ".sig"))
+    throw InvalidInput("-o " + tripus::quoted(command.output) +
+                       ": the name must end with .json (gluing table) or .sig (signature)");
+  if (!command.mesh_output.empty() && !ends_with(command.mesh_output, ".vtk") &&
+      !ends_with(command.mesh_output, ".mesh"))
+    throw InvalidInput("--save-mesh " + tripus::quoted(command.mesh_output) +
+                       ": the name must end with .vtk or .mesh");
+}
+
+void write_outputs(const MeshCommand& command, const meshing::Manifold& manifold,
+                   const Subject& subject) {
+  if (ends_with(command.output, ".json"))
+    write_file(command.output, topology::write_json({{}, manifold.gluings}));
+  if (ends_with(command.output, ".sig")) {
+    if (!subject.isosig)
+      throw InvalidInput("the signature would take too long to compute; write .json");
+    write_file(command.output, *subject.isosig + "\n");
+  }
+  if (ends_with(command.mesh_output, ".vtk"))
+    write_file(command.mesh_output, meshing::write_vtk(manifold.mesh));
+  if (ends_with(command.mesh_output, ".mesh"))
+    write_file(command.mesh_output, meshing::write_medit(manifold.mesh));
+  if (!command.pictures.empty()) {
+    write_file(command.pictures + "-boundary.svg", meshing::boundary_picture(manifold.mesh));
+    write_file(command.pictures + "-mesh.svg", meshing::cut_picture(manifold.mesh));
+    write_file(command.pictures + "-coned.svg", meshing::cone_picture(manifold.mesh));
+    write_file(command.pictures + "-stages.svg", meshing::stages_picture(manifold));
+  }
+}
+
+/// What became of it, in a sentence.
+std::string message_of(const meshing::Manifold& manifold, const Subject& subject) {
+  if (manifold.has_only_spheres()) return meshing::ball_message(manifold) + ".";
+  return one_line(subject.triangulation) + ".";
+}
+
+std::string as_json(const meshing::Manifold& manifold, const Subject& subject) {
+  JsonText out;
+  append_header(out, subject.input);
+  append_subject(out, subject);
+  auto to = std::back_inserter(out);
+  fmt::format_to(to, ", \"points\": {}, \"triangles\": {}, \"turned_triangles\": {}",
+                 manifold.points, manifold.triangles, manifold.turned);
+  fmt::format_to(to, ", \"boundary_genera\": [{}], \"stages\": {{",
+                 fmt::join(manifold.boundary_genera, ", "));
+  for (std::size_t i = 0; i < meshing::kStageCount; ++i)
+    fmt::format_to(to, "{}\"{}\": {}", i == 0 ? "" : ", ",
+                   meshing::stage_name(static_cast<meshing::Stage>(i)), manifold.tetrahedra[i]);
+  append(out, "}, \"ball\": ");
+  append(out, manifold.has_only_spheres() ? "true" : "false");
+  const std::string table = topology::write_json({{}, manifold.gluings});  // {"gluings": ...}
+  append(out, ", ");
+  append(out, std::string_view(table).substr(1, table.rfind('}') - 1));
+  append(out, ", \"message\": ");
+  append_string(out, message_of(manifold, subject));
+  out.push_back('}');
+  return fmt::to_string(out);
+}
+
+std::string as_text(const meshing::Manifold& manifold, const Subject& subject) {
+  std::string text = printable(subject.input) + "\n";
+  const auto line = [&](std::string_view label, const std::string& value) {
+    text += fmt::format("  {:<14}{}\n", label, value);
+  };
+  if (manifold.triangles > 0)
+    line("surface",
+         fmt::format(
+             "{} points, {} triangles{}", manifold.points, manifold.triangles,
+             manifold.turned == 0 ? "" : fmt::format(" ({} turned round)", manifold.turned)));
+  std::vector<std::string> genera;
+  for (const int genus : manifold.boundary_genera)
+    genera.push_back(genus == 0 ? "sphere" : fmt::format("genus {}", genus));
+  line("boundary", shortened(genera));
+  for (std::size_t i = 0; i < meshing::kStageCount; ++i)
+    line(meshing::stage_name(static_cast<meshing::Stage>(i)),
+         counted(manifold.tetrahedra[i], "tetrahedron", "tetrahedra"));
+  if (manifold.has_only_spheres()) {
+    line("no metric", message_of(manifold, subject));
+    return text;
+  }
+  line("signature", subject.isosig.value_or("not computed: it would take too long"));
+  return text;
+}
+
+Outcome mesh_one(const MeshCommand& command, const std::string& input) {
+  auto file = load_mesh(input);
+  const std::string source = input == "-" ? "standard input" : tripus::quoted(input);
+  if (!file)
+    throw InvalidInput(source +
+                       " is neither a surface (OFF, OBJ, STL, PLY) nor a tetrahedral mesh (Medit, "
+                       "VTK, TetGen); a triangulation is made smaller by tripus simplify");
+  catch_interrupts();
+  Progress progress(!command.common.quiet && command.common.batch.empty());
+  meshing::ManifoldOptions options = command.options;
+  options.stop_requested = &interrupt_requested();
+  options.progress = [&](std::string_view activity, std::size_t tetrahedra) {
+    if (!progress.due()) return;
+    progress.show(tetrahedra == 0 ? fmt::format("{}", activity)
+                                  : fmt::format("{}: {} tetrahedra", activity, tetrahedra));
+  };
+  try {
+    const meshing::Manifold manifold = meshing::manifold_of(*std::move(file), options);
+    const Subject subject = make_subject(input, {}, manifold.gluings);
+    write_outputs(command, manifold, subject);
+    return {command.common.json ? as_json(manifold, subject) : as_text(manifold, subject),
+            manifold.has_only_spheres() ? kNoAnswer : kSuccess};
+  } catch (const Unsupported& error) {
+    throw Unsupported(source + ": " + error.what());
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(source + ": " + error.what());
+  }
+}
+
+int run(const MeshCommand& command) {
+  require_known_outputs(command);
+  return answer_inputs(command.common,
+                       [&](const std::string& input) { return mesh_one(command, input); });
+}
+
+}  // namespace
+
+void add_mesh(CLI::App& program, Command& chosen) {
+  CLI::App* verb = program.add_subcommand(
+      "mesh", "from a boundary surface or a tetrahedral mesh to a small ideal triangulation");
+  auto command = std::make_shared<MeshCommand>();
+  add_common_options(*verb, command->common);
+  auto* output = verb->add_option("-o,--output", command->output,
+                                  "write the triangulation: x.json (gluing table) or x.sig\n"
+                                  "(signature); either is an INPUT again")
+                     ->option_text("FILE");
+  auto* mesh_output = verb->add_option("--save-mesh", command->mesh_output,
+                                       "write the tetrahedral mesh: x.vtk or x.mesh")
+                          ->option_text("FILE");
+  output->excludes(verb->get_option("--batch"));
+  mesh_output->excludes(verb->get_option("--batch"));
+  verb->add_option("--pictures", command->pictures,
+                   "draw the stages: PREFIX-boundary.svg, -mesh.svg, -coned.svg, -stages.svg")
+      ->option_text("PREFIX")
+      ->excludes(verb->get_option("--batch"));
+  auto& filling = command->options.tetrahedralize;
+  auto* aim = verb->add_option("--tetrahedra", filling.tetrahedra,
+                               "fill a surface with about N tetrahedra (default: as few as it\n"
+                               "takes)")
+                  ->option_text("N")
+                  ->check(whole_number(std::numeric_limits<int>::max()));
+  verb->add_option("--max-volume", filling.max_volume, "no tetrahedron larger than V")
+      ->option_text("V")
+      ->check(positive_number())
+      ->excludes(aim);
+  verb->add_option("--time-limit", filling.time_limit,
+                   fmt::format("seconds for filling a surface (default: {})", filling.time_limit))
+      ->option_text("S")
+      ->check(positive_number());
+  verb->add_option("--seed", command->options.seed, "of the search for fewer (default: 0)")
+      ->option_text("N")
+      ->check(whole_number(std::numeric_limits<int>::max()));
+  verb->footer(kMeshHelp);
+  verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
+}
+
+}  // namespace tripus::cli

@@ -1,0 +1,148 @@
+// tripus simplify: a small triangulation of the same manifold.
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/answer.hpp"
+#include "cli/commands.hpp"
+#include "cli/describe.hpp"
+#include "cli/help.hpp"
+#include "cli/input.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/numbers.hpp"
+#include "cli/progress.hpp"
+#include "cli/triangulation_file.hpp"
+#include "topology/cone.hpp"
+#include "topology/simplify/simplify.hpp"
+
+namespace tripus::cli {
+namespace {
+
+constexpr const char* kSimplifyHelp =
+    "Open faces are coned off first: every boundary component becomes an ideal vertex, or is "
+    "filled\n"
+    "in if it is a sphere. Then edges are collapsed until only vertices are left whose links are "
+    "no\n"
+    "spheres (one vertex, if there are none), moves that make it smaller are made while there are\n"
+    "any, and a random search looks for more. Ctrl-C ends the search with the best so far.\n"
+    "\n"
+    "Exit status: 0 an answer (for --batch: the run finished), 1 interrupted (the answer is what\n"
+    "there was), 2 bad usage or bad input, 3 a failure of the program itself.";
+
+struct SimplifyCommand {
+  CommonOptions common;
+  topology::SimplifyOptions options;
+  std::string output;
+};
+
+/// T after every stage, by name.
+using Stages = std::vector<std::pair<std::string_view, std::size_t>>;
+
+std::string message_of(const topology::Simplified& result, const Subject& subject) {
+  std::string text = one_line(subject.triangulation);
+  if (result.stopped) text += "; interrupted, so this may not be the smallest that can be found";
+  if (result.finite_vertices_left > 0)
+    text += fmt::format("; {} left that should have gone: try another --seed or more --effort",
+                        counted(result.finite_vertices_left, "finite vertex", "finite vertices"));
+  return text + ".";
+}
+
+std::string as_json(const topology::Simplified& result, const Stages& stages,
+                    const Subject& subject) {
+  JsonText out;
+  append_header(out, subject.input);
+  append_subject(out, subject);
+  append(out, ", \"stages\": {");
+  for (const auto& [name, count] : stages)
+    fmt::format_to(std::back_inserter(out), "{}\"{}\": {}",
+                   name == stages.front().first ? "" : ", ", name, count);
+  fmt::format_to(std::back_inserter(out), "}}, \"finite_vertices_left\": {}, \"interrupted\": {}",
+                 result.finite_vertices_left, result.stopped);
+  append(out, ", \"message\": ");
+  append_string(out, message_of(result, subject));
+  out.push_back('}');
+  return fmt::to_string(out);
+}
+
+std::string as_text(const topology::Simplified& result, const Stages& stages,
+                    const Subject& subject) {
+  std::string text = fmt::format("{}: {}\n", printable(subject.input), message_of(result, subject));
+  for (const auto& [name, count] : stages)
+    text += fmt::format("  {:<14}{}\n", name, counted(count, "tetrahedron", "tetrahedra"));
+  text += fmt::format("  {:<14}{}\n", "signature",
+                      subject.isosig.value_or("not computed: it would take too long"));
+  return text;
+}
+
+Outcome simplify_one(const SimplifyCommand& command, const std::string& input) {
+  topology::NamedGluings loaded = load_input(input);
+  catch_interrupts();
+  Stages stages{{"given", loaded.gluings.tetrahedron_count()}};
+  const topology::Gluings coned = topology::cone_boundary(loaded.gluings);
+  if (coned.tetrahedron_count() != loaded.gluings.tetrahedron_count())
+    stages.emplace_back("coned", coned.tetrahedron_count());
+  loaded.gluings = {};
+
+  Progress progress(!command.common.quiet && command.common.batch.empty());
+  topology::SimplifyOptions options = command.options;
+  options.stop_requested = &interrupt_requested();
+  options.progress = [&](std::string_view stage, std::size_t tetrahedra) {
+    if (progress.due()) progress.show(fmt::format("{}: {} tetrahedra", stage, tetrahedra));
+  };
+  topology::Simplified result = topology::simplify(coned, options);
+  stages.emplace_back("collapsed", result.collapsed);
+  stages.emplace_back("reduced", result.reduced);
+  stages.emplace_back("simplified", result.tetrahedron_count());
+
+  const Subject subject = make_subject(input, loaded.name, std::move(result.gluings));
+  if (!command.output.empty())
+    write_triangulation_file(command.output, loaded.name, subject.triangulation.gluings(),
+                             subject.isosig);
+  return {command.common.json ? as_json(result, stages, subject) : as_text(result, stages, subject),
+          result.stopped ? kNoAnswer : kSuccess};
+}
+
+/// A factor of the search: 0 turns it off.
+CLI::Validator effort_number() {
+  return {[](std::string& text) {
+            const auto number = parse_number(text);
+            return number && *number >= 0 && *number <= 1e6
+                       ? std::string()
+                       : fmt::format("{} is not a number from 0 to 1e6", tripus::quoted(text));
+          },
+          ""};
+}
+
+}  // namespace
+
+void add_simplify(CLI::App& program, Command& chosen) {
+  CLI::App* verb = program.add_subcommand("simplify", "a small triangulation of the same manifold");
+  auto command = std::make_shared<SimplifyCommand>();
+  add_common_options(*verb, command->common);
+  verb->add_option("--seed", command->options.seed,
+                   "of the search; the same answer for the same seed (default: 0)")
+      ->option_text("N")
+      ->check(whole_number(std::numeric_limits<int>::max()));
+  verb->add_option("--effort", command->options.effort,
+                   "how long to search, a factor; 0: not at all (default: 1)")
+      ->option_text("X")
+      ->check(effort_number());
+  verb->add_option("-o,--output", command->output,
+                   "write the triangulation, to a file .json or .sig")
+      ->option_text("FILE")
+      ->excludes(verb->get_option("--batch"));
+  verb->footer(std::string(kInputHelp) + "\n" + kSimplifyHelp);
+  verb->final_callback([command, &chosen] {
+    chosen = [command] {
+      if (!command->output.empty()) require_triangulation_name(command->output);
+      return answer_inputs(command->common,
+                           [&](const std::string& input) { return simplify_one(*command, input); });
+    };
+  });
+}
+
+}  // namespace tripus::cli

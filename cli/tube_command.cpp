@@ -1,0 +1,156 @@
+// tripus tube: the boundary surface of a ball or box with the tube around a spatial graph removed.
+#include <fstream>
+#include <limits>
+#include <memory>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/commands.hpp"
+#include "cli/describe.hpp"
+#include "cli/exit_status.hpp"
+#include "cli/input.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/json.hpp"
+#include "cli/numbers.hpp"
+#include "cli/output.hpp"
+#include "meshing/formats/off.hpp"
+#include "meshing/stopped.hpp"
+#include "meshing/tube/tube_surface.hpp"
+
+namespace tripus::cli {
+namespace {
+
+constexpr const char* kGraphHelp =
+    "GRAPH is a JSON file (or - for standard input):\n"
+    "  {\"vertices\": [[x,y,z], ...], \"edges\": [[[x,y,z], ...], ...], \"outer\": ...}\n"
+    "Each edge is a list of points. Its ends are vertices; or it ends where it begins, a knot; or "
+    "an\n"
+    "end goes on to the outer surface, and the tube is open there. \"outer\" is \"automatic\" (a\n"
+    "sphere around the graph), {\"sphere\": {\"center\": [x,y,z], \"radius\": r}},\n"
+    "{\"box\": {\"low\": [x,y,z], \"high\": [x,y,z]}} or \"none\".\n"
+    "\n"
+    "The surface bounds the piece of space inside the outer surface and outside the tube; it is\n"
+    "closed, manifold and free of self-intersections. Strands that come too close to each other "
+    "are\n"
+    "refused, with their place.\n"
+    "\n"
+    "Examples:\n"
+    "  tripus tube examples/graphs/knotted-y.json -o knotted-y.off\n"
+    "  tripus tube examples/graphs/knotted-y.json --triangles 100000 -o fine.off\n"
+    "\n"
+    "Exit status: 0 the surface was made, 1 interrupted, 2 bad usage or bad input, 3 a failure of\n"
+    "the program itself.";
+
+struct TubeCommand {
+  std::string graph, output;
+  double radius = 0, around = 0;
+  int triangles = 0;
+  bool json = false, quiet = false;
+};
+
+meshing::TubeOptions options_of(const TubeCommand& command) {
+  meshing::TubeOptions options;
+  if (command.radius > 0) options.radius = command.radius;
+  if (command.triangles > 0) options.triangles = std::size_t(command.triangles);
+  if (command.around > 0) options.edges_around = command.around;
+  options.stop_requested = &interrupt_requested();
+  return options;
+}
+
+void write_surface(const std::string& path, const meshing::SurfaceMesh& surface) {
+  const std::string text = meshing::write_off(surface);
+  if (path == "-") {
+    write_output(text);
+    return;
+  }
+  std::ofstream out(path, std::ios::binary);
+  out << text << std::flush;
+  if (!out) throw InvalidInput(tripus::quoted(path) + " cannot be written");
+}
+
+std::string genus_text(long euler_characteristic) {
+  return fmt::format("genus {}", (2 - euler_characteristic) / 2);
+}
+
+std::string as_text(const std::string& graph, const meshing::Tube& tube) {
+  std::vector<std::string> genera;
+  for (const long chi : tube.euler_characteristics) genera.push_back(genus_text(chi));
+  return fmt::format(
+      "{}: {} triangles, {} points, {} component{}: {}\n"
+      "tube of radius {:.6g}; below {:.6g} there is room: {}\n",
+      printable(graph), tube.surface.triangles.size(), tube.surface.points.size(), genera.size(),
+      genera.size() == 1 ? "" : "s", fmt::join(genera, ", "), tube.radius, tube.room,
+      tube.room_place);
+}
+
+std::string as_json(const TubeCommand& command, const meshing::Tube& tube) {
+  JsonText out;
+  append_header(out, command.graph);
+  append(out, ", \"output\": ");
+  append_string(out, command.output);
+  append(out, fmt::format(", \"triangle_count\": {}, \"point_count\": {}, \"genera\": [",
+                          tube.surface.triangles.size(), tube.surface.points.size()));
+  bool first = true;
+  for (const long chi : tube.euler_characteristics) {
+    append(out, fmt::format("{}{}", first ? "" : ", ", (2 - chi) / 2));
+    first = false;
+  }
+  append(out, "], \"radius\": ");
+  append_number(out, tube.radius);
+  append(out, ", \"largest_radius\": ");
+  append_number(out, tube.room);
+  append(out, ", \"limited_by\": ");
+  append_string(out, tube.room_place);
+  append(out, "}\n");
+  return fmt::to_string(out);
+}
+
+int run(const TubeCommand& command) {
+  if (command.json && command.output == "-")
+    throw InvalidInput(
+        "--json and the surface cannot both go to standard output; name a file "
+        "with -o");
+  catch_interrupts();
+  try {
+    const meshing::SpatialGraph graph = meshing::read_spatial_graph(read_file(command.graph));
+    const meshing::Tube tube = meshing::make_tube(graph, options_of(command));
+    write_surface(command.output, tube.surface);
+    if (command.json)
+      write_output(as_json(command, tube));
+    else if (!command.quiet)
+      write_message(as_text(command.graph, tube));
+  } catch (const meshing::Stopped&) {
+    write_message("tripus: interrupted; nothing was written\n");
+    return kNoAnswer;
+  }
+  return kSuccess;
+}
+
+}  // namespace
+
+void add_tube(CLI::App& program, Command& chosen) {
+  CLI::App* verb = program.add_subcommand("tube", "surface of the tube around a graph in space");
+  auto command = std::make_shared<TubeCommand>();
+  verb->add_option("GRAPH", command->graph, "JSON file with vertices and edges, or -")->required();
+  verb->add_option("-o,--output", command->output, "OFF file to write, or -")
+      ->option_text("FILE")
+      ->required();
+  verb->add_option("--radius", command->radius,
+                   "radius of the tube (default: half of what the strands leave)")
+      ->option_text("X")
+      ->check(positive_number());
+  auto* triangles = verb->add_option("--triangles", command->triangles, "make about N triangles")
+                        ->option_text("N")
+                        ->check(whole_number(std::numeric_limits<int>::max()));
+  verb->add_option("--resolution", command->around, "triangle edges around the tube (default: 10)")
+      ->option_text("X")
+      ->check(positive_number())
+      ->excludes(triangles);
+  verb->add_flag("--json", command->json, "print one JSON object about the surface");
+  verb->add_flag("--quiet", command->quiet, "no text about the surface");
+  verb->footer(kGraphHelp);
+  verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
+}
+
+}  // namespace tripus::cli

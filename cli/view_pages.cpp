@@ -1,0 +1,187 @@
+// Pages for a browser: one, or a gallery of many.
+#include "cli/view_pages.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "cli/interrupt.hpp"
+#include "cli/report_text.hpp"
+#include "structure/solve.hpp"
+#include "viewer/web/gallery.hpp"
+#include "viewer/web/page.hpp"
+#include "viewer/web/thumbnail.hpp"
+
+namespace tripus::cli {
+namespace {
+
+void write_file(const std::string& path, const std::string& text) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file)
+    throw InvalidInput("cannot write " + tripus::quoted(path) + ": " + std::strerror(errno));
+}
+
+/// What to call a manifold: its name in the file, or what was typed.
+const std::string& name_of(const Subject& subject) {
+  return subject.name.empty() ? subject.input : subject.name;
+}
+
+std::string page_of(const Subject& subject, const structure::Report& report,
+                    const embedding::Embedding& embedding, const PageRequest& request,
+                    std::string gallery) {
+  return viewer::page_html({name_of(subject), subject.isosig.value_or(""), request.cells,
+                            request.model, std::move(gallery)},
+                           subject.triangulation, report, embedding);
+}
+
+std::string as_json(const Subject& subject, const structure::Report& report,
+                    const std::string& path) {
+  JsonText out;
+  append_header(out, subject.input);
+  append_subject(out, subject);
+  append(out, ", \"outcome\": \"geometric\", \"volume\": ");
+  append_number(out, report.volume);
+  append(out, ", \"file\": ");
+  append_string(out, path);
+  out.push_back('}');
+  return fmt::to_string(out);
+}
+
+Outcome page_written(const Subject& subject, const structure::Report& report,
+                     const std::string& path, bool json) {
+  if (json) return {as_json(subject, report, path), kSuccess};
+  return {fmt::format("{}: page written to {}\n", printable(subject.input), printable(path)),
+          kSuccess};
+}
+
+/// A file name that every system takes: letters, digits and dashes of the line, after its number.
+std::string file_stem(const topology::BatchLine& line) {
+  std::string word;
+  for (const char c : std::filesystem::path(line.text).stem().string()) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    word += plain ? c : '-';
+    if (word.size() == 40) break;
+  }
+  return fmt::format("{:04}-{}", line.line_number, word);
+}
+
+std::string boundary_of(const structure::Report& report) {
+  std::string text;
+  for (const structure::VertexReport& vertex : report.vertices)
+    text += fmt::format("{}genus {}", text.empty() ? "" : ", ", vertex.genus);
+  return text;
+}
+
+/// The entries of a gallery in the making, by many threads.
+class Gallery {
+ public:
+  explicit Gallery(const PageRequest& request)
+      : request_(request), folder_(std::filesystem::path(request.path).parent_path()) {}
+
+  /// Throws what keeps the line from having a page, after it is noted for the index.
+  Outcome add(const topology::BatchLine& line) {
+    viewer::GalleryEntry entry;
+    entry.line = line.line_number;
+    entry.name = line.text;
+    try {
+      Outcome outcome = make(line, entry);
+      keep(entry);
+      return outcome;
+    } catch (const std::exception& error) {
+      entry.problem = error.what();
+      keep(entry);
+      throw;
+    }
+  }
+
+  void write_index(const std::string& title) {
+    std::ranges::sort(entries_, {}, &viewer::GalleryEntry::line);
+    write_file(request_.path, viewer::gallery_html(title, entries_));
+  }
+
+ private:
+  Outcome make(const topology::BatchLine& line, viewer::GalleryEntry& entry) {
+    if (line.text == "-") throw InvalidInput(kNoStandardInput);
+    const Subject subject = load_subject(line.text);
+    structure::SolveOptions options;
+    options.stop_requested = &interrupt_requested();
+    const structure::Report report = structure::solve(subject.triangulation, options);
+    if (report.outcome != structure::Outcome::kGeometric) {
+      entry.problem = report.message;
+      return {request_.json ? report_as_json(subject, report) : report_as_text(subject, report),
+              kNoAnswer};
+    }
+    const auto embedding = embedding::embed(subject.triangulation, report.edge_lengths);
+    const std::string stem = file_stem(line);
+    entry.name = name_of(subject);
+    entry.page = stem + ".html";
+    entry.picture = stem + ".png";
+    entry.tetrahedron_count = subject.triangulation.tetrahedron_count();
+    entry.volume = report.volume;
+    entry.boundary = boundary_of(report);
+    const std::string path = (folder_ / entry.page).string();
+    write_file(path, page_of(subject, report, embedding, request_,
+                             std::filesystem::path(request_.path).filename().string()));
+    viewer::write_png(
+        viewer::inside_picture(embedding, subject.triangulation, viewer::kThumbnailWidth,
+                               viewer::kThumbnailHeight),
+        (folder_ / entry.picture).string());
+    return page_written(subject, report, path, request_.json);
+  }
+
+  void keep(const viewer::GalleryEntry& entry) {
+    const std::lock_guard lock(mutex_);
+    entries_.push_back(entry);
+  }
+
+  const PageRequest& request_;
+  const std::filesystem::path folder_;
+  std::mutex mutex_;
+  std::vector<viewer::GalleryEntry> entries_;
+};
+
+}  // namespace
+
+void check_pages(const PageRequest& request) {
+  if (request.path.empty())
+    throw InvalidInput("--gallery: say with -o where the index page goes, such as -o index.html");
+  if (request.cells > viewer::kMostPageCells) {
+    throw InvalidInput(fmt::format("--cells {}: a page shows at most {} cells", request.cells,
+                                   viewer::kMostPageCells));
+  }
+  if (request.model == "klein") {
+    throw InvalidInput(
+        "--model klein: a page shows the models ball and upper; --png draws the Klein ball");
+  }
+}
+
+Outcome write_page(const Subject& subject, const structure::Report& report,
+                   const embedding::Embedding& embedding, const PageRequest& request) {
+  check_pages(request);
+  write_file(request.path, page_of(subject, report, embedding, request, ""));
+  return page_written(subject, report, request.path, request.json);
+}
+
+int write_gallery(const CommonOptions& list, const PageRequest& request) {
+  check_pages(request);
+  Gallery gallery(request);
+  const std::string title = list.batch == "-"
+                                ? "Manifolds"
+                                : "Manifolds of " + std::filesystem::path(list.batch).stem().string();
+  gallery.write_index(title);  // before the work, so that a wrong path costs none
+  const int status = answer_lines(
+      list, [&](const topology::BatchLine& line) { return gallery.add(line); });
+  gallery.write_index(title);
+  return status;
+}
+
+}  // namespace tripus::cli

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "cli/answer.hpp"
+#include "cli/describe.hpp"
+#include "embedding/embedding.hpp"
+#include "structure/report.hpp"
+
+namespace tripus::cli {
+
+/// How a page for a browser opens, and where it goes.
+struct PageRequest {
+  std::string path;
+  std::size_t cells = 20;
+  std::string model = "ball";
+  bool json = false;
+};
+
+/// Throws InvalidInput, naming the option, where pages cannot do what was asked for.
+void check_pages(const PageRequest& request);
+
+/// Writes the page of one manifold. Throws InvalidInput if it cannot be written.
+Outcome write_page(const Subject& subject, const structure::Report& report,
+                   const embedding::Embedding& embedding, const PageRequest& request);
+
+/// Writes a page and a thumbnail for each line of a list beside the index `request.path`, and the
+/// index last. A line that gives no page is named in the index with the reason, and on standard
+/// error; the rest goes on. Returns the exit status of a batch.
+/// Throws InvalidInput if the list cannot be read or the index cannot be written.
+int write_gallery(const CommonOptions& list, const PageRequest& request);
+
+}  // namespace tripus::cli

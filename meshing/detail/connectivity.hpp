@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "meshing/surface_mesh.hpp"
+
+namespace tripus::meshing::detail {
+
+/// How the triangles of a closed surface hang together. Side k of a triangle runs from corner k to
+/// corner k+1; a side is written 3 * triangle + k.
+struct Connectivity {
+  std::vector<std::uint32_t> mate;          ///< [3T] the side on the other triangle
+  std::vector<std::uint32_t> component_of;  ///< [T] numbered by their first triangles
+  std::uint32_t component_count = 0;
+  std::vector<bool> turned;  ///< [T] to be turned round so that neighbours agree
+};
+
+/// Checks that every edge is in two triangles, that the triangles at every point form one fan, and
+/// that the surface is two-sided; triangles are all different. `name` says what a triangle is
+/// called in messages. In O(T log T).
+/// Throws InvalidInput.
+Connectivity require_closed_manifold(const std::vector<Triangle>& triangles,
+                                     std::size_t point_count,
+                                     const std::function<std::string(std::size_t)>& name,
+                                     const std::function<std::string(std::size_t)>& point_name);
+
+}  // namespace tripus::meshing::detail

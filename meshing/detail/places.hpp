@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "meshing/surface_mesh.hpp"
+
+namespace tripus::meshing::detail {
+
+/// Names points and cells in messages: "point 3 (line 8)".
+class Places {
+ public:
+  /// `cell` is what cells are called; `lines` must outlive this.
+  Places(const SourceLines& lines, std::string_view cell) : lines_(lines), cell_(cell) {}
+
+  std::string point(std::size_t i) const { return "point " + numbered(i, lines_.points); }
+  std::string cell(std::size_t i) const {
+    return std::string(cell_) + " " + numbered(i, lines_.cells);
+  }
+  std::string_view cell_name() const { return cell_; }
+
+ private:
+  static std::string numbered(std::size_t i, const std::vector<std::uint32_t>& lines) {
+    std::string text = std::to_string(i);
+    if (i < lines.size()) text += " (line " + std::to_string(lines[i]) + ")";
+    return text;
+  }
+
+  const SourceLines& lines_;
+  std::string_view cell_;
+};
+
+/// "; 3 in all", or nothing for one.
+inline std::string in_all(std::size_t count) {
+  return count > 1 ? "; " + std::to_string(count) + " such in all" : "";
+}
+
+inline std::string edge_name(std::uint32_t a, std::uint32_t b) {
+  return std::to_string(a) + "-" + std::to_string(b);
+}
+
+}  // namespace tripus::meshing::detail

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "meshing/formats/read_mesh.hpp"
+
+namespace tripus::meshing {
+
+/// Medit's .mesh, as text: a tetrahedral mesh if it has tetrahedra, else a surface. Other sections
+/// and all reference numbers are skipped; hexahedra, prisms and quadrilaterals are refused.
+/// Throws InvalidInput with the line.
+MeshFile read_medit(std::string_view text);
+
+std::string write_medit(const TetrahedralMesh& mesh);
+
+}  // namespace tripus::meshing

@@ -1,0 +1,81 @@
+#include "meshing/formats/tetgen_files.hpp"
+
+#include <limits>
+
+#include "meshing/detail/scanner.hpp"
+
+namespace tripus::meshing {
+namespace {
+
+using detail::Scanner;
+
+/// The rest of the line: attributes, markers, further points.
+void skip_line(Scanner& in) {
+  while (!in.word_of_line().empty()) {
+  }
+}
+
+/// The number in front of entry i must be first + i.
+void expect_number(Scanner& in, std::uint32_t i, std::uint32_t first, std::string_view what) {
+  const std::uint32_t number = in.natural("the number of a " + std::string(what));
+  if (number != first + i)
+    in.fail(std::string(what) + " " + std::to_string(number) + " where " +
+            std::to_string(first + i) + " was expected");
+}
+
+std::uint32_t read_points(std::string_view text, TetrahedralFile& file) {
+  Scanner in("TetGen .node file", text, '#');
+  const std::uint32_t count = in.count("the number of points", 8);
+  if (in.natural("the dimension") != 3) in.fail("only meshes in three dimensions are read");
+  skip_line(in);
+  file.mesh.points.reserve(count);
+  std::uint32_t first = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (i == 0) {
+      first = in.natural("the number of a point");
+      if (first > 1)
+        in.fail("the first point has the number " + std::to_string(first) + "; expected 0 or 1");
+    } else {
+      expect_number(in, i, first, "point");
+    }
+    file.mesh.points.push_back(in.point());
+    file.lines.points.push_back(in.line());
+    skip_line(in);
+  }
+  return first;
+}
+
+void read_tetrahedra(std::string_view text, std::uint32_t first, TetrahedralFile& file) {
+  Scanner in("TetGen .ele file", text, '#');
+  const std::uint32_t count = in.count("the number of tetrahedra", 10);
+  const std::uint32_t corners = in.natural("the number of points of a tetrahedron");
+  if (corners != 4 && corners != 10)
+    in.fail("cells of " + std::to_string(corners) + " points; expected 4 (tetrahedra)");
+  skip_line(in);
+  file.mesh.tetrahedra.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (i == 0) {
+      if (in.natural("the number of a tetrahedron") > 1)
+        in.fail("the first tetrahedron must have the number 0 or 1");
+    } else {
+      in.natural("the number of a tetrahedron");
+    }
+    Tetrahedron t;
+    for (std::uint32_t& corner : t)
+      corner = in.index(in.word_of_line(), first, file.mesh.points.size());
+    file.mesh.tetrahedra.push_back(t);
+    file.lines.cells.push_back(in.line());
+    skip_line(in);
+  }
+}
+
+}  // namespace
+
+TetrahedralFile read_tetgen(std::string_view node_text, std::string_view ele_text) {
+  TetrahedralFile file;
+  const std::uint32_t first = read_points(node_text, file);
+  read_tetrahedra(ele_text, first, file);
+  return file;
+}
+
+}  // namespace tripus::meshing

@@ -1,0 +1,90 @@
+#include "meshing/manifold.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "meshing/stopped.hpp"
+#include "meshing/validate_tetrahedra.hpp"
+#include "topology/cone.hpp"
+#include "topology/simplify/simplify.hpp"
+
+namespace tripus::meshing {
+namespace {
+
+void tell(const ManifoldOptions& options, std::string_view activity, std::size_t tetrahedra) {
+  throw_if_stopped(options.stop_requested);
+  if (options.progress) options.progress(activity, tetrahedra);
+}
+
+topology::Gluings open_gluings(SurfaceFile file, const ManifoldOptions& options,
+                               Manifold& manifold) {
+  manifold.points = file.mesh.points.size();
+  manifold.triangles = file.mesh.triangles.size();
+  const Region region = require_valid(std::move(file.mesh), file.lines, options.stop_requested);
+  manifold.turned = region.turned;
+  for (const SurfaceComponent& component : region.components)
+    manifold.boundary_genera.push_back(component.genus);
+  std::sort(manifold.boundary_genera.begin(), manifold.boundary_genera.end());
+  tell(options, "filling the surface with tetrahedra", 0);
+  TetrahedralizeOptions filling = options.tetrahedralize;
+  filling.stop_requested = options.stop_requested;
+  manifold.mesh = tetrahedralize(region, filling);
+  return gluings_of(manifold.mesh);
+}
+
+topology::Gluings open_gluings(TetrahedralFile file, const ManifoldOptions&, Manifold& manifold) {
+  manifold.points = file.mesh.points.size();
+  Solid solid = require_valid(std::move(file.mesh), file.lines);
+  manifold.mesh = std::move(solid.mesh);
+  manifold.boundary_genera = std::move(solid.boundary_genera);
+  return std::move(solid.gluings);
+}
+
+}  // namespace
+
+std::string_view stage_name(Stage stage) {
+  constexpr std::array<std::string_view, kStageCount> kNames{"mesh", "coned", "collapsed",
+                                                             "minimal"};
+  return kNames[static_cast<std::size_t>(stage)];
+}
+
+bool Manifold::has_only_spheres() const {
+  return std::all_of(boundary_genera.begin(), boundary_genera.end(),
+                     [](int genus) { return genus == 0; });
+}
+
+Manifold manifold_of(MeshFile file, const ManifoldOptions& options) {
+  Manifold manifold;
+  const auto count = [&](Stage stage) -> std::size_t& {
+    return manifold.tetrahedra[static_cast<std::size_t>(stage)];
+  };
+  tell(options, "checking the mesh", 0);
+  manifold.gluings =
+      std::visit([&](auto&& each) { return open_gluings(std::move(each), options, manifold); },
+                 std::move(file));
+  count(Stage::kMesh) = manifold.gluings.tetrahedron_count();
+  tell(options, "coning off the boundary", count(Stage::kMesh));
+  manifold.gluings = topology::cone_boundary(manifold.gluings);
+  count(Stage::kConed) = manifold.gluings.tetrahedron_count();
+  topology::SimplifyOptions simplify;
+  simplify.seed = options.seed;
+  simplify.stop_requested = options.stop_requested;
+  simplify.progress = options.progress;
+  topology::Simplified simplified = topology::simplify(manifold.gluings, simplify);
+  throw_if_stopped(options.stop_requested);
+  manifold.gluings = std::move(simplified.gluings);
+  count(Stage::kCollapsed) = simplified.collapsed;
+  count(Stage::kMinimal) = manifold.gluings.tetrahedron_count();
+  return manifold;
+}
+
+std::string ball_message(const Manifold& manifold) {
+  const std::size_t holes = manifold.boundary_genera.size() - 1;
+  return "it bounds a ball" +
+         (holes == 0 ? std::string()
+                     : " with " + std::to_string(holes) + (holes == 1 ? " ball" : " balls") +
+                           " taken out") +
+         ": its boundary has only spheres, and a metric needs a component of genus 2 or more";
+}
+
+}  // namespace tripus::meshing

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "meshing/tube/detail/strands.hpp"
+
+namespace tripus::meshing::tube {
+
+/// The piece of space that the surface bounds: inside the outer surface, outside the tube; without
+/// an outer surface the tube itself.
+class Region {
+ public:
+  /// `depth` > 0: values below -depth count as -depth.
+  Region(const Strands& strands, double radius, double depth);
+
+  /// Negative inside, 0 on the surface; changes no faster than the place.
+  double value(const Point& p) const;
+
+  /// Like `value`, but not cut off at -depth: for ruling out whole cubes.
+  double full_value(const Point& p) const;
+
+  /// The point moved onto the surface by Newton steps along the gradient.
+  Point projected(Point p) const;
+
+  /// Distance from the graph; `beyond` if it is more than that.
+  double graph_distance(const Point& p, double beyond) const;
+
+  double radius() const { return radius_; }
+  Bounds bounds() const;
+
+ private:
+  struct Cell {  ///< of a tree of boxes around the segments
+    Bounds bounds;
+    std::uint32_t first, last;  ///< segments, if a leaf
+    std::uint32_t right;        ///< the other child; the left one follows its parent
+  };
+  struct Nearest {
+    double squared;
+    std::uint32_t segment;
+  };
+
+  std::uint32_t build(std::uint32_t first, std::uint32_t last);
+  Nearest nearest(const Point& p, double beyond) const;
+
+  std::vector<std::array<Point, 2>> segments_;
+  std::vector<Cell> cells_;
+  OuterSurface outer_;
+  double radius_, depth_;
+};
+
+}  // namespace tripus::meshing::tube

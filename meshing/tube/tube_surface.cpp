@@ -1,0 +1,219 @@
+// From a drawing to the surface of its tube.
+//
+// Why the surface is the right one. Let F be the region's function (region.hpp), S the surface
+// {F = 0} and h the cell side. No edge of the lattice is longer than h and F changes no faster than
+// the place, so |F| < h on the sampled surface M. By the choice of h the levels of F between -h and
+// h are all regular (clearance.cpp): the space {|F| <= h} is S x [-h, h], and M separates its two
+// ends. If each component of M has the genus of the component of S beside it, then the projection
+// of M to S, which has degree 1, is homotopic to a homeomorphism (Kneser), M is incompressible, and
+// hence isotopic to S (Waldhausen; for spheres: Alexander). What follows sampling consists of
+// isotopies (guarded_surface.hpp). So the genus, which is checked at the end, decides all.
+#include "meshing/tube/tube_surface.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "meshing/self_intersection.hpp"
+#include "meshing/tube/detail/clearance.hpp"
+#include "meshing/tube/detail/components.hpp"
+#include "meshing/tube/detail/improve.hpp"
+#include "meshing/tube/detail/marching.hpp"
+#include "meshing/tube/detail/text.hpp"
+
+namespace tripus::meshing {
+namespace {
+
+using namespace tube;
+
+/// The largest part of the room that a tube may fill, and the part that it fills by itself.
+constexpr double kMostOfRoom = 0.95, kUsualPartOfRoom = 0.5;
+
+/// The largest cell, as a part of what tube and space around it leave (< 1, see above).
+constexpr double kLargestCell = 0.9;
+
+/// Triangles of the sampled surface for an area of one squared cell side: measured on planes and
+/// tubes, 5.5 to 7.
+constexpr double kTrianglesPerCell = 6;
+
+/// Sampled triangles for each one wanted, so that coarsening can even them out.
+constexpr double kSpareTriangles = 2;
+
+constexpr std::size_t kMostTriangles = std::size_t{1} << 23;
+constexpr double kMostCellsAlongAxis = 1 << 18;
+constexpr int kSweepsBefore = 1, kSweepsAfter = 4;
+
+/// The numbers of a drawing are within these bounds: squares and cubes of its lengths must not
+/// overflow, nor differences of its coordinates lose more than half their digits.
+constexpr double kLargestCoordinate = 1e60, kSmallestSize = 1e-40, kMostOffset = 1e6;
+
+/// A polyline with more pieces is refused: every pair of them is looked at.
+constexpr std::size_t kMostSegments = 50'000;
+
+void check_sizes(const SpatialGraph& graph) {
+  Bounds bounds;
+  double largest = 0;
+  std::size_t count = 0;
+  const auto add = [&](const Point& p, const std::string& place) {
+    for (const double x : p) {
+      if (!(std::abs(x) <= kLargestCoordinate))
+        throw InvalidInput(place + " at " + as_text(p) +
+                           " has a coordinate beyond 1e60; scale the drawing");
+      largest = std::max(largest, std::abs(x));
+    }
+    bounds.add(p);
+    ++count;
+  };
+  for (std::size_t v = 0; v < graph.vertices.size(); ++v)
+    add(graph.vertices[v], "vertex " + std::to_string(v));
+  for (std::size_t e = 0; e < graph.edges.size(); ++e)
+    for (std::size_t p = 0; p < graph.edges[e].size(); ++p)
+      add(graph.edges[e][p], "edge " + std::to_string(e) + ": point " + std::to_string(p));
+  if (count > kMostSegments)
+    throw InvalidInput("the graph has " + std::to_string(count) + " points; at most " +
+                       std::to_string(kMostSegments) + " are taken");
+  if (const auto* sphere = std::get_if<OuterSphere>(&graph.outer)) {
+    const Point r{sphere->radius, sphere->radius, sphere->radius};
+    add(sphere->center - r, "outer sphere");
+    add(sphere->center + r, "outer sphere");
+  } else if (const auto* box = std::get_if<OuterBox>(&graph.outer)) {
+    add(box->low, "outer box");
+    add(box->high, "outer box");
+  }
+  if (count == 0) return;
+  const double size = bounds.diagonal();
+  if (largest > 0 && size < kSmallestSize)
+    throw InvalidInput("the drawing is only " + as_text(size) + " large; scale it up");
+  if (largest > kMostOffset * size)
+    throw InvalidInput("the drawing is " + as_text(size) + " large but its coordinates reach " +
+                       as_text(largest) + "; move it to the origin");
+}
+
+void require_room(const Clearance& clearance) {
+  if (!(clearance.room > 0))
+    throw InvalidInput("there is no room for a tube: " + clearance.place + "; draw them apart");
+}
+
+/// A sphere that leaves the graph's own room around it, and as much again.
+OuterSurface automatic_outer(const SpatialGraph& graph) {
+  const Clearance clearance = find_clearance(make_strands(graph, OuterSurface{}));
+  require_room(clearance);
+  Bounds bounds;
+  for (const auto& edge : graph.edges)
+    for (const Point& p : edge) bounds.add(p);
+  const Point center = bounds.center();
+  double farthest = 0;
+  for (const auto& edge : graph.edges)
+    for (const Point& p : edge) farthest = std::max(farthest, distance(p, center));
+  return OuterSurface(OuterSphere{center, farthest + 2 * std::min(clearance.room, farthest)});
+}
+
+Strands cut_at_outer(const SpatialGraph& graph) {
+  if (const auto* sphere = std::get_if<OuterSphere>(&graph.outer))
+    return make_strands(graph, OuterSurface(*sphere));
+  if (const auto* box = std::get_if<OuterBox>(&graph.outer))
+    return make_strands(graph, OuterSurface(*box));
+  if (std::holds_alternative<AutomaticOuter>(graph.outer))
+    return make_strands(graph, automatic_outer(graph));
+  Strands strands = make_strands(graph, OuterSurface{});
+  if (!strands.loose_inside.empty())
+    throw InvalidInput("edge " + std::to_string(strands.loose_inside.front()) +
+                       " has an end that is no vertex, and there is no outer surface to which it "
+                       "could go on; list the end among the vertices or give an outer surface");
+  return strands;
+}
+
+double choose_radius(const Clearance& clearance, const TubeOptions& options) {
+  const double most = kMostOfRoom * clearance.room;
+  require_room(clearance);
+  if (!options.radius) return kUsualPartOfRoom * clearance.room;
+  if (!(*options.radius > 0) || !std::isfinite(*options.radius))
+    throw InvalidInput("the radius of the tube must be a finite number greater than 0");
+  if (*options.radius > most)
+    throw InvalidInput("a tube of radius " + as_text(*options.radius) + " does not fit: " +
+                       clearance.place + "; the radius must not exceed " + as_text(most));
+  return *options.radius;
+}
+
+double tube_area(const Strands& strands, double radius) {
+  double length = 0;
+  for (const Segment& s : strands.segments)
+    if (!s.beyond) length += distance(s.a, s.b);
+  return 2 * std::numbers::pi * radius * (length + 2 * radius);
+}
+
+double outer_area(const Strands& strands) {
+  if (!strands.outer.exists()) return 0;
+  const Point size = strands.outer.bounds().high - strands.outer.bounds().low;
+  const double box = 2 * (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
+  // A sphere fills pi / 6 of its cube's faces.
+  return strands.outer.is_sphere() ? std::numbers::pi / 6 * box : box;
+}
+
+/// Refuses tubes that are too thin for the size of the whole, before any memory is taken.
+void require_feasible(const Strands& strands, const Clearance& clearance, const Region& region,
+                      double area, double cell) {
+  const Point size = region.bounds().high - region.bounds().low;
+  const double most = std::max({size[0], size[1], size[2]});
+  if (most > kMostCellsAlongAxis * cell ||
+      kTrianglesPerCell * area > double(kMostTriangles) * cell * cell)
+    throw InvalidInput(
+        "the tube is too thin for the size of the whole: its surface needs triangles "
+        "of size " +
+        as_text(cell) + " where all is " + as_text(most) + " large; give a larger radius" +
+        (strands.outer.exists() ? " or a closer outer surface" : "") +
+        ", or draw the graph with more room (" + clearance.place + ")");
+}
+
+/// Edges around the tube decide the length of an edge on it; the outer surface has longer ones.
+std::size_t usual_triangles(const Strands& strands, double radius, double edges_around) {
+  if (!(edges_around >= 3) || !(edges_around <= 10'000))
+    throw InvalidInput("there must be 3 to 10000 edges around the tube, not " +
+                       as_text(edges_around));
+  const double edge = 2 * std::numbers::pi * radius / edges_around;
+  const double triangle = std::sqrt(3.0) / 4 * edge * edge;
+  const double count = (tube_area(strands, radius) + outer_area(strands) / 4) / triangle;
+  return std::size_t(std::min(count, double(kMostTriangles)));
+}
+
+void check(const Tube& tube, const Strands& strands, const std::atomic<bool>* stop) {
+  const auto wrong = [](const std::string& what) {
+    throw InternalError("the tube's surface " + what + "; please report this graph");
+  };
+  if (euler_characteristics(tube.surface) != strands.expected().euler_characteristics)
+    wrong("does not have the components and genera that the graph has");
+  if (const auto pair = first_self_intersection(tube.surface, stop))
+    wrong("crosses itself in triangles " + std::to_string((*pair)[0]) + " and " +
+          std::to_string((*pair)[1]));
+}
+
+}  // namespace
+
+Tube make_tube(const SpatialGraph& graph, const TubeOptions& options) {
+  check_sizes(graph);
+  const Strands strands = cut_at_outer(graph);
+  const Clearance clearance = find_clearance(strands);
+  Tube tube;
+  tube.radius = choose_radius(clearance, options);
+  tube.room = clearance.room;
+  tube.room_place = clearance.place;
+  tube.euler_characteristics = strands.expected().euler_characteristics;
+  const std::size_t wanted = options.triangles
+                                 ? *options.triangles
+                                 : usual_triangles(strands, tube.radius, options.edges_around);
+  const double largest = kLargestCell * std::min(tube.radius, tube.room - tube.radius);
+  const double area = tube_area(strands, tube.radius) + outer_area(strands);
+  const double cell = std::min(
+      largest, std::sqrt(kTrianglesPerCell * area / (kSpareTriangles * double(wanted) + 1)));
+  const Region region(strands, tube.radius, largest);
+  require_feasible(strands, clearance, region, area, cell);
+  GuardedSurface surface(march(region, cell, kMostTriangles, options.stop_requested));
+  relax(surface, region, kSweepsBefore, options.stop_requested);
+  coarsen(surface, region, wanted, options.stop_requested);
+  relax(surface, region, kSweepsAfter, options.stop_requested);
+  tube.surface = surface.mesh();
+  check(tube, strands, options.stop_requested);
+  return tube;
+}
+
+}  // namespace tripus::meshing

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "meshing/surface_mesh.hpp"
+#include "meshing/tube/spatial_graph.hpp"
+
+namespace tripus::meshing {
+
+struct TubeOptions {
+  std::optional<double> radius = {};  ///< of the tube; without: half of what the strands leave
+  std::optional<std::size_t> triangles = {};          ///< about so many; without: by `edges_around`
+  double edges_around = 10;                           ///< triangle edges around the tube
+  const std::atomic<bool>* stop_requested = nullptr;  ///< throws Stopped when set
+};
+
+/// A tube's surface and what was found on the way.
+struct Tube {
+  SurfaceMesh surface;  ///< triangles face out of the piece of space that they bound
+  double radius = 0;
+  double room = 0;                          ///< radii below this keep the tube's shape
+  std::string room_place;                   ///< what limits them
+  std::vector<long> euler_characteristics;  ///< of the components, sorted
+};
+
+/// The boundary of a ball or box with the tube around a graph removed; components of the graph that
+/// run to the outer surface make one component with it, each other one is a hole. The surface is
+/// closed, manifold, free of self-intersections, and isotopic to the boundary of the drawing's
+/// exact neighbourhood (README.md, laws 1-4); all of this but the isotopy is checked again before
+/// it is returned.
+/// Throws InvalidInput, naming edges, segments and distances, for graphs that have no tube, and
+/// Stopped.
+Tube make_tube(const SpatialGraph& graph, const TubeOptions& options = {});
+
+inline SurfaceMesh tube_surface(const SpatialGraph& graph, const TubeOptions& options = {}) {
+  return make_tube(graph, options).surface;
+}
+
+}  // namespace tripus::meshing

@@ -1,0 +1,247 @@
+// The pictures of the desktop viewer against what they must show: rays through pixels, cut with the
+// half-spaces of every cell, on the processor and by formulae of their own.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <set>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "embedding/universal_cover.hpp"
+#include "structure/solve.hpp"
+#include "tests/support/data_files.hpp"
+#include "topology/isosig.hpp"
+#include "viewer/egl/offscreen.hpp"
+
+namespace tripus::viewer {
+namespace {
+
+Scene scene_of(const std::string& signature, std::size_t cells, Model model) {
+  const topology::Triangulation triangulation(topology::decode_isosig(signature));
+  const auto report = structure::solve(triangulation);
+  const auto embedding = embedding::embed(triangulation, report.edge_lengths);
+  embedding::UniversalCoverOptions options;
+  options.max_cells = cells;
+  return make_scene(signature, embedding,
+                    embedding::universal_cover(embedding, triangulation, options),
+                    default_frame(model, embedding));
+}
+
+/// One renderer for all tests: a context costs more than a small picture.
+Image identities(const Scene& scene, const PictureOptions& options, int width, int height) {
+  static OffscreenRenderer renderer;
+  return renderer.draw(scene, options, width, height, Pixels::kIdentities);
+}
+
+struct Hit {
+  double distance = std::numeric_limits<double>::infinity();
+  std::size_t cell = 0;  ///< from 1; 0: nothing
+  std::size_t wall = 0;  ///< from 1
+  auto operator<=>(const Hit&) const = default;
+};
+
+/// <normal, X(p)> times a positive factor: X(p) for points of the models, from their definitions.
+double side(Model model, const Vector4& n, const Vector3& p) {
+  const double square = p.squaredNorm();
+  switch (model) {
+    case Model::kUpperHalfSpace:
+      return 2 * (n[0] * p[0] + n[1] * p[1]) + n[2] * (square - 1) - n[3] * (square + 1);
+    case Model::kPoincareBall:
+      return 2 * n.head<3>().dot(p) - n[3] * (1 + square);
+    case Model::kKleinBall:
+      return n.head<3>().dot(p) - n[3];
+  }
+  return 0;
+}
+
+/// Where a ray meets a wall: the zeros of a quadratic polynomial, here by its values at three
+/// points.
+std::vector<double> crossings(Model model, const Vector4& normal, const Ray& ray, double length) {
+  const auto value = [&](double t) {
+    return side(model, normal, ray.origin + t * length * ray.direction);
+  };
+  const double c = value(0), plus = value(1), minus = value(-1);
+  const double a = (plus + minus) / 2 - c, b = (plus - minus) / 2;
+  const double discriminant = b * b - 4 * a * c;
+  if (discriminant < 0) return {};
+  const double q = -(b + std::copysign(std::sqrt(discriminant), b)) / 2;
+  std::vector<double> roots;
+  if (a != 0) roots.push_back(q / a * length);
+  if (q != 0) roots.push_back(c / q * length);
+  return roots;
+}
+
+bool in_model(Model model, const Vector3& p) {
+  return model == Model::kUpperHalfSpace ? p.z() > 0 : p.squaredNorm() < 1;
+}
+
+/// The first wall that a ray meets, on the side x <= cut.
+Hit first_hit(const Scene& scene, Model model, const Ray& ray, double length,
+              double cut = std::numeric_limits<double>::infinity()) {
+  Hit best;
+  for (std::size_t number = 0; number < scene.cells.size(); ++number) {
+    const SceneCell& cell = scene.cells[number];
+    std::vector<std::pair<double, std::size_t>> candidates;
+    for (std::size_t wall = 0; wall < kWallCount; ++wall)
+      for (const double t : crossings(model, cell.walls[wall], ray, length))
+        candidates.emplace_back(t, wall);
+    if (std::isfinite(cut) && ray.direction.x() != 0)
+      candidates.emplace_back((cut - ray.origin.x()) / ray.direction.x(), kWallCount);
+    for (const auto& [t, wall] : candidates) {
+      if (t <= 0 || t >= best.distance) continue;
+      const Vector3 p = ray.origin + t * ray.direction;
+      if (!in_model(model, p) || (wall != kWallCount && p.x() > cut)) continue;
+      bool inside = true;
+      for (std::size_t other = 0; other < kWallCount && inside; ++other)
+        inside = other == wall || side(model, cell.walls[other], p) <= 0;
+      if (inside) best = {t, number + 1, wall + 1};
+    }
+  }
+  return best;
+}
+
+Hit shown(const Image& image, int x, int y) {
+  const std::uint8_t* pixel = image.pixels.data() + 4 * (static_cast<std::size_t>(y) *
+                                                             static_cast<std::size_t>(image.width) +
+                                                         static_cast<std::size_t>(x));
+  return {0, pixel[0] + 256U * pixel[1], pixel[2]};
+}
+
+struct Agreement {
+  int compared = 0;
+  int near_an_edge = 0;  ///< not what the ray meets, but an edge is within 2 pixels
+  int wrong = 0;
+  std::set<std::size_t> cells;  ///< that are seen
+  std::string first;
+};
+
+Agreement compare(const Scene& scene, const PictureOptions& options, int width, int height,
+                  int samples) {
+  const Image image = identities(scene, options, width, height);
+  const Ball ball = bounding_ball(options.model, scene);
+  const View view = view_of(options.camera, ball, width, height);
+  const double length = options.camera.distance * ball.radius;
+  const double cut = options.cut_away.value_or(std::numeric_limits<double>::infinity());
+  std::mt19937 random(20261122);
+  Agreement result;
+  for (int i = 0; i < samples; ++i) {
+    const int x = static_cast<int>(random() % static_cast<unsigned>(width));
+    const int y = static_cast<int>(random() % static_cast<unsigned>(height));
+    const Hit pixel = shown(image, x, y);
+    const auto met = [&](double dx, double dy) {
+      return first_hit(scene, options.model,
+                       ray_through(view, width, height, x + 0.5 + dx, y + 0.5 + dy), length, cut);
+    };
+    const auto same = [&](const Hit& hit) {
+      return hit.cell == pixel.cell && hit.wall == pixel.wall;
+    };
+    const Hit expected = met(0, 0);
+    ++result.compared;
+    if (pixel.cell != 0) result.cells.insert(pixel.cell);
+    if (same(expected)) continue;
+    // Near an edge, within 2 pixels, anything goes that is there: the wall of a neighbouring pixel,
+    // or, in the seam between two cells, another wall of one of them.
+    bool edge = false, same_cell = expected.cell == pixel.cell, near = false;
+    for (const double radius : {0.5, 1.0, 1.5, 2.0}) {
+      for (int k = 0; k < 8 && !near; ++k) {
+        const double angle = k * std::numbers::pi / 4;
+        const Hit hit = met(radius * std::cos(angle), radius * std::sin(angle));
+        edge = edge || hit.cell != expected.cell || hit.wall != expected.wall;
+        same_cell = same_cell || hit.cell == pixel.cell;
+        near = same(hit) || (edge && same_cell);
+      }
+    }
+    if (near) {
+      ++result.near_an_edge;
+      continue;
+    }
+    if (result.wrong++ == 0) {
+      std::ostringstream text;
+      text << "pixel " << x << "," << y << " shows cell " << pixel.cell << " wall " << pixel.wall
+           << ", and the ray meets cell " << expected.cell << " wall " << expected.wall;
+      result.first = text.str();
+    }
+  }
+  return result;
+}
+
+struct Case {
+  std::string signature;
+  std::size_t cells;
+  Model model;
+};
+
+class ViewerPicture : public ::testing::TestWithParam<Case> {};
+
+/// `seen`: at least so many cells are.
+void expect_agreement(const Agreement& agreement, std::size_t cells, std::size_t seen) {
+  EXPECT_EQ(agreement.wrong, 0) << agreement.first;
+  // Edges are everywhere where there are many cells.
+  EXPECT_LE(agreement.near_an_edge, agreement.compared * (cells > 100 ? 0.03 : 0.01));
+  EXPECT_GE(agreement.cells.size(), seen);
+}
+
+TEST_P(ViewerPicture, ShowsWhatRaysMeet) {
+  const auto& [signature, cells, model] = GetParam();
+  const Scene scene = scene_of(signature, cells, model);
+  ASSERT_EQ(scene.cells.size(), cells);
+  PictureOptions options;
+  options.model = model;
+  expect_agreement(compare(scene, options, 320, 240, cells > 100 ? 600 : 1500), cells,
+                   std::min<std::size_t>(cells, 8));
+}
+
+TEST_P(ViewerPicture, IsTheSameHollowAndFromElsewhere) {
+  const auto& [signature, cells, model] = GetParam();
+  const Scene scene = scene_of(signature, cells, model);
+  PictureOptions options;
+  options.model = model;
+  options.drawing = Drawing::kHollow;
+  options.camera = {-100, 55, 6, 1.5, {0.1, -0.05}};
+  expect_agreement(compare(scene, options, 320, 240, cells > 100 ? 300 : 800), cells,
+                   cells > 2 ? 5 : 1);
+}
+
+TEST(ViewerPictures, AreCutOpen) {
+  for (const Model model : {Model::kUpperHalfSpace, Model::kPoincareBall}) {
+    const Scene scene = scene_of("cPcbbbihq", 20, model);
+    PictureOptions options;
+    options.model = model;
+    options.cut_away = 0.1;
+    const Agreement agreement = compare(scene, options, 320, 240, 2000);
+    EXPECT_EQ(agreement.wrong, 0) << agreement.first;
+    const Image image = identities(scene, options, 320, 240);
+    std::size_t cut = 0;
+    for (std::size_t i = 2; i < image.pixels.size(); i += 4) cut += image.pixels[i] == 9 ? 1 : 0;
+    EXPECT_GT(cut, image.pixels.size() / 4 / 50);
+  }
+}
+
+void PrintTo(const Case& of, std::ostream* out) {
+  *out << of.signature << ", " << of.cells << " cells, " << geometry::to_string(of.model);
+}
+
+std::string name_of(const ::testing::TestParamInfo<Case>& info) {
+  const auto& [signature, cells, model] = info.param;
+  return signature + "_" + std::to_string(cells) + "_" + std::string(geometry::to_string(model));
+}
+
+std::vector<Case> cases() {
+  std::vector<Case> result;
+  for (const Model model : {Model::kUpperHalfSpace, Model::kPoincareBall, Model::kKleinBall}) {
+    for (const std::size_t cells : {1, 2, 20}) result.push_back({"cPcbbbihq", cells, model});
+    // So many cells are thinner than a pixel in the Klein ball.
+    if (model != Model::kKleinBall) result.push_back({"cPcbbbihq", 500, model});
+    for (const char* signature : {"cMcabbjds", "dLQabccjkjn", "eLMkbbddddhape"})
+      result.push_back({signature, 20, model});
+  }
+  return result;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ViewerPicture, ::testing::ValuesIn(cases()), name_of);
+
+}  // namespace
+}  // namespace tripus::viewer

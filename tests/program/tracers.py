@@ -1,0 +1,166 @@
+"""Rays through truncated tetrahedra in plain Python: what the pages of `tripus view` must show.
+
+They share no formula with the page's shaders beyond the definitions: the cells are tested point by
+point in the hyperboloid model, and the inside view follows one geodesic through the universal cover
+instead of changing coordinates at every face."""
+
+import math
+
+
+def product(x, y):
+    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2] - x[3] * y[3]
+
+
+def apply(m, x):
+    return [sum(m[4 * i + j] * x[j] for j in range(4)) for i in range(4)]
+
+
+def multiply(a, b):
+    return [sum(a[4 * i + k] * b[4 * k + j] for k in range(4))
+            for i in range(4) for j in range(4)]
+
+
+def defect(m):
+    """How far a matrix is from an isometry."""
+    columns = [[m[4 * i + j] for i in range(4)] for j in range(4)]
+    return max(abs(product(columns[i], columns[j]) - (0 if i != j else -1 if i == 3 else 1))
+               for i in range(4) for j in range(4))
+
+
+class OutsideTracer:
+    """Straight rays against cells in the ball or the upper half-space."""
+
+    def __init__(self, data, picture):
+        facts = picture.facts
+        self.upper = facts["model"] == "upper"
+        self.camera = facts["camera"]
+        self.size = (picture.width, picture.height)
+        self.cells = []
+        for cell in facts["cells"]:
+            isometry = multiply(facts["toModel"], cell["isometry"])
+            shape = data["tetrahedra"][cell["tetrahedron"]]
+            self.cells.append([apply(isometry, n) for n in shape["faces"] + shape["vertices"]])
+
+    def ray(self, x, y):
+        """Direction of the ray through a place of the picture, in pixels."""
+        tangent, axes = self.camera["tangent"], self.camera["axes"]
+        a = (2 * x / self.size[0] - 1) * tangent[0]
+        b = (2 * y / self.size[1] - 1) * tangent[1]
+        d = [a * axes[i] + b * axes[3 + i] + axes[6 + i] for i in range(3)]
+        length = math.sqrt(sum(c * c for c in d))
+        return [c / length for c in d]
+
+    def lift(self, p):
+        """The point of the hyperboloid at a place of the model; None outside the model."""
+        square = sum(c * c for c in p)
+        if self.upper:
+            if p[2] <= 0:
+                return None
+            return [p[0] / p[2], p[1] / p[2], (square - 1) / (2 * p[2]), (square + 1) / (2 * p[2])]
+        if square >= 1:
+            return None
+        return [2 * c / (1 - square) for c in p] + [(1 + square) / (1 - square)]
+
+    def crossings(self, n, o, d):
+        """Where a ray crosses the plane with normal n: the product is A |p|^2 + 2 b.p + C up to a
+        positive factor."""
+        if self.upper:
+            A, b, C = n[2] - n[3], (n[0], n[1], 0), -n[2] - n[3]
+        else:
+            A, b, C = -n[3], n[:3], -n[3]
+        od = sum(x * y for x, y in zip(o, d))
+        half = A * od + sum(x * y for x, y in zip(b, d))
+        c = A * sum(x * x for x in o) + 2 * sum(x * y for x, y in zip(b, o)) + C
+        root = half * half - A * c
+        if root < 0:
+            return []
+        q = -(half + math.copysign(math.sqrt(root), half))
+        return [value for value in ((q / A if A else None), (c / q if q else None))
+                if value is not None and value > 0]
+
+    def see(self, x, y):
+        """(cell, surface + 1) seen at a place of the picture, (0, 0) for none."""
+        o, d = self.camera["eye"], self.ray(x, y)
+        nearest, seen = math.inf, (0, 0)
+        for number, normals in enumerate(self.cells):
+            for surface, n in enumerate(normals):
+                for s in self.crossings(n, o, d):
+                    if s >= nearest:
+                        continue
+                    point = self.lift([a + s * b for a, b in zip(o, d)])
+                    if point is None:
+                        continue
+                    if all(i == surface or product(m, point) <= 0 for i, m in enumerate(normals)):
+                        nearest, seen = s, (number, surface + 1)
+        return seen
+
+
+class InsideTracer:
+    """One geodesic in the frame of the tetrahedron in which it begins."""
+
+    KINDS = {"wall": 1, "edge": 2}
+    ENDS = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)]
+
+    def __init__(self, data, picture, tube=0.03, tangent=None):
+        self.data = data
+        self.frame = picture.facts["frame"]
+        self.start = picture.facts["tetrahedron"]
+        self.size = (picture.width, picture.height)
+        self.tube = math.sinh(tube) ** 2
+        aspect = self.size[0] / self.size[1]
+        self.tangent = tangent or (0.72 * aspect, 0.72)
+
+    def meet(self, normal, x, u):
+        towards = product(normal, u)
+        if towards <= 0:
+            return math.inf
+        ratio = -product(normal, x) / towards
+        return math.atanh(max(ratio, 0)) if ratio < 1 else math.inf
+
+    def meet_tube(self, v, w, x, u):
+        """Where the distance from the line through the poles v and w falls to the radius. The part
+        of p along the line is found from its products with v and w; what is left lies across."""
+        c = product(v, w)
+
+        def across(p, q):
+            pv, pw, qv, qw = (product(p, v), product(p, w), product(q, v), product(q, w))
+            along = (pv * qv + pw * qw - c * (pv * qw + pw * qv)) / (1 - c * c)
+            return product(p, q) - along
+
+        a, b, d = across(x, x) - self.tube, across(x, u), across(u, u) + self.tube
+        root = b * b - a * d
+        if root <= 0 or a <= 0 or b >= 0:
+            return math.inf
+        t = a / (-b + math.sqrt(root))
+        return math.atanh(t) if t < 1 else math.inf
+
+    def see(self, x, y):
+        """(kind, tetrahedron, vertex or edge) seen at a place of the picture; None if it is too far
+        for this arithmetic."""
+        a = (2 * x / self.size[0] - 1) * self.tangent[0]
+        b = (2 * y / self.size[1] - 1) * self.tangent[1]
+        length = math.sqrt(a * a + b * b + 1)
+        columns = [[self.frame[4 * i + j] for i in range(4)] for j in range(4)]
+        u = [(a * r + b * t + f) / length for r, t, f in zip(*columns[:3])]
+        p = columns[3]
+        place = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
+        t, came, gone = self.start, None, 0.0
+        for _ in range(60):
+            shape = self.data["tetrahedra"][t]
+            faces = [apply(place, n) for n in shape["faces"]]
+            poles = [apply(place, v) for v in shape["vertices"]]
+            exit_at, face = min((self.meet(n, p, u), f) for f, n in enumerate(faces) if f != came)
+            events = [(self.meet(v, p, u), 1, i) for i, v in enumerate(poles)]
+            events += [(self.meet_tube(poles[i], poles[j], p, u), 2, e)
+                       for e, (i, j) in enumerate(self.ENDS)]
+            # A tube that was met beside an earlier tetrahedron was its business.
+            first = min(event for event in events if event[0] >= gone - 1e-9)
+            if first[0] < exit_at:
+                return (first[1], t, first[2])
+            if exit_at > 6:
+                return None
+            gone = exit_at
+            place = multiply(place, self.data["face_pairings"][t][face])
+            neighbour, word = self.data["gluings"][t][face]
+            came, t = int(word[face]), neighbour
+        return None

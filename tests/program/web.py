@@ -1,0 +1,278 @@
+"""tripus view -o page.html and --gallery: the pages, and what they draw in a browser."""
+
+import math
+import os
+import re
+import subprocess
+import tempfile
+from pathlib import Path
+
+import samples
+from browser import draw, notice, page_data, page_text
+from support import DATA, TRIPUS, TRIPUS_VOLUME, ProgramTest, read_json
+from tracers import InsideTracer, OutsideTracer, defect, multiply, product
+
+# One of another shape, with two edge classes, and a triangulation that carries no metric.
+ASYMMETRIC = "dLQbcccherw"
+WITHOUT_METRIC = "eLAkbccdddprdk"
+BACKGROUND, MAGENTA = (0, 0), (255, 0, 255)
+IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
+
+
+class Pictures(ProgramTest):
+    """Two pages, each drawn in all these ways by one browser, which takes seconds to start."""
+
+    WISHES = {
+        TRIPUS: {
+            "ball": "size=200x150&model=ball&cells=20",
+            "upper": "size=200x150&model=upper&cells=12&yaw=2&pitch=0.6",
+            "many": "size=40x30&model=ball&cells=300",
+            "dragged": "size=40x30&model=ball&drag=30:15",
+            "nearer": "size=40x30&model=ball&keys=%2B:1",
+            "centre": "size=200x150&view=inside&tube=0.05",
+            "wall": "size=200x150&view=inside&tube=0.05&place=wall",
+            "edge": "size=200x150&view=inside&tube=0.05&place=edge",
+            "walked": "size=40x30&view=inside&keys=w:0.5,ArrowLeft:0.3",
+            "looked": "size=40x30&view=inside&drag=60:0",
+        },
+        ASYMMETRIC: {
+            "one": "size=200x150&model=ball&cells=1&yaw=1.1",
+            "far": "size=200x150&view=inside&tube=0.05&walk=forward:0.9,right:0.7,up:1.3",
+            "at the wall": "size=200x150&view=inside&tube=0.05&walk=back:40,left:40",
+        },
+    }
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.data, cls.pictures = {}, {}
+        with tempfile.TemporaryDirectory() as folder:
+            page = Path(folder) / "page.html"
+            for signature, wishes in cls.WISHES.items():
+                subprocess.run([os.environ["TRIPUS_PROGRAM"], "view", signature, "-o", page],
+                               check=True, stdout=subprocess.DEVNULL, timeout=100)
+                cls.data[signature] = page_data(page.read_text())
+                cls.pictures.update(zip(wishes, draw(page, *wishes.values())))
+
+    def facts(self, name):
+        return self.pictures[name].facts
+
+    def test_are_sound(self):
+        """No pixel is left out, none is not a number, and there is something to see."""
+        for name, picture in self.pictures.items():
+            with self.subTest(name):
+                self.assertEqual((picture.problem, picture.facts["error"]), ("", 0))
+                colours = [picture.at(picture.colours, x, y)
+                           for y in range(picture.height) for x in range(picture.width)]
+                self.assertEqual({colour[3] for colour in colours}, {255})
+                self.assertNotIn(MAGENTA, {colour[:3] for colour in colours})
+                self.assertGreater(len(set(colours)), 200)
+
+    def assert_shows(self, picture, tracer, read, step):
+        """Samples agree with the tracer, or with what it sees less than a pixel away; `read` makes
+        an answer of the tracer's kind of the four bytes of a pixel. Returns what was seen."""
+        seen, moved = [], 0
+        for y in range(step // 2, picture.height, step):
+            for x in range(step // 2, picture.width, step):
+                shown = read(picture.at(picture.identities, x, y))
+                expected = tracer.see(x + 0.5, y + 0.5)
+                if expected is None:
+                    continue
+                seen.append(expected)
+                if shown == expected:
+                    continue
+                moved += 1
+                around = [tracer.see(x + 0.5 + dx, y + 0.5 + dy)
+                          for dx in (-0.7, 0, 0.7) for dy in (-0.7, 0, 0.7)]
+                self.assertIn(shown, around, f"at pixel {x}, {y}")
+        self.assertGreater(len(seen), 300)
+        self.assertLess(moved, len(seen) / 20)
+        return seen
+
+    def check_outside(self, signature, name, least, greatest):
+        """`least`, `greatest`: the share of the picture that the cells cover."""
+        picture = self.pictures[name]
+        self.assertLess(defect(picture.facts["toModel"]), 1e-9)
+        seen = self.assert_shows(picture, OutsideTracer(self.data[signature], picture),
+                                 lambda pixel: (pixel[0] + 256 * pixel[1], pixel[2]), 6)
+        share = sum(answer != BACKGROUND for answer in seen) / len(seen)
+        self.assertGreater(share, least)
+        self.assertLess(share, greatest)
+        return seen
+
+    def test_cells_stand_where_rays_meet_them(self):
+        self.assertGreater(len(set(self.check_outside(TRIPUS, "ball", 0.2, 0.6))), 15)
+        self.check_outside(TRIPUS, "upper", 0.05, 0.6)
+        self.check_outside(ASYMMETRIC, "one", 0.02, 0.6)
+
+    def check_inside(self, signature, name):
+        picture = self.pictures[name]
+        self.assertLess(defect(picture.facts["frame"]), 1e-12)
+        return self.assert_shows(picture, InsideTracer(self.data[signature], picture, tube=0.05),
+                                 lambda pixel: pixel[:3], 9)
+
+    def test_walls_and_edges_stand_where_geodesics_meet_them(self):
+        for name in ("centre", "wall", "edge"):
+            with self.subTest(name):
+                seen = self.check_inside(TRIPUS, name)
+                self.assertEqual({kind for kind, _, _ in seen}, {1, 2})
+                self.assertEqual({t for _, t, _ in seen}, {0, 1})
+
+    def test_a_walk_ends_inside_a_tetrahedron_and_before_the_wall(self):
+        for name in ("far", "at the wall"):
+            with self.subTest(name):
+                self.check_inside(ASYMMETRIC, name)
+                place = self.place(name)
+                shape = self.data[ASYMMETRIC]["tetrahedra"][self.facts(name)["tetrahedron"]]
+                for normal in shape["faces"]:
+                    self.assertLess(product(normal, place), 1e-9)
+                for normal in shape["vertices"]:
+                    self.assertLess(product(normal, place), -0.05)
+        self.assertNotEqual(self.facts("far")["tetrahedron"], 0)
+        self.assertIs(self.facts("at the wall")["touched"], True)
+
+    def test_cells_are_those_of_embed(self):
+        """Each cell once, in the same places, up to the order of equal distances."""
+        cells = self.facts("many")["cells"]
+        answer = self.json_answer("embed", TRIPUS, "--cells", "300")
+        distances = [sorted(round(cell["isometry"][15], 6) for cell in each)
+                     for each in (cells, answer["cells"])]
+        self.assertEqual(*distances)
+        far = distances[0][-1] - 1e-5
+
+        def inner(each):
+            return sorted([cell["tetrahedron"]] + [round(cell["isometry"][4 * i + 3], 5) + 0.0
+                                                   for i in range(3)]
+                          for cell in each if cell["isometry"][15] < far)
+        self.assertEqual(inner(cells), inner(answer["cells"]))
+        self.assertEqual(cells[0]["isometry"], IDENTITY)
+        for cell in cells:
+            self.assertLess(defect(cell["isometry"]), 1e-12 * cell["isometry"][15] ** 2)
+
+    def place(self, name):
+        return [self.facts(name)["frame"][4 * i + 3] for i in range(4)]
+
+    def axis(self, name, j):
+        return [self.facts(name)["frame"][4 * i + j] for i in range(4)]
+
+    def test_keys_and_pointers_move_the_walker(self):
+        self.assertEqual(self.place("centre"), [0, 0, 0, 1])
+        # 0.6 a second, straight ahead: the distance is arcosh of the time coordinate.
+        place = self.place("walked")
+        self.assertAlmostEqual(math.acosh(place[3]), 0.3, delta=0.02)
+        ahead = sum(a * b for a, b in zip(self.axis("centre", 2)[:3], place[:3]))
+        self.assertAlmostEqual(ahead, math.sqrt(place[3] ** 2 - 1), delta=1e-9)
+        # Dragging to the right looks to the left.
+        self.assertLess(product(self.axis("centre", 0), self.axis("looked", 2)), -0.05)
+
+    def test_keys_and_pointers_move_the_cells(self):
+        still, dragged, nearer = (self.facts(name) for name in ("ball", "dragged", "nearer"))
+        self.assertLess(dragged["yaw"], still["yaw"])
+        self.assertGreater(dragged["pitch"], still["pitch"])
+        self.assertLess(nearer["distance"], 0.6 * still["distance"])
+
+
+class Files(ProgramTest):
+    def page(self, *arguments):
+        result = self.run_program("view", *arguments, "-o", "page.html")
+        self.assertEqual(result.status, 0, result.err)
+        return self.folder / "page.html"
+
+    def test_a_page_is_small_and_needs_nothing_else(self):
+        page = self.page(TRIPUS)
+        text = page.read_text(encoding="utf-8")
+        self.assertLess(page.stat().st_size, 200_000)
+        self.assertNotRegex(text, r"https?://|@import|\bsrc=|\bimport\(|\bfetch\(")
+        self.assertIn("default-src 'none'", text)
+        data = page_data(text)
+        self.assertAlmostEqual(data["volume"], TRIPUS_VOLUME, delta=1e-12)
+        self.assertEqual(data["outcome"], "geometric")
+
+    def test_pairings_close_up_around_the_edge(self):
+        data = page_data(self.page(TRIPUS).read_text())
+        t, ends, place = 0, (0, 1), IDENTITY
+        face = 2
+        for _ in range(data["edge_valences"][0]):
+            neighbour, word = data["gluings"][t][face]
+            place = multiply(place, data["face_pairings"][t][face])
+            ends = tuple(int(word[v]) for v in ends)
+            entered = int(word[face])
+            face = ({0, 1, 2, 3} - set(ends) - {entered}).pop()
+            t = neighbour
+        self.assertLess(max(abs(a - b) for a, b in zip(place, IDENTITY)), 1e-10)
+
+    def test_names_cannot_break_out(self):
+        name = "</script><script>document.title='broken'</script><!--{{data}}&\"'\u2028\u0007\u20ac"
+        self.write("m.json", samples.as_json(samples.TRIPUS_GLUINGS, name))
+        page = self.page("m.json")
+        source = page.read_text(encoding="utf-8")
+        self.assertEqual(page_data(source)["name"], name)
+        self.assertNotIn("<script>document", source)
+        text = page_text(page, "dump=1&size=20x15")
+        self.assertNotIn("<title>broken", text)
+        self.assertIn("&lt;/script&gt;&lt;script&gt;document.title", text)
+        self.assertIn('id="dump"', text)
+
+    def test_a_browser_without_webgl2_says_so(self):
+        page = self.page(TRIPUS)
+        text = page_text(page, "dump=1", flags=["--disable-3d-apis"])
+        self.assertIn("WebGL2 is missing", notice(text))
+        self.assertIn("6.45199027083", text)
+
+    def test_a_shader_that_fails_says_so(self):
+        page = self.page(TRIPUS)
+        page.write_text(page.read_text().replace("uniform vec3 uEye;", "uniform vec9 uEye;"))
+        text = page_text(page, "dump=1")
+        self.assertIn("does not compile", notice(text))
+
+    def test_a_lost_context_says_so(self):
+        page = self.page(TRIPUS)
+        lose = ("addEventListener('load', () => document.getElementById('picture')"
+                ".getContext('webgl2').getExtension('WEBGL_lose_context').loseContext());")
+        page.write_text(page.read_text().replace("'use strict';\n(() => {",
+                                                 "'use strict';\n" + lose + "(() => {", 1))
+        self.assertIn("has given up on this page", notice(page_text(page)))
+
+
+class Refusals(ProgramTest):
+    def test_no_metric(self):
+        result = self.run_program("view", WITHOUT_METRIC, "-o", "page.html")
+        self.assertEqual(result.status, 1)
+        self.assertFalse((self.folder / "page.html").exists())
+
+    def test_bad_requests(self):
+        self.assert_refused("view", TRIPUS, "-o", "no/such/folder/page.html", says="no/such/folder")
+        for cells in ("0", "10001", "-3", "many"):
+            with self.subTest(cells):
+                self.assert_refused("view", TRIPUS, "-o", "page.html", "--cells", cells,
+                                    says="--cells")
+
+
+class Gallery(ProgramTest):
+    def test_of_the_two_tetrahedron_manifolds(self):
+        lines = (DATA / "triangulations-2.txt").read_text().splitlines()
+        signatures = [line for line in lines if line and not line.startswith("#")]
+        bad = ["nonsense!", WITHOUT_METRIC, "-"]
+        self.write("list", "\n".join(signatures + bad) + "\n# end\n")
+        (self.folder / "out").mkdir()
+        result = self.run_program("view", "--gallery", "list", "-o", "out/index.html", "--json")
+        self.assertEqual(result.status, 0, result.err)
+        answers = [read_json(line) for line in result.lines]
+        self.assertEqual([answer["input"] for answer in answers], signatures + bad)
+        files = [answer.get("file") for answer in answers]
+        self.assertEqual(files[len(signatures):], [None] * len(bad))
+        for name in files[:len(signatures)]:
+            page = self.folder / name
+            self.assertAlmostEqual(page_data(page.read_text())["volume"], TRIPUS_VOLUME, delta=1e-11)
+            self.assertEqual(page.with_suffix(".png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        index = page_text(self.folder / "out" / "index.html")
+        links = re.findall(r'<a href="([^"]+)">', index)
+        self.assertEqual([f"out/{link}" for link in links], files[:len(signatures)])
+        self.assertIn(f"Without a page ({len(bad)})", index)
+        self.assertIn("nonsense!", index)
+
+    def test_refusals(self):
+        self.write("list", TRIPUS + "\n")
+        self.assert_refused("view", "--gallery", "list", says="-o")
+        self.assert_refused("view", "--gallery", "none", "-o", "index.html", says="none")
+        self.assert_refused("view", "--gallery", "list", "-o", "no/index.html", says="no/index.html")

@@ -1,0 +1,18 @@
+#version 300 es
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+
+// Picture or proof: in kIdentities each pixel says what it shows, for the tests.
+const int kColours = 0;
+const int kIdentities = 1;
+uniform int uOutput;
+
+vec3 toDisplay(vec3 linear) { return pow(clamp(linear, 0.0, 1.0), vec3(1.0 / 2.2)); }
+
+/// The colour of a pixel; one that is not a number becomes magenta and half transparent, which
+/// nothing else is, so that it shows and that a test finds it.
+vec4 finite(vec3 colour) {
+  bool bad = any(isnan(colour)) || any(isinf(colour));
+  return bad ? vec4(1.0, 0.0, 1.0, 0.5) : vec4(colour, 1.0);
+}

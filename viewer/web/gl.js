@@ -1,0 +1,120 @@
+// The little of WebGL2 that both views share: programs, data textures, a target to draw into.
+class GraphicsProblem extends Error {}
+
+class Graphics {
+  constructor(canvas) {
+    this.canvas = canvas;
+    const gl = canvas.getContext('webgl2', {antialias: false, alpha: false, depth: false,
+                                            powerPreference: 'high-performance'});
+    if (!gl) throw new GraphicsProblem('WebGL2 is missing in this browser, or switched off.');
+    this.gl = gl;
+    this.target = null;
+    this.nothing = gl.createVertexArray();  // all vertices are made in the shaders
+  }
+
+  /// A program of shader files by name; `shared` are put before the fragment and vertex shaders.
+  program(vertex, fragment, shared = []) {
+    const gl = this.gl;
+    const program = gl.createProgram();
+    const parts = [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]];
+    for (const [kind, name] of parts) {
+      const source = ['common.glsl', ...shared, name].map(shaderSource).join('\n');
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      gl.attachShader(program, shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS) && !gl.isContextLost())
+        throw new GraphicsProblem(`The shader ${name} does not compile: ` +
+                                  gl.getShaderInfoLog(shader));
+    }
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost())
+      throw new GraphicsProblem(`The shader ${fragment} does not link: ` +
+                                gl.getProgramInfoLog(program));
+    const locations = new Map();
+    return {program, at: (name) => {
+      if (!locations.has(name)) locations.set(name, gl.getUniformLocation(program, name));
+      return locations.get(name);
+    }};
+  }
+
+  /// Rows of `perRow` records of `texels` RGBA floats each.
+  dataTexture(numbers, texels, perRow) {
+    const gl = this.gl;
+    const width = texels * perRow;
+    const height = Math.max(1, Math.ceil(numbers.length / (4 * width)));
+    if (Math.max(width, height) > gl.getParameter(gl.MAX_TEXTURE_SIZE))
+      throw new GraphicsProblem('The manifold is too large for this graphics card.');
+    const padded = new Float32Array(4 * width * height);
+    padded.set(numbers);
+    const texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, width, height, 0, gl.RGBA, gl.FLOAT, padded);
+    for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+      gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
+    return texture;
+  }
+
+  /// Starts a picture of that size; present() scales it to the canvas.
+  begin(width, height) {
+    const gl = this.gl;
+    if (!this.target || this.target.width !== width || this.target.height !== height) {
+      this.release();
+      const framebuffer = gl.createFramebuffer();
+      const colour = gl.createRenderbuffer();
+      const depth = gl.createRenderbuffer();
+      gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+      gl.bindRenderbuffer(gl.RENDERBUFFER, colour);
+      gl.renderbufferStorage(gl.RENDERBUFFER, gl.RGBA8, width, height);
+      gl.bindRenderbuffer(gl.RENDERBUFFER, depth);
+      gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, width, height);
+      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.RENDERBUFFER, colour);
+      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, depth);
+      this.target = {framebuffer, colour, depth, width, height};
+    }
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.target.framebuffer);
+    gl.viewport(0, 0, width, height);
+    gl.bindVertexArray(this.nothing);
+    gl.disable(gl.BLEND);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthMask(true);
+    gl.depthFunc(gl.LEQUAL);
+    gl.clearDepth(1);
+    gl.clear(gl.DEPTH_BUFFER_BIT);
+  }
+
+  release() {
+    if (!this.target) return;
+    this.gl.deleteFramebuffer(this.target.framebuffer);
+    this.gl.deleteRenderbuffer(this.target.colour);
+    this.gl.deleteRenderbuffer(this.target.depth);
+    this.target = null;
+  }
+
+  present() {
+    const {gl, canvas, target} = this;
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, target.framebuffer);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
+    gl.blitFramebuffer(0, 0, target.width, target.height, 0, 0, canvas.width, canvas.height,
+                       gl.COLOR_BUFFER_BIT,
+                       target.width === canvas.width ? gl.NEAREST : gl.LINEAR);
+  }
+
+  /// The pixels of the picture, bottom row first; waits until it is drawn.
+  read() {
+    const {gl, target} = this;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
+    const pixels = new Uint8Array(4 * target.width * target.height);
+    gl.readPixels(0, 0, target.width, target.height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    return pixels;
+  }
+
+  /// Waits until everything is drawn.
+  finish() {
+    const {gl, target} = this;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+  }
+}
+
+const shaderSource = (name) => document.getElementById(`shader-${name}`).textContent;

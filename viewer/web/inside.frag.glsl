@@ -1,0 +1,200 @@
+// Standing in the manifold: each pixel follows a geodesic x cosh s + u sinh s through the
+// tetrahedra. In the coordinates of the current one a plane <n, x> = 0 ahead is met where
+// tanh s = -<n, x> / <n, u>. At a face the geodesic goes on in the neighbour's coordinates; at a
+// truncation plane it has met the geodesic boundary, the wall. Coordinates in one tetrahedron stay
+// small, which is what single precision needs.
+//
+// Texels of a tetrahedron (normals come with their time negated, so that dot() is the product):
+//   0-3 faces, 4-7 vertices, 8-23 rows of the four crossings, 24 neighbours, 25 entry faces,
+//   26-27 cosines <n_k, n_l> at the six edges, 28-29 edge classes, 30 boundary components
+uniform sampler2D uTetrahedra;
+uniform int uPerRow;
+uniform int uStart;       // the tetrahedron of the camera
+uniform mat4 uFrame;      // columns: right, up, forward, position
+uniform vec2 uTangent;
+uniform vec2 uSize;
+uniform float uPixel;
+uniform int uMaxCrossings;
+uniform float uTube;      // sinh^2 of the radius of the edges
+uniform float uFog;       // 1 / distance at which things fade
+uniform float uMirror;    // share of the light that the wall reflects
+uniform int uGrid;        // whether the wall shows its own geometry beyond its triangles
+uniform int uColourBy;    // wall: 0 truncation triangle, 1 boundary component
+uniform vec3 uPalette[12];
+uniform vec3 uFogColour;
+out vec4 colour;
+
+const int kNothing = 0, kWall = 1, kEdge = 2;
+const int kMaxMirrors = 4;
+
+ivec2 gFirst;
+vec4 texel(int i) { return texelFetch(uTetrahedra, gFirst + ivec2(i, 0), 0); }
+void stand(int t) { gFirst = ivec2((t % uPerRow) * 32, t / uPerRow); }
+float product(vec4 a, vec4 b) { return dot(a.xyz, b.xyz) - a.w * b.w; }
+float arsinh(float x) { return sign(x) * log(abs(x) + sqrt(x * x + 1.0)); }
+
+struct Hit {
+  int kind;         // kNothing, kWall, kEdge
+  int number;       // vertex or edge of the tetrahedron
+  int tetrahedron;
+  int crossings;
+  float along;      // distance from the camera
+  vec4 x, u;        // point and direction there
+};
+
+/// The two faces that meet in edge e: those opposite the vertices that are not its ends.
+ivec2 facesAt(int e) {
+  return e == 0 ? ivec2(2, 3) : e == 1 ? ivec2(1, 3) : e == 2 ? ivec2(1, 2)
+       : e == 3 ? ivec2(0, 3) : e == 4 ? ivec2(0, 2) : ivec2(0, 1);
+}
+float cosineAt(int e) { return texel(26 + e / 4)[e & 3]; }
+
+/// Where the geodesic meets the tube around edge e: tanh s, or 2. With a = <n_k, .>, b = <n_l, .>
+/// the distance d from the edge has sinh^2 d = (a^2 + b^2 - 2 g a b) / (1 - g^2).
+float meetTube(int e, vec4 fx, vec4 fu) {
+  ivec2 k = facesAt(e);
+  float g = cosineAt(e), scale = 1.0 / (1.0 - g * g);
+  vec2 x = vec2(fx[k.x], fx[k.y]), u = vec2(fu[k.x], fu[k.y]);
+  float xx = scale * (dot(x, x) - 2.0 * g * x.x * x.y) - uTube;
+  float xu = scale * (dot(x, u) - g * (x.x * u.y + x.y * u.x));
+  float uu = scale * (dot(u, u) - 2.0 * g * u.x * u.y) + uTube;
+  // uu t^2 + 2 xu t + xx = 0, entered where it falls
+  float discriminant = xu * xu - uu * xx;
+  if (discriminant <= 0.0 || xx <= 0.0 || xu >= 0.0) return 2.0;
+  return xx / (-xu + sqrt(discriminant));
+}
+
+/// Follows the geodesic until it meets something. `from`: the face that it came in by, or -1.
+void trace(inout Hit hit, inout int from) {
+  hit.kind = kNothing;
+  for (; hit.crossings <= uMaxCrossings; ++hit.crossings) {
+    stand(hit.tetrahedron);
+    vec4 fx, fu;
+    float reach = 1.0;
+    int face = -1;
+    for (int f = 0; f < 4; ++f) {
+      vec4 n = texel(f);
+      fx[f] = dot(n, hit.x);
+      fu[f] = dot(n, hit.u);
+      if (f == from || fu[f] <= 0.0) continue;
+      float t = max(-fx[f] / fu[f], 0.0);
+      if (t < reach) { reach = t; face = f; }
+    }
+    for (int v = 0; v < 4; ++v) {
+      vec4 n = texel(4 + v);
+      float towards = dot(n, hit.u);
+      if (towards <= 0.0) continue;
+      float t = max(-dot(n, hit.x) / towards, 0.0);
+      if (t < reach) { reach = t; hit.kind = kWall; hit.number = v; }
+    }
+    for (int e = 0; e < 6; ++e) {
+      float t = meetTube(e, fx, fu);
+      if (t < reach) { reach = t; hit.kind = kEdge; hit.number = e; }
+    }
+    if (face < 0 && hit.kind == kNothing) return;  // only by rounding
+    reach = min(reach, 0.99999);
+    float c = inversesqrt(1.0 - reach * reach), s = reach * c;
+    vec4 x = c * hit.x + s * hit.u, u = s * hit.x + c * hit.u;
+    hit.along += 0.5 * log((1.0 + reach) / (1.0 - reach));
+    if (hit.kind == kNothing) {
+      int row = 8 + 4 * face;
+      x = vec4(dot(texel(row), x), dot(texel(row + 1), x), dot(texel(row + 2), x),
+               dot(texel(row + 3), x));
+      u = vec4(dot(texel(row), u), dot(texel(row + 1), u), dot(texel(row + 2), u),
+               dot(texel(row + 3), u));
+      from = int(texel(25)[face]);
+      hit.tetrahedron = int(texel(24)[face]);
+    }
+    x *= inversesqrt(max(-product(x, x), 1e-12));
+    u += product(u, x) * x;
+    hit.x = x;
+    hit.u = u * inversesqrt(max(product(u, u), 1e-12));
+    if (hit.kind != kNothing || hit.along * uFog > 6.0) return;
+  }
+}
+
+vec3 paletteOf(int i) {
+  return uPalette[i % 12] * pow(0.72, float((i / 12) % 4));
+}
+
+/// The wall with its own geometry: the truncation triangles that tile it, and inside each the
+/// curves at equal distance from its sides.
+vec3 wallColour(Hit hit) {
+  float incidence = max(abs(dot(texel(4 + hit.number), hit.u)), 0.06);
+  float pixel = uPixel * sinh(min(hit.along, 12.0)) / incidence;
+  float side = 1e9;
+  for (int f = 0; f < 4; ++f)
+    if (f != hit.number) side = min(side, arsinh(-dot(texel(f), hit.x)));
+  int index = uColourBy == 0 ? 4 * hit.tetrahedron + hit.number
+                             : int(texel(30)[hit.number]);
+  vec3 base = mix(paletteOf(index), vec3(0.93, 0.91, 0.86), uColourBy == 0 ? 0.22 : 0.15);
+  float blur = smoothstep(0.35, 0.08, pixel);  // what is finer than pixels becomes its mean
+  if (uGrid == 1) {
+    float ring = side / 0.12;
+    float away = abs(ring - round(ring)) * 0.12;
+    float line = (1.0 - smoothstep(0.003, 0.003 + 1.2 * pixel, away)) * step(0.5, ring);
+    base *= 1.0 - 0.22 * line * smoothstep(0.06, 0.02, pixel);
+    base *= 0.90 + 0.10 * smoothstep(0.0, 0.3, side);
+  }
+  float line = 1.0 - smoothstep(0.008, 0.008 + 1.2 * pixel, side);
+  return base * (1.0 - 0.62 * line * blur);
+}
+
+vec3 edgeColour(Hit hit, out float facing) {
+  ivec2 k = facesAt(hit.number);
+  vec4 n = texel(k.x), m = texel(k.y);
+  float g = cosineAt(hit.number), scale = 1.0 / (1.0 - g * g);
+  float a = dot(n, hit.x), b = dot(m, hit.x);
+  vec4 flip = vec4(1, 1, 1, -1);
+  // The part of x across the edge; the gradient of the distance is tangent at x.
+  vec4 across = scale * ((a - g * b) * n + (b - g * a) * m) * flip;
+  vec4 gradient = across + product(across, hit.x) * hit.x;
+  gradient *= inversesqrt(max(product(gradient, gradient), 1e-12));
+  facing = clamp(-product(gradient, hit.u), 0.0, 1.0);
+  int edge = int(texel(28 + hit.number / 4)[hit.number & 3]);
+  return mix(paletteOf(edge + 5), vec3(0.1, 0.12, 0.2), 0.25);
+}
+
+void main() {
+  vec2 ndc = 2.0 * gl_FragCoord.xy / uSize - 1.0;
+  vec3 ray = normalize(vec3(ndc * uTangent, 1.0));
+  Hit hit;
+  hit.tetrahedron = uStart;
+  hit.crossings = 0;
+  hit.number = 0;
+  hit.along = 0.0;
+  hit.x = uFrame[3];
+  hit.u = uFrame * vec4(ray, 0.0);
+  int from = -1;
+  vec3 sum = vec3(0.0);
+  float weight = 1.0;
+  for (int mirror = 0; mirror <= kMaxMirrors; ++mirror) {
+    trace(hit, from);
+    if (uOutput == kIdentities) {
+      colour = vec4(float(hit.kind), float(hit.tetrahedron & 255), float(hit.number),
+                    255.0 - float(min(hit.crossings, 200))) / 255.0;
+      return;
+    }
+    float clear = hit.kind == kNothing ? 0.0 : exp(-pow(hit.along * uFog, 2.2));
+    vec3 seen = vec3(0.0);
+    float share = 1.0;
+    if (hit.kind == kWall) {
+      stand(hit.tetrahedron);
+      vec4 normal = texel(4 + hit.number) * vec4(1, 1, 1, -1);
+      float facing = abs(product(normal, hit.u));
+      seen = wallColour(hit) * (0.42 + 0.58 * facing);
+      if (uMirror > 0.0) share = 1.0 - (uMirror + (1.0 - uMirror) * pow(1.0 - facing, 5.0) * 0.5);
+    } else if (hit.kind == kEdge) {
+      float facing;
+      stand(hit.tetrahedron);
+      seen = edgeColour(hit, facing) * (0.25 + 0.85 * facing) + 0.30 * pow(facing, 30.0);
+    }
+    sum += weight * (share * clear * seen + (1.0 - clear) * uFogColour);
+    weight *= clear * (1.0 - share);
+    if (hit.kind != kWall || weight < 0.02) break;
+    vec4 normal = texel(4 + hit.number) * vec4(1, 1, 1, -1);
+    hit.u -= 2.0 * product(hit.u, normal) * normal;
+    from = -1;
+  }
+  colour = finite(toDisplay(sum));
+}

@@ -1,0 +1,184 @@
+// The page: its state, what draws it, and when.
+class Page {
+  /// `fragment`: what the address of the page wishes for, such as view=inside&place=wall.
+  constructor(fragment) {
+    this.data = JSON.parse(element('manifold-data').textContent);
+    this.canvas = element('picture');
+    this.wishes = new URLSearchParams(fragment);
+    const number = (name, otherwise, low, high) => {
+      const x = Number(this.wishes.get(name) ?? NaN);
+      return Number.isFinite(x) ? Math.min(high, Math.max(low, x)) : otherwise;
+    };
+    const choice = (name, choices) =>
+        (choices.includes(this.wishes.get(name)) ? this.wishes.get(name) : choices[0]);
+    this.number = number;
+    this.state = {
+      view: choice('view', ['outside', 'inside']),
+      model: choice('model', this.data.model_shown === 'upper' ? ['upper', 'ball'] : ['ball', 'upper']),
+      cells: Math.round(number('cells', this.data.cells_shown ?? 20, 1, kCellCounts.at(-1))),
+      explode: number('explode', 0, 0, 1.5),
+      colour: choice('colour', ['tetrahedron', 'depth', 'face']),
+      wall: choice('wall', ['triangle', 'component']),
+      place: choice('place', ['centre', 'wall', 'edge']),
+      tube: number('tube', 0.03, 0.005, 0.12),
+      sight: number('sight', 3.4, 1, 8),
+      mirror: this.wishes.get('mirror') === '1',
+      lines: this.wishes.get('lines') !== '0',
+      crossings: 60,
+      identities: false,
+    };
+    const dark = matchMedia('(prefers-color-scheme: dark)').matches;
+    setTheme(this.state, choice('theme', dark ? ['dark', 'light'] : ['light', 'dark']));
+    this.problem = '';
+    this.quality = 1;
+    this.waiting = false;
+    this.last = 0;
+    this.fineTimer = 0;
+  }
+
+  start() {
+    showFacts(this.data);
+    this.manifold = new Manifold(this.data);
+    this.orbit = new OrbitCamera();
+    this.resetView();
+    for (const name of ['yaw', 'pitch', 'distance'])
+      this.orbit[name] = this.number(name, this.orbit[name], -100, 100);
+    connectPanel(this.state, (name) => this.changed(name));
+    for (const id of ['reset', 'save']) element(id).addEventListener('click', () => this.act(id));
+    this.controls = new Controls(this.canvas, this);
+    this.canvas.addEventListener('webglcontextlost', (e) => {
+      e.preventDefault();
+      this.graphics = null;
+      this.fail('The graphics card has given up on this page. It will be drawn again when the ' +
+                'browser gives the graphics back; otherwise reload the page.');
+    });
+    this.canvas.addEventListener('webglcontextrestored', () => this.connect());
+    new ResizeObserver(() => this.redraw()).observe(element('stage'));
+    this.connect();
+  }
+
+  /// Makes everything that lives on the graphics card.
+  connect() {
+    try {
+      this.graphics = new Graphics(this.canvas);
+      this.views = {outside: new OutsideView(this.graphics, this.manifold),
+                    inside: new InsideView(this.graphics, this.manifold)};
+      this.problem = '';
+      showNotice('');
+    } catch (error) {
+      this.graphics = null;
+      this.fail(`This page cannot draw the manifold: ${error.message}\n\n` +
+                'The numbers beside it do not need graphics.');
+      return;
+    }
+    this.redraw();
+  }
+
+  fail(text) {
+    this.problem = text;
+    showNotice(text);
+  }
+
+  changed(name) {
+    if (name === 'model') this.orbit.reset(this.state.model);
+    if (name === 'place') this.walker.place(this.state.place);
+    this.redraw();
+  }
+
+  resetView() {
+    this.orbit.reset(this.state.model);
+    this.walker = new WalkCamera(this.manifold);
+    this.walker.place(this.state.place);
+  }
+
+  act(name) {
+    if (name === 'change view') this.state.view = this.state.view === 'inside' ? 'outside' : 'inside';
+    if (name === 'reset') this.resetView();
+    if (name === 'save') this.savePicture();
+    if (name === 'help') element('help-text').showModal();
+    this.redraw();
+  }
+
+  savePicture() {
+    if (!this.graphics) return;
+    this.draw(2);
+    this.canvas.toBlob((blob) => {
+      const link = document.createElement('a');
+      link.href = URL.createObjectURL(blob);
+      link.download = `${this.state.view}.png`;
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+    });
+  }
+
+  redraw() {
+    if (this.waiting || !this.graphics || this.wishes.has('dump')) return;
+    this.waiting = true;
+    requestAnimationFrame((now) => this.frame(now));
+  }
+
+  /// A frame: quick and, on slow machines, coarse while things move; fine when they rest.
+  frame(now) {
+    this.waiting = false;
+    if (!this.graphics) return;
+    const passed = now - this.last;
+    this.last = now;
+    const moving = this.controls.advance(Math.min(passed, 100) / 1000);
+    if (passed < 400) {
+      if (passed > 45) this.quality = Math.max(0.3, this.quality * 0.85);
+      if (passed < 20) this.quality = Math.min(1, this.quality * 1.02);
+    }
+    this.draw(this.quality);
+    clearTimeout(this.fineTimer);
+    if (moving) this.redraw();
+    else this.fineTimer = setTimeout(() => this.graphics && this.fine(), 160);
+  }
+
+  /// The resting picture: four samples a pixel, unless that would take this machine too long.
+  fine() {
+    const begin = performance.now();
+    this.draw(1);
+    this.graphics.finish();
+    if (performance.now() - begin < 300 || this.wishes.get('fine') === '1') this.draw(2);
+  }
+
+  /// Draws at `scale` pixels for one of the canvas.
+  draw(scale) {
+    const {canvas, graphics, state} = this;
+    const ratio = Math.min(window.devicePixelRatio || 1, 2);
+    const [width, height] = this.fixedSize ??
+        [canvas.clientWidth * ratio, canvas.clientHeight * ratio];
+    const size = [width, height].map((x) => Math.min(4096, Math.max(1, Math.round(x))));
+    if (canvas.width !== size[0] || canvas.height !== size[1])
+      [canvas.width, canvas.height] = size;
+    const [w, h] = size.map((x) => Math.min(4096, Math.max(1, Math.round(x * scale))));
+    try {
+      graphics.begin(w, h);
+      const camera = state.view === 'inside' ? this.walker : this.orbit;
+      this.views[state.view].draw(state, camera, w, h, scale);
+      graphics.present();
+    } catch (error) {
+      this.fail(`This page cannot draw the manifold: ${error.message}`);
+      this.graphics = null;
+      return;
+    }
+    showState(state, Math.min(state.cells, this.views.outside.cover.cells.length));
+    element('status').textContent =
+        state.view === 'inside' ? `in tetrahedron ${this.walker.tetrahedron}` : '';
+  }
+}
+
+function main() {
+  try {
+    const pages = location.hash.slice(1).split('|').map((fragment) => {
+      const page = new Page(fragment);
+      page.start();
+      return page.wishes.has('dump') ? dump(page) : null;
+    });
+    if (pages.some((page) => page)) writeDump(pages);
+  } catch (error) {
+    showNotice(`This page has failed: ${error.message}`);
+    throw error;
+  }
+}
+main();

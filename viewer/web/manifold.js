@@ -1,0 +1,163 @@
+// The manifold of the page, from the JSON of `tripus embed`: vertices are the unit spacelike poles
+// of the truncating planes, faces the unit outward normals. A point x lies in the truncated
+// tetrahedron exactly if its product with all eight is <= 0.
+const kEdgeEnds = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
+
+/// The twelve corners: corner (i, j) is where the edge ij leaves through the truncation of i.
+function tetrahedronCorners(vertices) {
+  const corners = [];
+  for (let i = 0; i < 4; ++i)
+    for (let j = 0; j < 4; ++j) {
+      if (i === j) continue;
+      const along = Lorentz.combine(1, vertices[j], -Lorentz.dot(vertices[i], vertices[j]),
+                                    vertices[i]);
+      const point = Lorentz.toPoint(along);
+      corners.push({vertex: i, other: j, point});
+    }
+  return corners;
+}
+
+/// Centre and radius of a hyperbolic ball around points, close to the smallest: it walks towards
+/// the farthest point in shrinking steps (Badoiu and Clarkson).
+function enclosingBall(points) {
+  let centre = Lorentz.toPoint(points.reduce((sum, p) => Lorentz.combine(1, sum, 1, p)));
+  const farthest = () => points.reduce(
+      (far, p) => (Lorentz.dot(p, centre) < Lorentz.dot(far, centre) ? p : far));
+  for (let step = 2; step < 60; ++step) {
+    const far = farthest();
+    const d = Lorentz.distance(centre, far);
+    if (d < 1e-9) break;
+    const t = d / step;
+    centre = Lorentz.toPoint(
+        Lorentz.combine(Math.sinh(d - t) / Math.sinh(d), centre, Math.sinh(t) / Math.sinh(d), far));
+  }
+  return {centre, radius: Lorentz.distance(centre, farthest())};
+}
+
+/// Every tetrahedron has a frame of its own with its centre at the origin, where its numbers are
+/// smallest. pairing[t][f] carries the neighbour across face f next to t; crossing[t][f] takes
+/// coordinates of t to those of the neighbour.
+class Manifold {
+  constructor(data) {
+    this.data = data;
+    this.count = data.tetrahedra.length;
+    this.tetrahedra = data.tetrahedra.map(({vertices, faces}) => {
+      const corners = tetrahedronCorners(vertices);
+      return {vertices, faces, corners, ball: enclosingBall(corners.map((c) => c.point))};
+    });
+    this.neighbour = data.gluings.map((row) => row.map(([t]) => t));
+    this.pairing = data.face_pairings;
+    this.crossing = this.pairing.map((row) => row.map(Lorentz.inverse));
+    this.gluedFace = data.gluings.map((row) => row.map(([, word], f) => Number(word[f])));
+    this.edgeClass = data.edge_classes;
+    this.vertexClass = data.vertex_classes;
+    this.faceClass = this.numberFaces();
+  }
+
+  /// One number for each pair of glued faces.
+  numberFaces() {
+    const number = this.neighbour.map(() => [-1, -1, -1, -1]);
+    let next = 0;
+    for (let t = 0; t < this.count; ++t)
+      for (let f = 0; f < 4; ++f)
+        if (number[t][f] < 0) {
+          number[t][f] = next;
+          number[this.neighbour[t][f]][this.gluedFace[t][f]] = next++;
+        }
+    return number;
+  }
+}
+
+/// Cells of the universal cover, each once, grown on demand in the order of `tripus embed`: next
+/// comes the cell whose centre is nearest to that of the root among those that touch one which is
+/// there. A cell is known by its tetrahedron and the image of its centre: two points of the
+/// hyperboloid at hyperbolic distance d are at least d apart in its coordinates, so that a grid much
+/// finer than a cell tells them apart.
+class UniversalCover {
+  constructor(manifold, root = 0) {
+    this.manifold = manifold;
+    this.cells = [];
+    this.found = [];  // everything discovered; cells are those that have had their turn
+    this.known = new Set();
+    this.queue = new Heap((p, q) => this.found[p].isometry[15] - this.found[q].isometry[15] || p - q);
+    this.discover(root, Lorentz.identity, 0, null);
+  }
+
+  /// The first `count` cells; fewer only if that many cannot be told apart in doubles.
+  grow(count) {
+    while (this.cells.length < count && this.queue.size > 0) {
+      const cell = this.found[this.queue.pop()];
+      const number = this.cells.length;
+      this.cells.push(cell);
+      for (let f = 0; f < 4; ++f) {
+        const image =
+            Lorentz.multiply(cell.isometry, this.manifold.pairing[cell.tetrahedron][f]);
+        this.discover(this.manifold.neighbour[cell.tetrahedron][f], Lorentz.orthonormalise(image),
+                      cell.depth + 1, number);
+      }
+    }
+    return this.cells.slice(0, count);
+  }
+
+  discover(tetrahedron, isometry, depth, parent) {
+    const centre = Lorentz.column(isometry, 3);
+    if (!(centre[3] < UniversalCover.kLargestTime)) return;
+    if (this.keys(tetrahedron, centre).some((key) => this.known.has(key))) return;
+    this.known.add(this.keys(tetrahedron, centre, 0)[0]);
+    this.found.push({tetrahedron, isometry, depth, parent});
+    this.queue.push(this.found.length - 1);
+  }
+
+  /// The grid cell of a centre and, near a border of the grid, those next to it.
+  keys(tetrahedron, centre, slack = 0.05) {
+    let keys = [`${tetrahedron}`];
+    for (const x of centre) {
+      const scaled = x * UniversalCover.kGrid + 0.137;
+      const near = Math.round(scaled);
+      const other = near + (scaled > near ? 1 : -1);
+      const doubtful = Math.abs(Math.abs(scaled - near) - 0.5) < slack;
+      keys = keys.flatMap((key) => (doubtful ? [`${key},${near}`, `${key},${other}`]
+                                             : [`${key},${near}`]));
+    }
+    return keys;
+  }
+}
+UniversalCover.kGrid = 64;
+// Beyond, rounding in the isometries (about 1e-16 times the square of the time) nears the grid.
+UniversalCover.kLargestTime = 1e5;
+
+/// A priority queue: the least first.
+class Heap {
+  constructor(compare) {
+    this.compare = compare;
+    this.items = [];
+  }
+  get size() { return this.items.length; }
+
+  push(item) {
+    const {items} = this;
+    let at = items.push(item) - 1;
+    while (at > 0) {
+      const above = (at - 1) >> 1;
+      if (this.compare(items[at], items[above]) >= 0) break;
+      [items[at], items[above]] = [items[above], items[at]];
+      at = above;
+    }
+  }
+
+  pop() {
+    const {items} = this;
+    const least = items[0];
+    const last = items.pop();
+    if (items.length === 0) return least;
+    items[0] = last;
+    for (let at = 0;;) {
+      let next = 2 * at + 1;
+      if (next >= items.length) return least;
+      if (next + 1 < items.length && this.compare(items[next + 1], items[next]) < 0) ++next;
+      if (this.compare(items[at], items[next]) <= 0) return least;
+      [items[at], items[next]] = [items[next], items[at]];
+      at = next;
+    }
+  }
+}

@@ -1,0 +1,165 @@
+// The outside view: cells of the universal cover, in the ball or in the upper half-space.
+const kCellTexels = 13;
+const kCellsPerRow = 128;
+
+/// What the upper half-space and the ball make of the hyperboloid model. In both a half-space
+/// <n, x> <= 0 becomes A |p|^2 + 2 b.p + C <= 0.
+const kModels = {
+  upper: {
+    number: 0,
+    halfSpace: (n) => ({A: n[2] - n[3], b: [n[0], n[1], 0], C: -(n[2] + n[3])}),
+    sphere(centre, radius) {
+      const height = 1 / (centre[3] - centre[2]);
+      return {at: [centre[0] * height, centre[1] * height, Math.cosh(radius) * height],
+              radius: Math.sinh(radius) * height};
+    },
+    /// Edge 01 of the root upwards in the middle, as in the paper; the truncation of vertex 1
+    /// becomes the unit hemisphere, and everything lies under it.
+    frame(root) {
+      const [vertices, faces] = [root.vertices, root.faces];
+      const point = root.corners.find((c) => c.vertex === 1 && c.other === 0).point;
+      const unit = (x) => Lorentz.scale(x, 1 / Math.sqrt(Lorentz.dot(x, x)));
+      const inward = unit(Lorentz.combine(-1, faces[2], -1, faces[3]));
+      const across = unit(Lorentz.combine(-1, faces[2], 1, faces[3]));
+      const frame = Lorentz.fromColumns([inward, across, vertices[1], point]);
+      return determinant(frame) > 0
+          ? frame
+          : Lorentz.fromColumns([inward, Lorentz.scale(across, -1), vertices[1], point]);
+    },
+    view: {target: [0, 0, 0.34], yaw: 0.45, pitch: 0.42, distance: 3.5},
+  },
+  ball: {
+    number: 1,
+    halfSpace: (n) => ({A: -n[3], b: n.slice(0, 3), C: -n[3]}),
+    sphere(centre, radius) {
+      const scale = 1 / (centre[3] + Math.cosh(radius));
+      return {at: centre.slice(0, 3).map((x) => x * scale), radius: Math.sinh(radius) * scale};
+    },
+    /// The centre of the root in the middle, its vertex 3 upwards.
+    frame: () => Lorentz.identity,
+    view: {target: [0, 0, 0], yaw: 0.5, pitch: 0.35, distance: 3.5},
+  },
+};
+
+const dot3 = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const scaled3 = (a, s) => a.map((x) => x * s);
+const cross3 = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                          a[0] * b[1] - a[1] * b[0]];
+
+function determinant(m) {
+  const minor = (rows, columns) => (rows.length === 0 ? 1 : columns.reduce((sum, c, k) =>
+      sum + (k % 2 ? -1 : 1) * m[4 * rows[0] + c] *
+          minor(rows.slice(1), columns.filter((other) => other !== c)), 0));
+  return minor([0, 1, 2, 3], [0, 1, 2, 3]);
+}
+
+class OutsideView {
+  constructor(graphics, manifold) {
+    this.graphics = graphics;
+    this.manifold = manifold;
+    this.cover = new UniversalCover(manifold);
+    this.records = {upper: [], ball: []};
+    this.texture = null;
+    this.shown = '';
+    this.connect();
+  }
+
+  /// Makes what lives on the graphics card, at the start and after it was lost.
+  connect() {
+    const shared = ['outside_camera.glsl'];
+    this.cells = this.graphics.program('outside.vert.glsl', 'outside.frag.glsl', shared);
+    this.ground =
+        this.graphics.program('fullscreen.vert.glsl', 'outside_ground.frag.glsl', shared);
+    this.shown = '';
+  }
+
+  /// The isometry from the coordinates of the root to those of the model.
+  toModel(model) {
+    return Lorentz.inverse(kModels[model].frame(this.manifold.tetrahedra[0]));
+  }
+
+  /// 13 x 4 numbers of a cell for the shader; see outside.frag.glsl.
+  record(cell, model, toModel) {
+    const {halfSpace, sphere} = kModels[model];
+    const tetrahedron = this.manifold.tetrahedra[cell.tetrahedron];
+    const isometry = Lorentz.multiply(toModel, cell.isometry);
+    const {at, radius} =
+        sphere(Lorentz.apply(isometry, tetrahedron.ball.centre), tetrahedron.ball.radius);
+    const numbers = new Float32Array(4 * kCellTexels);
+    [...tetrahedron.faces, ...tetrahedron.vertices].forEach((normal, i) => {
+      const {A, b, C} = halfSpace(Lorentz.apply(isometry, normal));
+      numbers.set([...b.map((x, k) => x + A * at[k]), A * radius], 4 * i);
+      numbers[32 + i] = (A * dot3(at, at) + 2 * dot3(b, at) + C) / radius;
+    });
+    numbers.set([...at, radius], 40);
+    numbers.set([...paletteColour(cell.tetrahedron), cell.depth], 44);
+    numbers.set(this.manifold.faceClass[cell.tetrahedron], 48);
+    return numbers;
+  }
+
+  /// Sends the first `count` cells to the graphics card; returns how many there are.
+  upload(count, model) {
+    const cells = this.cover.grow(count);
+    const key = `${model} ${cells.length}`;
+    if (key === this.shown) return cells.length;
+    const records = this.records[model];
+    const toModel = this.toModel(model);
+    while (records.length < cells.length)
+      records.push(this.record(cells[records.length], model, toModel));
+    const numbers = new Float32Array(4 * kCellTexels * cells.length);
+    cells.forEach((_, i) => numbers.set(records[i], 4 * kCellTexels * i));
+    if (this.texture) this.graphics.gl.deleteTexture(this.texture);
+    this.texture = this.graphics.dataTexture(numbers, kCellTexels, kCellsPerRow);
+    this.shown = key;
+    return cells.length;
+  }
+
+  /// Draws into the current target. `scale`: pixels of the picture for one of the screen.
+  draw(state, camera, width, height, scale) {
+    const gl = this.graphics.gl;
+    const model = kModels[state.model];
+    const count = this.upload(state.cells, state.model);
+    const view = camera.view(width / height);
+    const setCamera = (program) => {
+      gl.useProgram(program.program);
+      gl.uniform3fv(program.at('uEye'), view.eye);
+      gl.uniformMatrix3fv(program.at('uAxes'), false, view.axes);
+      gl.uniform2fv(program.at('uTangent'), view.tangent);
+      gl.uniform2f(program.at('uSize'), width, height);
+      gl.uniform2fv(program.at('uDepth'), view.depth);
+      gl.uniform1f(program.at('uPixel'), 2 * view.tangent[1] / height);
+      gl.uniform1i(program.at('uOutput'), state.identities ? 1 : 0);
+    };
+    setCamera(this.ground);
+    gl.uniform1i(this.ground.at('uModel'), model.number);
+    for (const [name, hex] of Object.entries(state.theme.outside))
+      gl.uniform3fv(this.ground.at(name), linearColour(hex));
+    gl.uniform1i(this.ground.at('uFront'), 0);
+    gl.depthFunc(gl.ALWAYS);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.depthFunc(gl.LEQUAL);
+
+    setCamera(this.cells);
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, this.texture);
+    gl.uniform1i(this.cells.at('uCells'), 0);
+    gl.uniform1i(this.cells.at('uCellsPerRow'), kCellsPerRow);
+    gl.uniform1f(this.cells.at('uExplode'), state.explode);
+    gl.uniformMatrix4fv(this.cells.at('uProjection'), false, view.projection);
+    gl.uniform1i(this.cells.at('uColourBy'), ['tetrahedron', 'depth', 'face'].indexOf(state.colour));
+    gl.uniform3fv(this.cells.at('uPalette'), kLinearPalette.flat());
+    gl.uniform3fv(this.cells.at('uDepths'), kDepthPalette.flat());
+    gl.uniform1f(this.cells.at('uLine'), (state.lines ? 1.9 : 0) * scale);
+    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
+
+    if (state.model !== 'ball' || state.identities) return;
+    setCamera(this.ground);
+    gl.uniform1i(this.ground.at('uFront'), 1);
+    gl.enable(gl.BLEND);
+    gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ZERO, gl.ONE);
+    gl.depthFunc(gl.ALWAYS);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.disable(gl.BLEND);
+    gl.depthFunc(gl.LEQUAL);
+  }
+}

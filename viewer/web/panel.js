@@ -1,0 +1,99 @@
+// The panel: facts about the manifold, and the controls that change the state of the page.
+const kCellCounts = [1, 2, 3, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 3000, 5000, 10000];
+
+const kThemes = {
+  light: {outside: {uHigh: '#d3dfea', uLow: '#f6f4ef', uInk: '#33506e'}, fog: '#dfe7ee'},
+  dark: {outside: {uHigh: '#0a1120', uLow: '#1f2c3d', uInk: '#a9c8e8'}, fog: '#0b1420'},
+};
+
+const element = (id) => document.getElementById(id);
+
+/// A number for people: twelve digits where it has them.
+const shown = (x) => Number(x.toPrecision(12)).toString();
+
+function listOf(numbers, limit = 12) {
+  const text = numbers.slice(0, limit).map(shown).join(', ');
+  return numbers.length > limit ? `${text}, \u2026 (${numbers.length} in all)` : text;
+}
+
+function showFacts(data) {
+  const boundary = data.vertices.map((v) => `genus ${v.genus}, area ${shown(v.area)}`);
+  const valences = data.edge_valences;
+  const facts = [
+    ['Verdict', data.outcome, data.message],
+    ['Volume', shown(data.volume)],
+    ['Geodesic boundary', boundary.join('; ')],
+    ['Tetrahedra', `${data.tetrahedron_count}, ${data.orientable ? '' : 'non-'}orientable`],
+    [data.edge_lengths.length === 1 ? 'Edge length' : 'Edge lengths', listOf(data.edge_lengths)],
+    [valences.length === 1 ? 'Edge valence' : 'Edge valences', listOf(valences)],
+    ['Largest curvature left', data.max_curvature.toPrecision(2)],
+    ['Isomorphism signature', data.isosig || 'too long to compute'],
+  ];
+  for (const [noun, value, note] of facts) {
+    const [dt, dd] = [document.createElement('dt'), document.createElement('dd')];
+    dt.textContent = noun;
+    dd.textContent = value;
+    if (note) {
+      dd.textContent = '';
+      const badge = document.createElement('span');
+      badge.className = 'badge';
+      badge.textContent = value;
+      dd.append(badge, ` ${note}`);
+    }
+    element('facts').append(dt, dd);
+  }
+}
+
+/// Connects the controls; `changed(name)` is called after every change of the state.
+function connectPanel(state, changed) {
+  const connect = (id, event, read) => element(id).addEventListener(event, () => {
+    read(element(id));
+    changed(id);
+  });
+  connect('cells', 'input', (e) => { state.cells = kCellCounts[Number(e.value)]; });
+  for (const id of ['explode', 'tube', 'sight'])
+    connect(id, 'input', (e) => { state[id] = Number(e.value); });
+  for (const id of ['model', 'colour', 'wall', 'place'])
+    connect(id, 'change', (e) => { state[id] = e.value; });
+  for (const id of ['mirror', 'lines']) connect(id, 'change', (e) => { state[id] = e.checked; });
+  for (const button of document.querySelectorAll('[data-view]'))
+    button.addEventListener('click', () => { state.view = button.dataset.view; changed('view'); });
+  element('theme').addEventListener('click', () => {
+    setTheme(state, state.themeName === 'dark' ? 'light' : 'dark');
+    changed('theme');
+  });
+  element('help').addEventListener('click', () => element('help-text').showModal());
+  element('fold').addEventListener('click', () => fold(!element('panel').classList.contains('folded')));
+  fold(matchMedia('(max-width: 760px)').matches);
+}
+
+function fold(folded) {
+  element('panel').classList.toggle('folded', folded);
+  element('fold').setAttribute('aria-expanded', String(!folded));
+  element('fold').textContent = folded ? 'More' : 'Less';
+}
+
+function setTheme(state, name) {
+  state.themeName = name;
+  state.theme = kThemes[name];
+  document.documentElement.dataset.theme = name;
+}
+
+/// Makes the controls show the state, whoever changed it.
+function showState(state, cellCount) {
+  const nearest = kCellCounts.findIndex((n) => n >= state.cells);
+  element('cells').value = String(nearest < 0 ? kCellCounts.length - 1 : nearest);
+  element('cells-shown').textContent = String(cellCount);
+  for (const id of ['explode', 'tube', 'sight', 'model', 'colour', 'wall', 'place'])
+    element(id).value = String(state[id]);
+  for (const id of ['mirror', 'lines']) element(id).checked = state[id];
+  for (const view of ['outside', 'inside']) element(`controls-${view}`).hidden = state.view !== view;
+  for (const button of document.querySelectorAll('[data-view]'))
+    button.setAttribute('aria-pressed', String(button.dataset.view === state.view));
+  element('pad').hidden = state.view !== 'inside' || !matchMedia('(pointer: coarse)').matches;
+}
+
+function showNotice(text) {
+  element('notice').textContent = text;
+  element('notice').hidden = !text;
+}

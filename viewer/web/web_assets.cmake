@@ -1,0 +1,26 @@
+# The page's files, as they are, become strings of the library, in the order in which a page puts them
+# together. Sets TRIPUS_WEB_ASSETS_CPP, the source file to compile.
+set(TRIPUS_WEB_SHADERS
+  common.glsl fullscreen.vert.glsl outside_camera.glsl outside.vert.glsl outside.frag.glsl
+  outside_ground.frag.glsl inside.frag.glsl)
+set(TRIPUS_WEB_SCRIPTS
+  lorentz.js manifold.js palette.js gl.js outside.js cameras.js inside.js panel.js controls.js
+  dump.js main.js)
+set(TRIPUS_WEB_TEXTS page.html style.css gallery.html gallery.css)
+
+set(TRIPUS_WEB_ENTRIES "")
+foreach(kind Shader Script Text)
+  string(TOUPPER "${kind}S" list)
+  foreach(file IN LISTS TRIPUS_WEB_${list})
+    set(path "${CMAKE_CURRENT_LIST_DIR}/${file}")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${path}")
+    file(READ "${path}" text)
+    if(text MATCHES "\\)tripus\"")
+      message(FATAL_ERROR "${file} holds the end mark of a raw string")
+    endif()
+    string(APPEND TRIPUS_WEB_ENTRIES
+           "    {AssetKind::k${kind}, \"${file}\", R\"tripus(${text})tripus\"},\n")
+  endforeach()
+endforeach()
+set(TRIPUS_WEB_ASSETS_CPP "${CMAKE_CURRENT_BINARY_DIR}/web_assets.cpp")
+configure_file("${CMAKE_CURRENT_LIST_DIR}/web_assets.cpp.in" "${TRIPUS_WEB_ASSETS_CPP}" @ONLY)

@@ -174,7 +174,9 @@ Outcome write_page(const Subject& subject, const structure::Report& report,
 int write_gallery(const CommonOptions& list, const PageRequest& request) {
   check_pages(request);
   Gallery gallery(request);
-  const std::string title = std::filesystem::path(list.batch).stem().string();
+  const std::string title = list.batch == "-"
+                                ? "Manifolds"
+                                : "Manifolds of " + std::filesystem::path(list.batch).stem().string();
   gallery.write_index(title);  // before the work, so that a wrong path costs none
   const int status = answer_lines(
       list, [&](const topology::BatchLine& line) { return gallery.add(line); });

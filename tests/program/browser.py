@@ -46,11 +46,8 @@ def page_text(path, fragment="", flags=(), window=(500, 400)):
 class Picture:
     """What the page wrote about one picture of itself (viewer/web/dump.js)."""
 
-    def __init__(self, text):
-        found = re.search(r'<pre id="dump"[^>]*>(.*?)</pre>', text, re.DOTALL)
-        if found is None:
-            raise AssertionError(f"the page drew nothing: {notice(text)}")
-        self.facts = json.loads(html.unescape(found.group(1)))
+    def __init__(self, facts):
+        self.facts = facts
         self.problem = self.facts["problem"]
         if not self.problem:
             self.width, self.height = self.facts["width"], self.facts["height"]
@@ -69,8 +66,13 @@ def notice(text):
     return html.unescape(found.group(2)) if found and "hidden" not in found.group(1) else ""
 
 
-def draw(path, fragment, **options):
-    return Picture(page_text(path, f"dump=1&{fragment}", **options))
+def draw(path, *fragments):
+    """A picture for each fragment, all by one browser."""
+    text = page_text(path, "|".join(f"dump=1&{fragment}" for fragment in fragments))
+    found = re.search(r'<pre id="dump"[^>]*>(.*?)</pre>', text, re.DOTALL)
+    if found is None:
+        raise AssertionError(f"the page drew nothing: {notice(text)}")
+    return [Picture(facts) for facts in json.loads(html.unescape(found.group(1)))]
 
 
 def page_data(text):

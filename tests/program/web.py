@@ -1,8 +1,11 @@
 """tripus view -o page.html and --gallery: the pages, and what they draw in a browser."""
 
-import json
+import math
+import os
 import re
-import unittest
+import subprocess
+import tempfile
+from pathlib import Path
 
 import samples
 from browser import draw, notice, page_data, page_text
@@ -16,27 +19,54 @@ BACKGROUND, MAGENTA = (0, 0), (255, 0, 255)
 IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
 
 
-class Browser(ProgramTest):
-    """What the tests of pages share; it has none of its own."""
+class Pictures(ProgramTest):
+    """Two pages, each drawn in all these ways by one browser, which takes seconds to start."""
 
-    def page(self, *arguments, name="page.html"):
-        result = self.run_program("view", *arguments, "-o", name)
-        self.assertEqual(result.status, 0, result.err)
-        return self.folder / name
+    WISHES = {
+        TRIPUS: {
+            "ball": "size=200x150&model=ball&cells=20",
+            "upper": "size=200x150&model=upper&cells=12&yaw=2&pitch=0.6",
+            "many": "size=40x30&model=ball&cells=300",
+            "dragged": "size=40x30&model=ball&drag=30:15",
+            "nearer": "size=40x30&model=ball&keys=%2B:1",
+            "centre": "size=200x150&view=inside&tube=0.05",
+            "wall": "size=200x150&view=inside&tube=0.05&place=wall",
+            "edge": "size=200x150&view=inside&tube=0.05&place=edge",
+            "walked": "size=40x30&view=inside&keys=w:0.5,ArrowLeft:0.3",
+            "looked": "size=40x30&view=inside&drag=60:0",
+        },
+        ASYMMETRIC: {
+            "one": "size=200x150&model=ball&cells=1&yaw=1.1",
+            "far": "size=200x150&view=inside&tube=0.05&walk=forward:0.9,right:0.7,up:1.3",
+            "at the wall": "size=200x150&view=inside&tube=0.05&walk=back:40,left:40",
+        },
+    }
 
-    def draw(self, page, fragment):
-        picture = draw(page, fragment)
-        self.assertEqual(picture.problem, "")
-        self.assertEqual(picture.facts["error"], 0)
-        return picture
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.data, cls.pictures = {}, {}
+        with tempfile.TemporaryDirectory() as folder:
+            page = Path(folder) / "page.html"
+            for signature, wishes in cls.WISHES.items():
+                subprocess.run([os.environ["TRIPUS_PROGRAM"], "view", signature, "-o", page],
+                               check=True, stdout=subprocess.DEVNULL, timeout=100)
+                cls.data[signature] = page_data(page.read_text())
+                cls.pictures.update(zip(wishes, draw(page, *wishes.values())))
 
-    def assert_sound(self, picture):
+    def facts(self, name):
+        return self.pictures[name].facts
+
+    def test_are_sound(self):
         """No pixel is left out, none is not a number, and there is something to see."""
-        colours = [picture.at(picture.colours, x, y)
-                   for y in range(picture.height) for x in range(picture.width)]
-        self.assertEqual({colour[3] for colour in colours}, {255})
-        self.assertNotIn(MAGENTA, {colour[:3] for colour in colours})
-        self.assertGreater(len(set(colours)), 200)
+        for name, picture in self.pictures.items():
+            with self.subTest(name):
+                self.assertEqual((picture.problem, picture.facts["error"]), ("", 0))
+                colours = [picture.at(picture.colours, x, y)
+                           for y in range(picture.height) for x in range(picture.width)]
+                self.assertEqual({colour[3] for colour in colours}, {255})
+                self.assertNotIn(MAGENTA, {colour[:3] for colour in colours})
+                self.assertGreater(len(set(colours)), 200)
 
     def assert_shows(self, picture, tracer, read, step):
         """Samples agree with the tracer, or with what it sees less than a pixel away; `read` makes
@@ -55,39 +85,55 @@ class Browser(ProgramTest):
                 around = [tracer.see(x + 0.5 + dx, y + 0.5 + dy)
                           for dx in (-0.7, 0, 0.7) for dy in (-0.7, 0, 0.7)]
                 self.assertIn(shown, around, f"at pixel {x}, {y}")
+        self.assertGreater(len(seen), 300)
         self.assertLess(moved, len(seen) / 20)
         return seen
 
-
-class Outside(Browser):
-    def check(self, page, fragment, covered):
-        data = page_data(page.read_text())
-        picture = self.draw(page, "view=outside&size=200x150&" + fragment)
-        self.assert_sound(picture)
+    def check_outside(self, signature, name, least, greatest):
+        """`least`, `greatest`: the share of the picture that the cells cover."""
+        picture = self.pictures[name]
         self.assertLess(defect(picture.facts["toModel"]), 1e-9)
-        seen = self.assert_shows(picture, OutsideTracer(data, picture),
+        seen = self.assert_shows(picture, OutsideTracer(self.data[signature], picture),
                                  lambda pixel: (pixel[0] + 256 * pixel[1], pixel[2]), 6)
         share = sum(answer != BACKGROUND for answer in seen) / len(seen)
-        self.assertGreater(share, covered[0])
-        self.assertLess(share, covered[1])
+        self.assertGreater(share, least)
+        self.assertLess(share, greatest)
         return seen
 
-    def test_ball(self):
-        seen = self.check(self.page(TRIPUS), "model=ball&cells=20", (0.2, 0.6))
-        self.assertGreater(len(set(seen)), 15)
+    def test_cells_stand_where_rays_meet_them(self):
+        self.assertGreater(len(set(self.check_outside(TRIPUS, "ball", 0.2, 0.6))), 15)
+        self.check_outside(TRIPUS, "upper", 0.05, 0.6)
+        self.check_outside(ASYMMETRIC, "one", 0.02, 0.6)
 
-    def test_upper_half_space(self):
-        self.check(self.page(TRIPUS, "--model", "upper"), "cells=12&yaw=2&pitch=0.6", (0.05, 0.6))
+    def check_inside(self, signature, name):
+        picture = self.pictures[name]
+        self.assertLess(defect(picture.facts["frame"]), 1e-12)
+        return self.assert_shows(picture, InsideTracer(self.data[signature], picture, tube=0.05),
+                                 lambda pixel: pixel[:3], 9)
 
-    def test_one_cell_of_an_asymmetric_manifold(self):
-        self.check(self.page(ASYMMETRIC), "model=ball&cells=1&yaw=1.1", (0.02, 0.6))
+    def test_walls_and_edges_stand_where_geodesics_meet_them(self):
+        for name in ("centre", "wall", "edge"):
+            with self.subTest(name):
+                seen = self.check_inside(TRIPUS, name)
+                self.assertEqual({kind for kind, _, _ in seen}, {1, 2})
+                self.assertEqual({t for _, t, _ in seen}, {0, 1})
 
+    def test_a_walk_ends_inside_a_tetrahedron_and_before_the_wall(self):
+        for name in ("far", "at the wall"):
+            with self.subTest(name):
+                self.check_inside(ASYMMETRIC, name)
+                place = self.place(name)
+                shape = self.data[ASYMMETRIC]["tetrahedra"][self.facts(name)["tetrahedron"]]
+                for normal in shape["faces"]:
+                    self.assertLess(product(normal, place), 1e-9)
+                for normal in shape["vertices"]:
+                    self.assertLess(product(normal, place), -0.05)
+        self.assertNotEqual(self.facts("far")["tetrahedron"], 0)
+        self.assertIs(self.facts("at the wall")["touched"], True)
 
-class Cells(Browser):
-    def test_are_those_of_embed(self):
+    def test_cells_are_those_of_embed(self):
         """Each cell once, in the same places, up to the order of equal distances."""
-        page = self.page(TRIPUS)
-        cells = self.draw(page, "cells=300&size=40x30").facts["cells"]
+        cells = self.facts("many")["cells"]
         answer = self.json_answer("embed", TRIPUS, "--cells", "300")
         distances = [sorted(round(cell["isometry"][15], 6) for cell in each)
                      for each in (cells, answer["cells"])]
@@ -101,7 +147,46 @@ class Cells(Browser):
         self.assertEqual(inner(cells), inner(answer["cells"]))
         self.assertEqual(cells[0]["isometry"], IDENTITY)
         for cell in cells:
-            self.assertLess(defect(cell["isometry"]), 1e-9 * cell["isometry"][15] ** 2)
+            self.assertLess(defect(cell["isometry"]), 1e-12 * cell["isometry"][15] ** 2)
+
+    def place(self, name):
+        return [self.facts(name)["frame"][4 * i + 3] for i in range(4)]
+
+    def axis(self, name, j):
+        return [self.facts(name)["frame"][4 * i + j] for i in range(4)]
+
+    def test_keys_and_pointers_move_the_walker(self):
+        self.assertEqual(self.place("centre"), [0, 0, 0, 1])
+        # 0.6 a second, straight ahead: the distance is arcosh of the time coordinate.
+        place = self.place("walked")
+        self.assertAlmostEqual(math.acosh(place[3]), 0.3, delta=0.02)
+        ahead = sum(a * b for a, b in zip(self.axis("centre", 2)[:3], place[:3]))
+        self.assertAlmostEqual(ahead, math.sqrt(place[3] ** 2 - 1), delta=1e-9)
+        # Dragging to the right looks to the left.
+        self.assertLess(product(self.axis("centre", 0), self.axis("looked", 2)), -0.05)
+
+    def test_keys_and_pointers_move_the_cells(self):
+        still, dragged, nearer = (self.facts(name) for name in ("ball", "dragged", "nearer"))
+        self.assertLess(dragged["yaw"], still["yaw"])
+        self.assertGreater(dragged["pitch"], still["pitch"])
+        self.assertLess(nearer["distance"], 0.6 * still["distance"])
+
+
+class Files(ProgramTest):
+    def page(self, *arguments):
+        result = self.run_program("view", *arguments, "-o", "page.html")
+        self.assertEqual(result.status, 0, result.err)
+        return self.folder / "page.html"
+
+    def test_a_page_is_small_and_needs_nothing_else(self):
+        page = self.page(TRIPUS)
+        text = page.read_text(encoding="utf-8")
+        self.assertLess(page.stat().st_size, 200_000)
+        self.assertNotRegex(text, r"https?://|@import|\bsrc=|\bimport\(|\bfetch\(")
+        self.assertIn("default-src 'none'", text)
+        data = page_data(text)
+        self.assertAlmostEqual(data["volume"], TRIPUS_VOLUME, delta=1e-12)
+        self.assertEqual(data["outcome"], "geometric")
 
     def test_pairings_close_up_around_the_edge(self):
         data = page_data(self.page(TRIPUS).read_text())
@@ -115,53 +200,6 @@ class Cells(Browser):
             face = ({0, 1, 2, 3} - set(ends) - {entered}).pop()
             t = neighbour
         self.assertLess(max(abs(a - b) for a, b in zip(place, IDENTITY)), 1e-10)
-
-
-class Inside(Browser):
-    def check(self, page, fragment, step=8):
-        picture = self.draw(page, "view=inside&size=200x150&" + fragment)
-        self.assert_sound(picture)
-        frame = picture.facts["frame"]
-        self.assertLess(defect(frame), 1e-12)
-        tracer = InsideTracer(page_data(page.read_text()), picture)
-        seen = self.assert_shows(picture, tracer, lambda pixel: pixel[:3], step)
-        self.assertGreater(len(seen), 300)
-        return picture, seen
-
-    def test_from_three_places(self):
-        page = self.page(TRIPUS)
-        for place in ("centre", "wall", "edge"):
-            with self.subTest(place):
-                _, seen = self.check(page, f"place={place}")
-                self.assertEqual({kind for kind, _, _ in seen}, {1, 2})
-                self.assertEqual({t for _, t, _ in seen}, {0, 1})
-
-    def test_after_a_walk(self):
-        """Through some faces; the camera stays inside its tetrahedron, and no wall is crossed."""
-        page = self.page(ASYMMETRIC)
-        data = page_data(page.read_text())
-        for walk in ("forward:0.9,right:0.7,up:1.3", "back:40,left:40"):
-            with self.subTest(walk):
-                picture, _ = self.check(page, f"walk={walk}")
-                place = [picture.facts["frame"][4 * i + 3] for i in range(4)]
-                shape = data["tetrahedra"][picture.facts["tetrahedron"]]
-                for normal in shape["faces"]:
-                    self.assertLess(product(normal, place), 1e-9)
-                for normal in shape["vertices"]:
-                    self.assertLess(product(normal, place), -0.05)
-        self.assertIs(picture.facts["touched"], True)
-
-
-class Files(Browser):
-    def test_a_page_is_small_and_needs_nothing_else(self):
-        page = self.page(TRIPUS)
-        text = page.read_text(encoding="utf-8")
-        self.assertLess(page.stat().st_size, 200_000)
-        self.assertNotRegex(text, r"(?i)https?://|@import|\bsrc=|\bimport\(|fetch\(")
-        self.assertIn("default-src 'none'", text)
-        data = page_data(text)
-        self.assertAlmostEqual(data["volume"], TRIPUS_VOLUME, delta=1e-12)
-        self.assertEqual(data["outcome"], "geometric")
 
     def test_names_cannot_break_out(self):
         name = "</script><script>document.title='broken'</script><!--{{data}}&\"'\u2028\u0007\u20ac"
@@ -210,7 +248,7 @@ class Refusals(ProgramTest):
                                     says="--cells")
 
 
-class Gallery(Browser):
+class Gallery(ProgramTest):
     def test_of_the_two_tetrahedron_manifolds(self):
         lines = (DATA / "triangulations-2.txt").read_text().splitlines()
         signatures = [line for line in lines if line and not line.startswith("#")]
@@ -238,7 +276,3 @@ class Gallery(Browser):
         self.assert_refused("view", "--gallery", "list", says="-o")
         self.assert_refused("view", "--gallery", "none", "-o", "index.html", says="none")
         self.assert_refused("view", "--gallery", "list", "-o", "no/index.html", says="no/index.html")
-
-
-if __name__ == "__main__":
-    unittest.main()

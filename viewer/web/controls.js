@@ -5,6 +5,15 @@ const kKeyWays = {
 };
 const kKeyTurns = {arrowleft: [-1, 0], arrowright: [1, 0], q: [0, -1], e: [0, 1]};
 
+/// Keeps a pointer's events coming when it leaves the element; it may be gone already.
+function capture(target, pointerId) {
+  try {
+    target.setPointerCapture(pointerId);
+  } catch (error) {
+    if (error.name !== 'NotFoundError') throw error;
+  }
+}
+
 class Controls {
   /// `page` has state, orbit, walker, act(name) and redraw().
   constructor(canvas, page) {
@@ -32,7 +41,7 @@ class Controls {
     const name = button.dataset.hold;
     button.addEventListener('pointerdown', (e) => {
       e.preventDefault();
-      button.setPointerCapture(e.pointerId);
+      capture(button, e.pointerId);
       this.held.add(name);
       this.page.redraw();
     });
@@ -43,7 +52,7 @@ class Controls {
 
   down(e) {
     this.canvas.focus({preventScroll: true});
-    this.canvas.setPointerCapture(e.pointerId);
+    capture(this.canvas, e.pointerId);
     this.pointers.set(e.pointerId, [e.clientX, e.clientY]);
   }
 
@@ -118,8 +127,7 @@ class Controls {
       this.page.walker.turn(turn[0] * seconds, 0, roll * seconds);
       if (way.some((x) => x !== 0)) this.page.walker.walk(way, 0.6 * seconds);
     } else {
-      this.page.orbit.turn(-turn[0] * seconds * 1.5, 0);
-      this.page.orbit.turn(0, way[2] * seconds * 1.2);
+      this.page.orbit.turn(turn[0] * seconds * 1.5, -way[2] * seconds * 1.2);
       this.page.orbit.zoom(Math.exp(zoom * seconds));
     }
     return true;

@@ -1,5 +1,5 @@
-// For tests: #dump=1&size=200x150&... draws one picture of that size and writes what it saw as JSON
-// into the page, where a browser without a screen can print it.
+// For tests: #dump=1&size=200x150&... draws a picture of that size and writes what it saw as JSON into
+// the page, where a browser without a screen can print it; several of them with | between.
 const kDumpWays = {forward: [0, 0, 1], back: [0, 0, -1], right: [1, 0, 0], left: [-1, 0, 0],
                    up: [0, 1, 0], down: [0, -1, 0]};
 
@@ -9,17 +9,38 @@ function hexOf(pixels) {
   return text;
 }
 
+/// keys=w:2,q:1 holds keys for so many seconds; drag=30:-20 drags by so many pixels.
+function act(page) {
+  const send = (type, event) => page.canvas.dispatchEvent(event(type));
+  for (const part of (page.wishes.get('keys') ?? '').split(',').filter(Boolean)) {
+    const [key, seconds] = part.split(':');
+    const event = (type) => new KeyboardEvent(type, {key, cancelable: true});
+    send('keydown', event);
+    for (let passed = 0; passed < Number(seconds); passed += 0.02) page.controls.advance(0.02);
+    send('keyup', event);
+  }
+  if (!page.wishes.has('drag')) return;
+  const [dx, dy] = page.wishes.get('drag').split(':').map(Number);
+  const event = (x, y) => (type) =>
+      new PointerEvent(type, {pointerId: 7, clientX: 50 + x, clientY: 50 + y, buttons: 1});
+  send('pointerdown', event(0, 0));
+  send('pointermove', event(dx, dy));
+  send('pointerup', event(dx, dy));
+}
+
 function dump(page) {
   const out = {problem: page.problem, view: page.state.view, model: page.state.model};
   if (page.graphics) {
     const [width, height] = (page.wishes.get('size') ?? '200x150').split('x').map(Number);
     page.fixedSize = [width, height];
-    // walk=forward:2,right:0.5 and turn=dx:dy:roll, one after the other
+    act(page);
+    // walk=forward:2,right:0.5: one after the other
     for (const part of (page.wishes.get('walk') ?? '').split(',').filter(Boolean)) {
       const [way, distance] = part.split(':');
       out.touched = page.walker.walk(kDumpWays[way], Number(distance));
     }
-    Object.assign(out, {width, height, frame: page.walker.frame,
+    Object.assign(out, {width, height, yaw: page.orbit.yaw, pitch: page.orbit.pitch,
+                        distance: page.orbit.distance, frame: page.walker.frame,
                         tetrahedron: page.walker.tetrahedron,
                         camera: page.orbit.view(width / height),
                         toModel: page.views.outside.toModel(page.state.model)});
@@ -42,9 +63,13 @@ function dump(page) {
     out.error = page.graphics?.gl.getError() ?? 0;
     out.problem = page.problem;
   }
+  return out;
+}
+
+function writeDump(pictures) {
   const pre = document.createElement('pre');
   pre.id = 'dump';
   pre.hidden = true;
-  pre.textContent = JSON.stringify(out);
+  pre.textContent = JSON.stringify(pictures);
   document.body.append(pre);
 }

@@ -1,9 +1,10 @@
 // The page: its state, what draws it, and when.
 class Page {
-  constructor() {
+  /// `fragment`: what the address of the page wishes for, such as view=inside&place=wall.
+  constructor(fragment) {
     this.data = JSON.parse(element('manifold-data').textContent);
     this.canvas = element('picture');
-    this.wishes = new URLSearchParams(location.hash.slice(1));
+    this.wishes = new URLSearchParams(fragment);
     const number = (name, otherwise, low, high) => {
       const x = Number(this.wishes.get(name) ?? NaN);
       return Number.isFinite(x) ? Math.min(high, Math.max(low, x)) : otherwise;
@@ -169,9 +170,12 @@ class Page {
 
 function main() {
   try {
-    const page = new Page();
-    page.start();
-    if (page.wishes.has('dump')) dump(page);
+    const pages = location.hash.slice(1).split('|').map((fragment) => {
+      const page = new Page(fragment);
+      page.start();
+      return page.wishes.has('dump') ? dump(page) : null;
+    });
+    if (pages.some((page) => page)) writeDump(pages);
   } catch (error) {
     showNotice(`This page has failed: ${error.message}`);
     throw error;

@@ -5,7 +5,8 @@
 // that single precision serves the smallest cells as well as the largest.
 uniform sampler2D uCells;
 uniform int uColourBy;  // 0 tetrahedron, 1 depth, 2 face
-uniform vec3 uPalette[12];
+uniform vec3 uPalette[12];  // for faces
+uniform vec3 uDepths[12];
 uniform float uLine;    // thickness of the edges in pixels
 uniform float uPixel;   // angle of a pixel
 
@@ -66,10 +67,10 @@ float enter(vec3 o, vec3 d, float start, out int surface) {
 vec3 paint(int surface, vec4 own) {
   vec4 faceColours = texelFetch(uCells, vFirst + ivec2(12, 0), 0);
   vec3 base = own.rgb;
-  if (uColourBy == 1) base = uPalette[int(own.w) % 12];
+  if (uColourBy == 1) base = uDepths[min(int(own.w), 11)];
   if (uColourBy == 2 && surface < 4) base = uPalette[int(faceColours[surface]) % 12];
   // Truncations, the geodesic boundary, are pale, whatever the colours say.
-  return surface < 4 ? base : mix(base, vec3(0.95, 0.93, 0.88), 0.55);
+  return surface < 4 ? base : mix(base, vec3(0.95, 0.93, 0.88), 0.40);
 }
 
 /// 1 on an edge of the cell, 0 away from it.

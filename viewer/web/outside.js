@@ -148,6 +148,7 @@ class OutsideView {
     gl.uniformMatrix4fv(this.cells.at('uProjection'), false, view.projection);
     gl.uniform1i(this.cells.at('uColourBy'), ['tetrahedron', 'depth', 'face'].indexOf(state.colour));
     gl.uniform3fv(this.cells.at('uPalette'), kLinearPalette.flat());
+    gl.uniform3fv(this.cells.at('uDepths'), kDepthPalette.flat());
     gl.uniform1f(this.cells.at('uLine'), (state.lines ? 1.9 : 0) * scale);
     gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
 

@@ -13,8 +13,9 @@ void main() {
   vCell = gl_InstanceID;
   vFirst = ivec2((gl_InstanceID % uCellsPerRow) * 13, gl_InstanceID / uCellsPerRow);
   vec4 sphere = texelFetch(uCells, vFirst + ivec2(10, 0), 0);
-  vCentre = sphere.xyz * (1.0 + uExplode);
-  vRadius = sphere.w;
+  vCentre = sphere.xyz;
+  // Moving the cells apart and stepping back looks the same as shrinking them where they are.
+  vRadius = sphere.w / (1.0 + uExplode);
 
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
   vec3 view = vCentre - uEye;

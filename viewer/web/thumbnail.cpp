@@ -44,8 +44,8 @@ constexpr std::array<std::array<double, 3>, 8> kPalette{{{0.092, 0.458, 0.816},
                                                          {0.674, 0.112, 0.000},
                                                          {0.276, 0.627, 0.522}}};
 constexpr std::array<double, 3> kPale{0.92, 0.90, 0.84};
-constexpr std::array<double, 3> kFog{0.74, 0.80, 0.86};
-constexpr double kTint = 0.30;
+constexpr std::array<double, 3> kFog{0.60, 0.68, 0.76};
+constexpr double kTint = 0.12;
 constexpr double kLineWidth = 0.02;
 
 /// Linear light of what is seen.
@@ -59,7 +59,7 @@ Vector3 colour_of(const Sight& sight) {
     base[i] = (1 - kTint) * own[k] + kTint * kPale[k];
   }
   if (sight.side < kLineWidth) base *= 0.35;
-  const double clear = std::exp(-std::pow(sight.distance / 4.5, 2.0));
+  const double clear = std::exp(-std::pow(sight.distance / 4.5, 3.0));
   return clear * (0.38 + 0.62 * sight.facing) * base + (1 - clear) * fog;
 }
 

@@ -67,14 +67,23 @@ std::vector<CensusLine> classify(const std::vector<std::string>& triangulations,
 /// volume, signature. The result does not depend on the order of the lines.
 Census make_census(const std::vector<CensusLine>& lines);
 
-/// One line of the journal that makes a census resumable, without the line end; and back. A line
-/// that does not read (a torn one) gives nothing.
+/// One line of the journal that makes a census resumable, without the line end.
 std::string to_journal(const CensusLine& line);
-std::optional<CensusLine> parse_journal(std::string_view text);
 
-/// The table: comments, a header line, one manifold a line, then nothing.
+/// A journal as it was read back.
+struct JournalText {
+  std::vector<CensusLine> lines;
+  /// Bytes of complete lines; what follows is a line that an interruption tore.
+  std::size_t complete = 0;
+};
+/// Throws InvalidInput, naming the line, if a line with its end is not one that to_journal writes,
+/// or if there is none but a torn one: it is then some other file.
+JournalText parse_journal(std::string_view text);
+
+/// The table: comments, a header line, one manifold a line, then nothing. Unresolved
+/// triangulations are only counted.
 std::string to_tsv(const Census& census);
-/// Throws InvalidInput, naming the line.
+/// Line ends may be those of any system. Throws InvalidInput, naming the line.
 Census parse_tsv(std::string_view text);
 
 /// A SQLite database with the tables manifold, triangulation and unresolved.

@@ -1,5 +1,7 @@
 // The census and its journal as text with tabs.
 #include <charconv>
+#include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -43,8 +45,28 @@ bool parse_facts(std::span<const std::string_view> cells, CensusEntry& entry) {
   entry.homology = cells[2];
   entry.cells = cells[3];
   entry.signature = cells[6];
-  return parse_number(cells[1], entry.volume) && parse_number(cells[4], entry.keeping) &&
-         parse_number(cells[5], entry.reversing) && !entry.signature.empty();
+  return parse_number(cells[1], entry.volume) && std::isfinite(entry.volume) &&
+         parse_number(cells[4], entry.keeping) && parse_number(cells[5], entry.reversing) &&
+         !entry.signature.empty();
+}
+
+/// Nothing if it is not a line of a journal.
+std::optional<CensusLine> parse_journal_line(std::string_view text) {
+  const auto cells = split(text, '\t');
+  if (cells.size() < 4 || cells.back() != "." || cells[0].empty()) return std::nullopt;
+  CensusLine line;
+  line.triangulation = cells[0];
+  if (cells[1] == "own" || cells[1] == "moved") {
+    line.resolved = true;
+    line.own_metric = cells[1] == "own";
+    if (cells.size() != kFacts + 3 || !parse_facts(std::span(cells).subspan(2), line.entry))
+      return std::nullopt;
+    return line;
+  }
+  line.reason = cells[2];
+  const bool reads =
+      cells.size() == 4 && cells[1] == (line.reason.empty() ? "unresolved" : "refused");
+  return reads ? std::optional(line) : std::nullopt;
 }
 
 }  // namespace
@@ -61,21 +83,19 @@ std::string to_journal(const CensusLine& line) {
                      reason);
 }
 
-std::optional<CensusLine> parse_journal(std::string_view text) {
-  const auto cells = split(text, '\t');
-  if (cells.size() < 4 || cells.back() != ".") return std::nullopt;
-  CensusLine line;
-  line.triangulation = cells[0];
-  if (cells[1] == "own" || cells[1] == "moved") {
-    line.resolved = true;
-    line.own_metric = cells[1] == "own";
-    if (cells.size() != kFacts + 3 || !parse_facts(std::span(cells).subspan(2), line.entry))
-      return std::nullopt;
-    return line;
+JournalText parse_journal(std::string_view text) {
+  JournalText journal;
+  std::size_t number = 1;
+  for (std::size_t end; (end = text.find('\n', journal.complete)) != std::string_view::npos;
+       ++number) {
+    auto line = parse_journal_line(text.substr(journal.complete, end - journal.complete));
+    if (!line) throw InvalidInput(fmt::format("line {} is not one of a census's journal", number));
+    journal.lines.push_back(std::move(*line));
+    journal.complete = end + 1;
   }
-  if (cells.size() != 4 || (cells[1] != "unresolved" && cells[1] != "refused")) return std::nullopt;
-  line.reason = cells[2];
-  return line;
+  if (journal.lines.empty() && !text.empty())
+    throw InvalidInput("it has no complete line of a census's journal");
+  return journal;
 }
 
 std::string to_tsv(const Census& census) {
@@ -100,8 +120,9 @@ Census parse_tsv(std::string_view text) {
   Census census;
   std::size_t number = 0;
   bool header = false;
-  for (const std::string_view line : split(text, '\n')) {
+  for (std::string_view line : split(text, '\n')) {
     ++number;
+    if (line.ends_with('\r')) line.remove_suffix(1);
     if (line.empty() || line.front() == '#') continue;
     if (!header && line != kColumns) {
       throw InvalidInput(
@@ -110,10 +131,13 @@ Census parse_tsv(std::string_view text) {
     if (!std::exchange(header, true)) continue;
     const auto cells = split(line, '\t');
     CensusEntry entry;
-    if (cells.size() != kFacts + 3 || !parse_number(cells[1], entry.tetrahedra) ||
+    if (cells.size() != kFacts + 3 || cells[0].empty() || cells.back().empty() ||
+        !parse_number(cells[1], entry.tetrahedra) ||
         !parse_facts(std::span(cells).subspan(2), entry)) {
-      throw InvalidInput(fmt::format("line {} of the census: not {} columns with their numbers",
-                                     number, kFacts + 3));
+      throw InvalidInput(
+          fmt::format("line {} of the census: not {} columns, none of them empty, with "
+                      "their numbers",
+                      number, kFacts + 3));
     }
     entry.name = cells[0];
     for (const std::string_view triangulation : split(cells[kFacts + 2], ' '))

@@ -1,8 +1,13 @@
 #pragma once
 
+#include <string>
+
 #include <CLI/CLI.hpp>
 
 #include "canonical/canonize.hpp"
+#include "cli/answer.hpp"
+#include "cli/commands.hpp"
+#include "cli/describe.hpp"
 
 namespace tripus::cli {
 
@@ -11,5 +16,16 @@ void add_canonize_options(CLI::App& verb, canonical::CanonizeOptions& options);
 
 /// The exit status of these verbs, for their help.
 extern const char* const kCanonicalStatusHelp;
+
+/// What a verb that canonizes each INPUT by itself was asked for.
+struct CanonicalCommand {
+  CommonOptions common;
+  canonical::CanonizeOptions canonize;
+};
+
+/// Adds such a verb. `answer` is called with options that heed interrupts.
+void add_canonical_verb(CLI::App& program, const char* name, const char* description,
+                        Command& chosen,
+                        Outcome (*answer)(const CanonicalCommand& command, const Subject& subject));
 
 }  // namespace tripus::cli

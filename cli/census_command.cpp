@@ -55,16 +55,16 @@ class Journal {
 
  private:
   void read() {
+    canonical::JournalText journal;
     const std::string text = read_file(path_);
-    std::size_t good = 0;
-    for (std::size_t start = 0, end; (end = text.find('\n', start)) != std::string::npos;
-         start = end + 1) {
-      auto line = canonical::parse_journal(std::string_view(text).substr(start, end - start));
-      if (!line) break;
-      lines_.push_back(std::move(*line));
-      good = end + 1;
+    try {
+      journal = canonical::parse_journal(text);
+    } catch (const InvalidInput& error) {
+      throw InvalidInput("the journal " + tripus::quoted(path_) + ": " + error.what() +
+                         "; name another file, or remove it to begin anew");
     }
-    if (good != text.size()) std::filesystem::resize_file(path_, good);
+    lines_ = std::move(journal.lines);
+    if (journal.complete != text.size()) std::filesystem::resize_file(path_, journal.complete);
   }
 
   std::string path_;
@@ -87,6 +87,11 @@ void write_text(const std::string& path, const std::string& text) {
   std::ofstream out(path, std::ios::binary);
   out << text << std::flush;
   if (!out) throw InvalidInput(tripus::quoted(path) + " cannot be written");
+}
+
+void write_census(const CensusCommand& command, const Census& census) {
+  if (!command.database.empty()) canonical::write_database(census, command.database);
+  if (!command.tsv.empty()) write_text(command.tsv, canonical::to_tsv(census));
 }
 
 /// The journal's name if none was given: beside the result.
@@ -139,8 +144,7 @@ int make(CensusCommand& command) {
       write_message(fmt::format("tripus: {}: {}\n", printable(line.triangulation), line.reason));
   }
   const Census census = canonical::make_census(lines);
-  if (!command.database.empty()) canonical::write_database(census, command.database);
-  if (!command.tsv.empty()) write_text(command.tsv, canonical::to_tsv(census));
+  write_census(command, census);
   if (!path.empty() && command.journal.empty()) std::filesystem::remove(path);
   const std::string summary = fmt::format(
       "{} triangulations: {} manifolds; {} carry their metric, {} after moves, {} unresolved, {} "
@@ -179,12 +183,25 @@ void parse_volumes(const std::string& text, canonical::CensusQuery& query) {
   bound(std::string_view(text).substr(colon + 1), query.greatest_volume);
 }
 
+/// What was found as a census of its own; with what is unresolved if nothing was left out.
+Census chosen_part(const Census& census, const std::vector<const canonical::CensusEntry*>& found) {
+  Census part;
+  for (const canonical::CensusEntry* entry : found) part.manifolds.push_back(*entry);
+  if (found.size() == census.manifolds.size()) part.unresolved = census.unresolved;
+  return part;
+}
+
 int look_up(CensusCommand& command) {
   if (!command.volume.empty()) parse_volumes(command.volume, command.query);
   std::optional<Census> loaded;
   if (!command.in.empty()) loaded = load_census(command.in);
   const Census& census = loaded ? *loaded : canonical::shipped_census();
-  for (const canonical::CensusEntry* entry : canonical::select(census, command.query)) {
+  const auto found = canonical::select(census, command.query);
+  if (!command.database.empty() || !command.tsv.empty()) {
+    write_census(command, chosen_part(census, found));
+    return kSuccess;
+  }
+  for (const canonical::CensusEntry* entry : found) {
     if (!command.json) {
       write_output(entry_as_text(*entry));
       continue;
@@ -219,8 +236,10 @@ void add_making_options(CLI::App& verb, CensusCommand& command) {
                   "one signature a line; may be repeated")
       ->option_text("LIST")
       ->allow_extra_args(false);
-  verb.add_option("--tsv", command.tsv, "write it as a table with tabs")->option_text("FILE");
-  verb.add_option("--database", command.database, "write it as a SQLite database")
+  verb.add_option("--tsv", command.tsv, "write it, or what was found, as a table with tabs")
+      ->option_text("FILE");
+  verb.add_option("--database", command.database,
+                  "write it, or what was found, as a SQLite database")
       ->option_text("FILE");
   verb.add_option("--journal", command.journal,
                   "keep what is done here, so that an interrupted run can go on\n"
@@ -231,8 +250,11 @@ void add_making_options(CLI::App& verb, CensusCommand& command) {
       ->check(whole_number(1024));
   verb.add_flag("--quiet", command.quiet, "no progress and no summary on standard error");
   add_canonize_options(verb, command.classify.canonize);
-  for (const char* name : {"--tsv", "--database", "--journal"})
-    verb.get_option(name)->needs(verb.get_option("--from"));
+  CLI::Option* from = verb.get_option("--from");
+  verb.get_option("--journal")->needs(from);
+  for (const char* query :
+       {"--in", "--volume", "--boundary", "--homology", "--cells", "--tetrahedra"})
+    verb.get_option(query)->excludes(from);
 }
 
 }  // namespace

@@ -134,8 +134,9 @@ Outcome embed_one(const EmbedCommand& command, const std::string& input) {
   solve.stop_requested = &interrupt_requested();
   structure::Report report = structure::solve(subject.triangulation, solve);
   const bool wants_json = command.common.json || command.output.empty();
+  const char* const line_end = command.common.json ? "" : "\n";  // --json adds it by itself
   if (report.outcome != structure::Outcome::kGeometric) {
-    return {wants_json ? report_as_json(subject, report)
+    return {wants_json ? report_as_json(subject, report) + line_end
                        : report_as_text(subject, report) + "  nothing was embedded\n",
             kNoAnswer};
   }
@@ -147,14 +148,14 @@ Outcome embed_one(const EmbedCommand& command, const std::string& input) {
     circles->open() << circle_figure(embedded);
     circles->close();
   }
-  return {wants_json ? embedding_as_json(embedded) : embedding_as_text(embedded, command.output),
+  return {wants_json ? embedding_as_json(embedded) + line_end
+                     : embedding_as_text(embedded, command.output),
           embedded.cover.end == embedding::CoverEnd::kInterrupted ? kNoAnswer : kSuccess};
 }
 
 int run(const EmbedCommand& command) {
-  CommonOptions common = command.common;
-  common.json = common.json || command.output.empty();
-  return answer_inputs(common, [&](const std::string& input) { return embed_one(command, input); });
+  return answer_inputs(command.common,
+                       [&](const std::string& input) { return embed_one(command, input); });
 }
 
 void add_cell_options(CLI::App& verb, EmbedCommand& command) {

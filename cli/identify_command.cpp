@@ -1,26 +1,16 @@
 // tripus identify: the name of a manifold in the census.
-#include <memory>
-
 #include <fmt/format.h>
 
 #include "canonical/census.hpp"
-#include "cli/answer.hpp"
 #include "cli/canonize_options.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
-#include "cli/help.hpp"
-#include "cli/interrupt.hpp"
 #include "cli/manifold_text.hpp"
 
 namespace tripus::cli {
 namespace {
 
 using canonical::CensusEntry;
-
-struct IdentifyCommand {
-  CommonOptions common;
-  canonical::CanonizeOptions canonize;
-};
 
 /// What was found out, and how.
 struct Identified {
@@ -67,12 +57,8 @@ std::string as_json(const Subject& subject, const Identified& found) {
   return fmt::to_string(out);
 }
 
-Outcome identify_one(const IdentifyCommand& command, const std::string& input) {
-  const Subject subject = load_subject(input);
-  catch_interrupts();
-  canonical::CanonizeOptions options = command.canonize;
-  options.solve.stop_requested = &interrupt_requested();
-  const Identified found = identify(subject, options);
+Outcome identify_one(const CanonicalCommand& command, const Subject& subject) {
+  const Identified found = identify(subject, command.canonize);
   std::string text = fmt::format("{}: {}\n", printable(subject.input), found.message);
   if (found.entry != nullptr) text += "  " + entry_as_text(*found.entry);
   return {command.common.json ? as_json(subject, found) : text,
@@ -82,17 +68,8 @@ Outcome identify_one(const IdentifyCommand& command, const std::string& input) {
 }  // namespace
 
 void add_identify(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand("identify", "the name of a manifold in the census");
-  auto command = std::make_shared<IdentifyCommand>();
-  add_common_options(*verb, command->common);
-  add_canonize_options(*verb, command->canonize);
-  verb->footer(std::string(kInputHelp) + "\n" + kCanonicalStatusHelp);
-  verb->final_callback([command, &chosen] {
-    chosen = [command] {
-      return answer_inputs(command->common,
-                           [&](const std::string& input) { return identify_one(*command, input); });
-    };
-  });
+  add_canonical_verb(program, "identify", "the name of a manifold in the census", chosen,
+                     identify_one);
 }
 
 }  // namespace tripus::cli

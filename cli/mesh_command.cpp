@@ -19,6 +19,7 @@
 #include "meshing/formats/medit.hpp"
 #include "meshing/formats/vtk.hpp"
 #include "meshing/manifold.hpp"
+#include "meshing/picture.hpp"
 #include "topology/formats/json.hpp"
 
 namespace tripus::cli {
@@ -41,6 +42,7 @@ struct MeshCommand {
   meshing::ManifoldOptions options;
   std::string output;
   std::string mesh_output;
+  std::string pictures;
 };
 
 bool ends_with(const std::string& path, std::string_view ending) {
@@ -80,6 +82,12 @@ void write_outputs(const MeshCommand& command, const meshing::Manifold& manifold
     write_file(command.mesh_output, meshing::write_vtk(manifold.mesh));
   if (ends_with(command.mesh_output, ".mesh"))
     write_file(command.mesh_output, meshing::write_medit(manifold.mesh));
+  if (!command.pictures.empty()) {
+    write_file(command.pictures + "-boundary.svg", meshing::boundary_picture(manifold.mesh));
+    write_file(command.pictures + "-mesh.svg", meshing::cut_picture(manifold.mesh));
+    write_file(command.pictures + "-coned.svg", meshing::cone_picture(manifold.mesh));
+    write_file(command.pictures + "-stages.svg", meshing::stages_picture(manifold));
+  }
 }
 
 /// What became of it, in a sentence.
@@ -187,6 +195,10 @@ void add_mesh(CLI::App& program, Command& chosen) {
                           ->option_text("FILE");
   output->excludes(verb->get_option("--batch"));
   mesh_output->excludes(verb->get_option("--batch"));
+  verb->add_option("--pictures", command->pictures,
+                   "draw the stages: PREFIX-boundary.svg, -mesh.svg, -coned.svg, -stages.svg")
+      ->option_text("PREFIX")
+      ->excludes(verb->get_option("--batch"));
   auto& filling = command->options.tetrahedralize;
   auto* aim = verb->add_option("--tetrahedra", filling.tetrahedra,
                                "fill a surface with about N tetrahedra (default: as few as it\n"

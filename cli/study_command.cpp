@@ -120,9 +120,11 @@ int run(StudyCommandOptions command) {
   }
   flush_output();
   if (result.finished()) return kSuccess;
+  const std::string state = result.total == 0
+                                ? "before any item was begun"
+                                : fmt::format("{} of {} items done", result.done, result.total);
   write_message(
-      fmt::format("tripus: interrupted: {} of {} items done; the same command goes on from there\n",
-                  result.done, result.total));
+      fmt::format("tripus: interrupted: {}; the same command goes on from there\n", state));
   return kNoAnswer;
 }
 

@@ -24,13 +24,15 @@ namespace {
 constexpr const char* kGraphHelp =
     "GRAPH is a JSON file (or - for standard input):\n"
     "  {\"vertices\": [[x,y,z], ...], \"edges\": [[[x,y,z], ...], ...], \"outer\": ...}\n"
-    "Each edge is a list of points. Its ends are vertices; or it ends where it begins, a knot; or an\n"
+    "Each edge is a list of points. Its ends are vertices; or it ends where it begins, a knot; or "
+    "an\n"
     "end goes on to the outer surface, and the tube is open there. \"outer\" is \"automatic\" (a\n"
     "sphere around the graph), {\"sphere\": {\"center\": [x,y,z], \"radius\": r}},\n"
     "{\"box\": {\"low\": [x,y,z], \"high\": [x,y,z]}} or \"none\".\n"
     "\n"
     "The surface bounds the piece of space inside the outer surface and outside the tube; it is\n"
-    "closed, manifold and free of self-intersections. Strands that come too close to each other are\n"
+    "closed, manifold and free of self-intersections. Strands that come too close to each other "
+    "are\n"
     "refused, with their place.\n"
     "\n"
     "Examples:\n"
@@ -106,8 +108,9 @@ std::string as_json(const TubeCommand& command, const meshing::Tube& tube) {
 
 int run(const TubeCommand& command) {
   if (command.json && command.output == "-")
-    throw InvalidInput("--json and the surface cannot both go to standard output; name a file "
-                       "with -o");
+    throw InvalidInput(
+        "--json and the surface cannot both go to standard output; name a file "
+        "with -o");
   catch_interrupts();
   try {
     const meshing::SpatialGraph graph = meshing::read_spatial_graph(read_file(command.graph));
@@ -140,8 +143,7 @@ void add_tube(CLI::App& program, Command& chosen) {
   auto* triangles = verb->add_option("--triangles", command->triangles, "make about N triangles")
                         ->option_text("N")
                         ->check(whole_number(std::numeric_limits<int>::max()));
-  verb->add_option("--resolution", command->around,
-                   "triangle edges around the tube (default: 10)")
+  verb->add_option("--resolution", command->around, "triangle edges around the tube (default: 10)")
       ->option_text("X")
       ->check(positive_number())
       ->excludes(triangles);

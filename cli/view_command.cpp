@@ -163,8 +163,7 @@ Outcome view_one(const ViewCommand& command, const std::string& input) {
 }
 
 int run(ViewCommand& command) {
-  if (!command.common.batch.empty())
-    return write_gallery(command.common, page_request(command));
+  if (!command.common.batch.empty()) return write_gallery(command.common, page_request(command));
   if (!command.page.empty()) check_pages(page_request(command));
   parse_size(command);
   parse_camera(command);
@@ -208,7 +207,7 @@ void add_picture_options(CLI::App& verb, ViewCommand& command) {
 
 void add_view(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
-      "view", "see the universal cover: in a window, as a picture, as a page for a browser");
+      "view", "see the universal cover: window, picture or page for a browser");
   auto command = std::make_shared<ViewCommand>();
   auto* input = verb->add_option("INPUT", command->common.input,
                                  "an isomorphism signature, a file, or - for standard input")

@@ -4,6 +4,9 @@ include(GNUInstallDirs)
 set(TRIPUS_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/tripus")
 if(TARGET tripus)  # the program, cli/
   install(TARGETS tripus RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  install(FILES "${PROJECT_SOURCE_DIR}/data/census.tsv"
+                "${PROJECT_BINARY_DIR}/share/tripus/census.sqlite"
+          DESTINATION "${CMAKE_INSTALL_DATADIR}/tripus")
 endif()
 install(EXPORT tripusTargets NAMESPACE tripus:: DESTINATION "${TRIPUS_CMAKE_DIR}")
 configure_package_config_file(

@@ -5,6 +5,7 @@ It shares no code with the library: closed forms are compared with finite differ
 other, and with published digits. Prints one line an equation; exit status 1 if one fails.
 """
 
+import cmath
 import math
 import random
 import sys
@@ -198,6 +199,115 @@ def certificate_identities(random_, tetrahedra=5, edges=4):
             + sum(d * y for d, y in zip(valence, u))))
 
 
+def lorentz(x, y):
+    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2] - x[3] * y[3]
+
+
+def circle_plane(k, u, k2):
+    """Equation (64) backwards."""
+    return [u.real, u.imag, (k2 - k) / 2, (k2 + k) / 2]
+
+
+def paper_circles(theta):
+    """Equations (65) to (68): the normals of f1..f4, v1..v4, and the two sides of (67)."""
+    t4, t6, t2, t5, t3, t1 = theta  # edges 01 02 03 12 13 23
+    sine = math.sin(t1)
+    c3 = complex((math.cos(t1) * math.cos(t3) + math.cos(t2)) / sine, math.cos(t3))
+    c4 = complex((math.cos(t1) * math.cos(t5) + math.cos(t6)) / sine, math.cos(t5))
+    u = math.cos(t4) + (c3 * c4.conjugate()).real
+    q, p = abs(c3) ** 2 - 1, abs(c4) ** 2 - 1
+    root = math.sqrt(u * u - p * q)
+    R = q / (u + root)
+    along = cmath.exp(1j * t1)
+    planes = [circle_plane(0, -1j, 0), circle_plane(0, 1j * along, 0), circle_plane(1, c3, q),
+              circle_plane(1 / R, c4, R * p)]
+    for direction in (along, 1):
+        x, x2 = (c3 * direction.conjugate()).real, (c4 * direction.conjugate()).real
+        k, m = 2 * (x2 - x / R), R * p - q / R
+        planes.append(circle_plane(k, m * direction, 2 * m * x - k * q))
+    planes.append(circle_plane(1 / (R * math.sqrt(p)), 0j, -R * math.sqrt(p)))
+    planes.append(circle_plane(-1 / math.sqrt(q), 0j, math.sqrt(q)))
+    normals = symmetric([-math.cos(theta[5 - n]) for n in range(6)])
+    minors = [abs(-det([r[:3] for r in normals[:3]]) - q * sine**2),
+              abs(-det([[normals[i][j] for j in (0, 1, 3)] for i in (0, 1, 3)]) - p * sine**2),
+              abs(-det(normals) - root**2 * sine**2)]
+    return planes, max(minors)
+
+
+def check_circles(theta, note):
+    planes, minors = paper_circles(theta)
+    note("(67) minors", minors)
+    for n, (k, m) in enumerate(EDGES):
+        note("(65) (66) faces meet at the dihedral angles",
+             abs(lorentz(planes[k], planes[m]) + math.cos(theta[5 - n])))
+    for i in range(4):
+        for j in range(4):
+            if i != j:
+                note("(68) truncations are orthogonal to their faces",
+                     abs(lorentz(planes[4 + i], planes[j])) / max(map(abs, planes[4 + i])))
+
+
+def check_moebius(random_, note):
+    """Equations (60) and (61) for a random M, and (75) for its images of three points."""
+    def number():
+        return complex(random_.gauss(0, 1), random_.gauss(0, 1))
+
+    a, b, c = number(), number(), number()
+    M = [[a, b], [c, (1 + b * c) / a]]
+    sigma = [[[0, 1], [1, 0]], [[0, 1j], [-1j, 0]], [[1, 0], [0, -1]], [[1, 0], [0, 1]]]
+
+    def product(p, q):
+        return [[sum(p[i][k] * q[k][j] for k in (0, 1)) for j in (0, 1)] for i in (0, 1)]
+
+    star = [[M[j][i].conjugate() for j in (0, 1)] for i in (0, 1)]
+    columns = []
+    for s in sigma:
+        h = product(product(M, s), star)
+        columns.append([h[0][1].real, h[0][1].imag, (h[0][0] - h[1][1]).real / 2,
+                        (h[0][0] + h[1][1]).real / 2])
+    size = columns[3][3]
+    for i in range(4):
+        for j in range(4):
+            expected = 0 if i != j else (-1 if i == 3 else 1)
+            note("(60) gives isometries", abs(lorentz(columns[i], columns[j]) - expected) / size**2)
+    for C in sigma:
+        total = [[0, 0], [0, 0]]
+        for m in range(4):
+            for n in range(4):
+                term = product(product(sigma[m], C), sigma[n])
+                for i in (0, 1):
+                    for j in (0, 1):
+                        total[i][j] += columns[n][m] * term[i][j]
+        trace = sum(product(star, C)[i][i] for i in (0, 1))
+        note("(61)", max(abs(total[i][j] - 2 * trace * M[i][j]) for i in (0, 1) for j in (0, 1))
+             / size**2)
+
+
+def check_area(random_, note):
+    """Equation (75) against pi minus the angles of the triangle."""
+    sides = [random_.uniform(0.5, 1.5) for _ in range(3)]
+    if max(sides) >= sum(sides) - max(sides) - 0.05:
+        return
+    ch, sh = [math.cosh(d) for d in sides], [math.sinh(d) for d in sides]
+    angle_sum = sum(math.acos((ch[(i + 1) % 3] * ch[(i + 2) % 3] - ch[i])
+                              / (sh[(i + 1) % 3] * sh[(i + 2) % 3])) for i in range(3))
+    p, q, r = (c - 1 for c in ch)
+    root = math.sqrt(2 * (p * q + q * r + r * p) - p * p - q * q - r * r + 2 * p * q * r)
+    note("(75)", abs(2 * math.atan2(root, 4 + p + q + r) - (math.pi - angle_sum)))
+
+
+def radial(q):
+    return (1 / (1 - q) - math.atanh(math.sqrt(q)) / math.sqrt(q)) / (2 * q)
+
+
+def check_divergence(note):
+    """Equation (74): div (y g(|y|^2)) = 3 g + 2 q g'(q)."""
+    for q in (0.05, 0.3, 0.7, 0.9):
+        h = 1e-4 * (1 - q)
+        slope = (8 * (radial(q + h) - radial(q - h)) - (radial(q + 2 * h) - radial(q - 2 * h))) / (12 * h)
+        note("(74) divergence", abs(3 * radial(q) + 2 * q * slope - (1 - q) ** -2))
+
+
 def main():
     random_ = random.Random(20)
     errors = {}
@@ -253,6 +363,12 @@ def main():
             k, m = others(i, j)
             cosine = c[k][m] / math.sqrt(c[k][k] * c[m][m])
             note("(54) the pattern stays", max(0.0, 1 - (-cosine if n in flat else cosine)))
+
+    for _ in range(SAMPLES):
+        check_circles(angles(sample(random_)), note)
+        check_moebius(random_, note)
+        check_area(random_, note)
+    check_divergence(note)
 
     bounds = {"(13)": 1e-9, "J sym": 1e-9, "(15)": 1e-12, "(54)": 1e-9}
     for label in sorted(errors):

@@ -7,15 +7,13 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "embedding/detail/mean_point.hpp"
 #include "embedding/tessellate.hpp"
 
 namespace tripus::embedding {
 namespace {
 
 using PointNumber = std::uint32_t;
-
-/// The middle of points on the hyperboloid: on the geodesic or the plane through them.
-Vector4 middle(const Vector4& sum) { return sum / std::sqrt(-geometry::lorentz_product(sum, sum)); }
 
 class ShapeBuilder {
  public:
@@ -41,14 +39,14 @@ class ShapeBuilder {
   using Triangle = std::array<PointNumber, 3>;
 
   PointNumber add(const Vector4& point) {
-    shape_.points.push_back(geometry::on_hyperboloid(point));
+    shape_.points.push_back(point);
     return static_cast<PointNumber>(shape_.points.size() - 1);
   }
 
   void add_hexagon(int face, const std::array<PointNumber, 6>& corners) {
     Vector4 sum = Vector4::Zero();
     for (const PointNumber corner : corners) sum += shape_.points[corner];
-    const PointNumber centre = add(middle(sum));
+    const PointNumber centre = add(detail::mean_point(sum, 6));
     for (std::size_t n = 0; n < 6; ++n)
       add_patch(face, tetrahedron_.faces[static_cast<std::size_t>(face)],
                 {centre, corners[n], corners[(n + 1) % 6]});
@@ -73,7 +71,7 @@ class ShapeBuilder {
     const auto middle_of = [&](PointNumber a, PointNumber b) {
       const std::uint64_t key = std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
       const auto [place, is_new] = middles.try_emplace(key, 0);
-      if (is_new) place->second = add(middle(shape_.points[a] + shape_.points[b]));
+      if (is_new) place->second = add(detail::mean_point(shape_.points[a] + shape_.points[b], 2));
       return place->second;
     };
     std::vector<Triangle> triangles;

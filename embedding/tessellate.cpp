@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "embedding/detail/mean_point.hpp"
 
 namespace tripus::embedding {
 namespace {
@@ -18,8 +19,6 @@ double distance_to_line(const Vector3& point, const Vector3& start, const Vector
   const double length = along.norm();
   return length > 0 ? (point - start).cross(along).norm() / length : (point - start).norm();
 }
-
-Vector4 middle(const Vector4& sum) { return sum / std::sqrt(-geometry::lorentz_product(sum, sum)); }
 
 Vector3 placed(Model model, const Matrix4& isometry, const Vector4& point) {
   return geometry::to_model(model, geometry::on_hyperboloid(isometry * point));
@@ -74,12 +73,12 @@ double Tessellation::largest_deviation(const Cell& cell, int subdivisions) const
   for (const auto& [a, b, c] : s.triangles) {
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
       if (from > to) continue;  // the other triangle at this side
-      const Vector3 truth =
-          placed(options_.model, cell.isometry, middle(s.points[from] + s.points[to]));
+      const Vector3 truth = placed(options_.model, cell.isometry,
+                                   detail::mean_point(s.points[from] + s.points[to], 2));
       largest = std::max(largest, distance_to_line(truth, places[from], places[to]));
     }
-    const Vector3 truth =
-        placed(options_.model, cell.isometry, middle(s.points[a] + s.points[b] + s.points[c]));
+    const Vector3 truth = placed(options_.model, cell.isometry,
+                                 detail::mean_point(s.points[a] + s.points[b] + s.points[c], 3));
     const Vector3 normal = (places[b] - places[a]).cross(places[c] - places[a]);
     if (normal.norm() > 0)
       largest = std::max(largest, std::abs((truth - places[a]).dot(normal.normalized())));

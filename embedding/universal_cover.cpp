@@ -33,16 +33,6 @@ struct QueueEntry {
   }
 };
 
-/// det = 1 again; one Newton step for 1/sqrt(det), as det is near 1. It only changes the common
-/// factor, so the noise of det itself does no harm.
-void normalise(MoebiusMap& map) {
-  const geometry::Complex factor = 1.5 - 0.5 * (map.a * map.d - map.b * map.c);
-  map.a *= factor;
-  map.b *= factor;
-  map.c *= factor;
-  map.d *= factor;
-}
-
 /// Half the least distance that the centres of two cells can have: the least distance of a centre
 /// to a face of its tetrahedron.
 double in_radius(const Embedding& embedding) {
@@ -112,32 +102,40 @@ class Grower {
   void expand(const Found& cell, std::uint32_t number) {
     if (cell.depth >= options_.max_depth) return;
     for (int f = 0; f < 4; ++f) {
-      MoebiusMap place = cell.place * pairings_[cell.tetrahedron][static_cast<std::size_t>(f)];
-      normalise(place);
+      // No step towards det = 1: far out the determinant is a small difference of large numbers,
+      // and would bring its own noise in.
+      const MoebiusMap place =
+          cell.place * pairings_[cell.tetrahedron][static_cast<std::size_t>(f)];
       discover({place, gluings_.neighbour(cell.tetrahedron, f), number, cell.depth + 1});
     }
   }
 
   void discover(const Found& cell) {
     const Vector4 centre = geometry::image_of_origin(cell.place);
-    const double error = position_error(centre[3], cell.depth);
-    if (!(error < separation_ / 8)) {
+    if (!(rounding(centre[3], cell.depth) < separation_ / kSafety)) {
       out_of_precision_ = true;
       return;
     }
     if (!meets_ball(cell)) return;
     const auto number = static_cast<std::uint32_t>(found_.size());
-    if (!positions_.insert(centre.head<3>(), number, 2 * error)) return;
+    if (const auto mismatch = positions_.insert(centre.head<3>())) {
+      // Two ways to one cell show how large errors really are.
+      out_of_precision_ = out_of_precision_ || *mismatch > separation_ / kSafety;
+      return;
+    }
     found_.push_back(cell);
     // In a depth, 1 - 1/cosh(distance) orders by distance and is less than 1.
     const double key = by_depth_ ? cell.depth + (1 - 1 / centre[3]) : centre[3];
     queue_.push({key, number});
   }
 
-  /// A bound on the error of a place at this distance: each of the depth + 1 products adds a few
-  /// ulp relatively, and so do the pairings themselves.
-  static double position_error(double cosh_distance, std::uint32_t depth) {
-    return 64 * std::numeric_limits<double>::epsilon() * (depth + 1.0) * cosh_distance;
+  /// Cells are confused where errors reach a quarter of their separation.
+  static constexpr double kSafety = 16;
+
+  /// What rounding alone does to a place at this distance: each of the depth + 1 products adds a
+  /// few ulp relatively.
+  static double rounding(double cosh_distance, std::uint32_t depth) {
+    return 8 * std::numeric_limits<double>::epsilon() * (depth + 1.0) * cosh_distance;
   }
 
   /// Whether no plane of the cell separates it from the ball: sinh of the distance from the root's

@@ -57,9 +57,9 @@ struct UniversalCover {
 /// the cells of a smaller one. Equal distances go by the order of discovery.
 ///
 /// Cells are told apart by where their centres lie: those of different cells are further apart than
-/// the sum of their in-radii, whatever symmetries the tetrahedra have (docs/theory.md (65)). Places
-/// are products of unit determinant in SL(2,C), normalised at every step, so that their relative
-/// error grows like the depth and not like its exponential.
+/// the sum of their in-radii, whatever symmetries the tetrahedra have (docs/theory.md (73)). Places
+/// are products in SL(2,C), whose relative error grows like the depth and not like its exponential
+/// (docs/theory.md (62)).
 /// O(cells) time but for the queue; some 500 bytes a cell while it runs.
 /// Throws InvalidInput for options out of range.
 UniversalCover grow_universal_cover(const Embedding& embedding,

@@ -124,7 +124,12 @@ MoebiusMap to_moebius(const Matrix4& isometry) {
       best = sum;
     }
   }
-  return normalised({best[0], best[1], best[2], best[3], reverses});
+  // The determinant of the multiple is a small difference of large numbers where A moves the origin
+  // far: good enough for the phase, which no isometry depends on. The size is that of A's time.
+  const Complex root = std::sqrt(best[0] * best[3] - best[1] * best[2]);
+  const double size = std::sqrt(largest / (2 * isometry(3, 3)));
+  const Complex scale = root == Complex(0) ? Complex(size) : size * (root / std::abs(root));
+  return {best[0] / scale, best[1] / scale, best[2] / scale, best[3] / scale, reverses};
 }
 
 Vector4 image_of_origin(const MoebiusMap& map) {

@@ -24,6 +24,7 @@ topology::Gluings open_gluings(SurfaceFile file, const ManifoldOptions& options,
   manifold.turned = region.turned;
   for (const SurfaceComponent& component : region.components)
     manifold.boundary_genera.push_back(component.genus);
+  std::sort(manifold.boundary_genera.begin(), manifold.boundary_genera.end());
   tell(options, "filling the surface with tetrahedra", 0);
   TetrahedralizeOptions filling = options.tetrahedralize;
   filling.stop_requested = options.stop_requested;

@@ -33,10 +33,10 @@ struct ManifoldOptions {
 struct Manifold {
   topology::Gluings gluings;
   std::array<std::size_t, kStageCount> tetrahedra{};  ///< at each Stage
-  std::vector<int> boundary_genera;                   ///< of all boundary components
+  std::vector<int> boundary_genera;                   ///< of all boundary components, sorted
   std::size_t points = 0;                             ///< of the input
   std::size_t triangles = 0;                          ///< of the input, 0 for a tetrahedral mesh
-  std::size_t turned = 0;                             ///< triangles that the input has inside out
+  std::size_t turned = 0;  ///< triangles that did not agree with most of their component
   TetrahedralMesh mesh;
 
   /// Whether the boundary is nothing but spheres: the solid is then a ball, or a ball with balls

@@ -117,11 +117,16 @@ void orient(Region& region, const Connectivity& connectivity) {
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (connectivity.turned[t]) turn(triangles[t]);
   const std::vector<double> volumes = signed_volumes(region);
+  std::vector<std::size_t> turned(region.components.size(), 0);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const bool inside_out = volumes[region.component_of[t]] < 0;
+    const std::uint32_t component = region.component_of[t];
+    const bool inside_out = volumes[component] < 0;
     if (inside_out) turn(triangles[t]);
-    region.turned += inside_out != connectivity.turned[t];
+    turned[component] += inside_out != connectivity.turned[t];
   }
+  // A whole component that faces inwards is as good as one that faces outwards.
+  for (std::size_t c = 0; c < turned.size(); ++c)
+    region.turned += std::min(turned[c], region.components[c].triangle_count - turned[c]);
 }
 
 void count_components(Region& region, const Connectivity& connectivity) {

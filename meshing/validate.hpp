@@ -24,7 +24,7 @@ struct Region {
   std::vector<std::uint32_t> component_of;  ///< [triangles]
   std::vector<SurfaceComponent> components;
   std::uint32_t outermost = 0;
-  std::size_t turned = 0;  ///< triangles that were the other way round in the input
+  std::size_t turned = 0;  ///< triangles that did not agree with most of their component
 };
 
 /// Checks that a surface bounds a region, and returns that. In this order: not empty, coordinates

@@ -206,6 +206,7 @@ std::vector<int> genera(const Boundary& boundary, const detail::Connectivity& co
   std::vector<int> result;
   for (std::size_t c = 0; c < triangles.size(); ++c)
     result.push_back(static_cast<int>((2 - (characteristic[c] - triangles[c] / 2)) / 2));
+  std::sort(result.begin(), result.end());
   return result;
 }
 

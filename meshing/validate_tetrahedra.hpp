@@ -11,7 +11,7 @@ namespace tripus::meshing {
 struct Solid {
   TetrahedralMesh mesh;              ///< every tetrahedron in positive order
   topology::Gluings gluings;         ///< the same tetrahedra; open faces on the boundary, oriented
-  std::vector<int> boundary_genera;  ///< of each component of the boundary
+  std::vector<int> boundary_genera;  ///< of the components of the boundary, sorted
 };
 
 /// Checks that a tetrahedral mesh is a connected solid, and returns that. In this order: not empty,

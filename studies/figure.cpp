@@ -1,7 +1,9 @@
 #include "studies/figure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -234,12 +236,14 @@ class Drawing {
     const int which = colour_of(i);
     if (series.mark == Mark::kBar) return draw_bars(series, which);
     std::string path, markers;
+    std::set<std::array<long, 2>> marked;  // thousands of marks on one spot show no more than one
     bool pen_down = false;
     for (const auto& [x, y] : series.points) {
       const bool shown = x_.shows(x) && y_.shows(y);
       if (shown) {
         path += fmt::format("{}{:.1f} {:.1f}", pen_down ? 'L' : 'M', x_.pixel(x), y_.pixel(y));
-        markers += marker(which, x_.pixel(x), y_.pixel(y), colour(which));
+        if (marked.insert({std::lround(x_.pixel(x)), std::lround(y_.pixel(y))}).second)
+          markers += marker(which, x_.pixel(x), y_.pixel(y), colour(which));
       }
       pen_down = shown;
     }

@@ -58,7 +58,7 @@ Figure irregular_figure(const Table& table) {
       "The largest error of an angle among ten tetrahedra of a size. The last line says what "
       "rounding the lengths to doubles may do to an angle: it grows, because long edges matter by "
       "their differences. Tripus's errors are at most {:.2g} times that. A gap: an angle is not a "
-      "number.",
+      "number, or the error is 0.",
       worst_ratio(table));
   figure.x = {"edge length L (curvature -1)", true, 1e-8, 1e6, {}};
   figure.y = {"largest relative error of an angle", true, 1e-20, 10, {}};

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "topology/detail/edge_walk.hpp"
+#include "topology/edge_walk.hpp"
 
 // A boundary edge lies on two open faces; the walk around it, through the inside, leads from one to
 // the other. So the cones over two neighbouring faces are found and glued in one step, and the
@@ -57,7 +57,7 @@ void add_cones(const OpenFaceList& open, std::size_t inside, Gluings& gluings) {
       std::size_t size = 0;
       for (int v = 0; v < 4; ++v)
         if (v != x && v != f) ends[size++] = v;
-      detail::EdgeWalk walk{t, ends[0], ends[1], x, f};
+      EdgeWalk walk{t, ends[0], ends[1], x, f};
       while (gluings.neighbour(walk.t, walk.c) < inside) walk.step(gluings);
       const std::size_t far = open.number[4 * walk.t + static_cast<std::size_t>(walk.c)];
       std::array<int, 4> images{};
@@ -115,7 +115,7 @@ std::vector<std::uint32_t> boundary_circles(const Gluings& gluings, const OpenFa
       if (v == f || seen[4 * k + static_cast<std::size_t>(labels(v))]) continue;
       ++circles[classes[4 * t + static_cast<std::size_t>(v)]];
       // From cone to cone around the edge between the new vertex and v.
-      detail::EdgeWalk walk{inside + k, f, labels(v), -1, -1};
+      EdgeWalk walk{inside + k, f, labels(v), -1, -1};
       for (int x = 3; x >= 0; --x)
         if (x != walk.a && x != walk.b) (walk.c < 0 ? walk.c : walk.d) = x;
       while (!seen[4 * (walk.t - inside) + static_cast<std::size_t>(walk.b)]) {
@@ -127,20 +127,23 @@ std::vector<std::uint32_t> boundary_circles(const Gluings& gluings, const OpenFa
   return circles;
 }
 
-/// Marks every corner of an edge below the cones.
-void mark_edge(const Gluings& gluings, std::size_t inside, const detail::EdgeWalk& start,
-               std::vector<std::uint8_t>& met) {
-  detail::EdgeWalk walk = start;
+/// Marks every corner of an edge below the cones. Returns the number of link vertices that are its
+/// ends: 1 if it is its own reverse, which is for others to refuse.
+int mark_edge(const Gluings& gluings, std::size_t inside, const EdgeWalk& start,
+              std::vector<std::uint8_t>& met) {
+  EdgeWalk walk = start;
   for (int way = 0; way < 2; ++way) {
     while (true) {
       met[walk.t] = static_cast<std::uint8_t>(met[walk.t] | 1u << walk.edge());
       if (gluings.neighbour(walk.t, walk.c) >= inside) break;
       walk.step(gluings);
-      if (walk.t == start.t && walk.edge() == start.edge()) return;
+      if (walk.t == start.t && walk.edge() == start.edge())
+        return walk.reversed() == start.reversed() ? 2 : 1;
     }
     walk = start;
     std::swap(walk.c, walk.d);
   }
+  return 2;
 }
 
 /// Euler characteristics of the links below the cones.
@@ -161,8 +164,8 @@ std::vector<std::int64_t> euler_characteristics(const Gluings& gluings, std::siz
       if ((met[t] >> e & 1) != 0) continue;
       const auto [a, b] = kEdgeEnds[static_cast<std::size_t>(e)];
       doubled[classes[4 * t + static_cast<std::size_t>(a)]] += 2;
-      doubled[classes[4 * t + static_cast<std::size_t>(b)]] += 2;
-      mark_edge(gluings, inside, detail::EdgeWalk::start(t, e), met);
+      if (mark_edge(gluings, inside, EdgeWalk::start(t, e), met) == 2)
+        doubled[classes[4 * t + static_cast<std::size_t>(b)]] += 2;
     }
   for (std::int64_t& value : doubled) value /= 2;
   return doubled;

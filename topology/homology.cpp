@@ -1,6 +1,6 @@
 #include "topology/homology.hpp"
 
-#include <algorithm>
+#include <utility>
 
 #include "topology/detail/integer_matrix.hpp"
 #include "topology/detail/relators.hpp"
@@ -16,15 +16,7 @@ detail::SparseRow<std::int64_t> relator(const Triangulation& triangulation, std:
     if (code != 0)
       row.push_back({static_cast<std::uint32_t>(code > 0 ? code : -code) - 1, code > 0 ? 1 : -1});
   });
-  std::ranges::sort(row, {}, &detail::Entry<std::int64_t>::column);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < row.size();) {
-    auto sum = row[i++];
-    for (; i < row.size() && row[i].column == sum.column; ++i) sum.value += row[i].value;
-    if (sum.value != 0) row[kept++] = sum;
-  }
-  row.resize(kept);
-  return row;
+  return detail::collected(std::move(row));
 }
 
 /// Edge classes as a breadth-first search meets them: neighbours in space become neighbours in the

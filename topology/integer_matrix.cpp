@@ -335,6 +335,19 @@ std::vector<SparseRow<BigInteger>> independent_columns(
 
 }  // namespace
 
+SparseRow<std::int64_t> collected(SparseRow<std::int64_t> summands) {
+  std::ranges::sort(summands, {}, &Entry<std::int64_t>::column);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < summands.size();) {
+    auto sum = summands[i++];
+    for (; i < summands.size() && summands[i].column == sum.column; ++i)
+      sum.value += summands[i].value;
+    if (sum.value != 0) summands[kept++] = sum;
+  }
+  summands.resize(kept);
+  return summands;
+}
+
 SmithForm smith_form(std::vector<SparseRow<std::int64_t>> rows, std::size_t column_count) {
   SmithForm form;
   UnitEliminator<std::int64_t> small(std::move(rows), column_count);

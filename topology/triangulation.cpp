@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "topology/detail/edge_walk.hpp"
+#include "topology/edge_walk.hpp"
 
 // The skeleton is found by walking, not by union-find: around each edge class once (which gives
 // its corners in cyclic order for nothing) and over each vertex link once. Every array is sized
@@ -36,7 +36,7 @@ void Triangulation::walk_edges() {
     for (int e = 0; e < 6; ++e) {
       if (edge_class(t, e) != kUnset) continue;
       const auto index = static_cast<std::uint32_t>(edge_start_.size() - 1);
-      auto walk = detail::EdgeWalk::start(t, e);
+      auto walk = EdgeWalk::start(t, e);
       // The walk permutes directed corners, so it returns to its start; it meets one of its own
       // corners before that only when it runs along it backwards.
       do {

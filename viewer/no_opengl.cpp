@@ -18,7 +18,6 @@ OffscreenRenderer::OffscreenRenderer() { refuse(); }
 OffscreenRenderer::~OffscreenRenderer() = default;
 Image OffscreenRenderer::draw(const Scene&, const PictureOptions&, int, int, Pixels) { refuse(); }
 Image render_picture(const Scene&, const PictureOptions&, int, int, Pixels) { refuse(); }
-void write_png(const Image&, const std::string&) { refuse(); }
 void show_window(const SceneSource&, const WindowOptions&) { refuse(); }
 
 }  // namespace tripus::viewer

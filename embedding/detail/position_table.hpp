@@ -3,32 +3,35 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/hyperbolic_space.hpp"
 
 namespace tripus::embedding::detail {
 
-/// A set of points of R^3 that are known to be at least `separation` apart, each known up to a
-/// small error: tells whether a point is new. A hash table of cubes so small that a cube holds at
-/// most one point; a point near a wall of its cube is also looked for on the other side.
+/// A set of points of R^3 that are at least `separation` apart, but for errors: tells whether a
+/// point is new. What lies within a quarter of the separation of a point is that point. A hash
+/// table of cubes so small that a cube holds at most one point.
 class PositionTable {
  public:
-  explicit PositionTable(double separation) : cube_(separation / 2), slots_(1024, kEmpty) {}
+  explicit PositionTable(double separation)
+      : reach_(separation / 4), cube_(separation / 2), slots_(1024, kEmpty) {}
 
-  /// Adds the point with its number (the numbers are 0, 1, 2, ... in turn) and returns true, unless
-  /// a point within `error` < separation / 4 of it is there.
-  bool insert(const geometry::Vector3& point, std::uint32_t number, double error) {
-    const Cube low = cube_of(point - geometry::Vector3::Constant(error));
-    const Cube high = cube_of(point + geometry::Vector3::Constant(error));
+  /// Adds the point, unless it is there: then returns how far off it is. Points are numbered 0, 1,
+  /// 2,
+  /// ... as they are added.
+  std::optional<double> insert(const geometry::Vector3& point) {
+    const Cube low = cube_of(point - geometry::Vector3::Constant(reach_));
+    const Cube high = cube_of(point + geometry::Vector3::Constant(reach_));
     for (std::int64_t x = low.x; x <= high.x; ++x)
       for (std::int64_t y = low.y; y <= high.y; ++y)
         for (std::int64_t z = low.z; z <= high.z; ++z)
-          if (holds_near({x, y, z}, point, error)) return false;
+          if (const auto distance = distance_within({x, y, z}, point)) return distance;
     if (2 * (points_.size() + 1) > slots_.size()) grow();
     points_.push_back(point);
-    put(number);
-    return true;
+    put(static_cast<std::uint32_t>(points_.size() - 1));
+    return std::nullopt;
   }
 
  private:
@@ -38,8 +41,8 @@ class PositionTable {
     friend bool operator==(const Cube&, const Cube&) = default;
   };
 
-  // Coordinates are at most separation / (8 * 64 epsilon) where points can still be told apart, so
-  // the numbers of the cubes fit.
+  // Coordinates are far below separation / epsilon where points can still be told apart, so the
+  // numbers of the cubes fit.
   Cube cube_of(const geometry::Vector3& point) const {
     return {static_cast<std::int64_t>(std::floor(point[0] / cube_)),
             static_cast<std::int64_t>(std::floor(point[1] / cube_)),
@@ -55,13 +58,14 @@ class PositionTable {
     return static_cast<std::size_t>(hash) & (slots_.size() - 1);
   }
 
-  bool holds_near(const Cube& cube, const geometry::Vector3& point, double error) const {
+  /// Distance to a point in the reach whose slot the cube leads to.
+  std::optional<double> distance_within(const Cube& cube, const geometry::Vector3& point) const {
     for (std::size_t slot = slot_of(cube); slots_[slot] != kEmpty;
          slot = (slot + 1) & (slots_.size() - 1)) {
-      const geometry::Vector3& other = points_[slots_[slot]];
-      if ((other - point).cwiseAbs().maxCoeff() <= error) return true;
+      const double distance = (points_[slots_[slot]] - point).norm();
+      if (distance <= reach_) return distance;
     }
-    return false;
+    return std::nullopt;
   }
 
   void put(std::uint32_t number) {
@@ -75,7 +79,7 @@ class PositionTable {
     for (std::uint32_t n = 0; n < points_.size(); ++n) put(n);
   }
 
-  double cube_;
+  double reach_, cube_;
   std::vector<geometry::Vector3> points_;
   std::vector<std::uint32_t> slots_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include "embedding/colour.hpp"
@@ -18,6 +19,7 @@ constexpr double kSize = 640;       // pixels
 constexpr double kMargin = 0.08;    // of the picture
 constexpr double kSmallest = 0.25;  // circles of a smaller radius, in pixels, are left out
 constexpr const char* kBlack = "#222222";
+constexpr const char* kFaceName = "#0072b2";
 
 std::string hex(const Colour& colour) {
   return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
@@ -75,20 +77,34 @@ std::string drawn(const Circle& circle, const Window& window, const std::string&
                      window.x(circle.centre()), window.y(circle.centre()), radius, style);
 }
 
-/// Where a name stands: on the circle, at an angle of its own so that names keep apart.
-std::string label(const Circle& circle, const Window& window, const std::string& name,
-                  const std::string& colour, double angle) {
-  Complex place;
-  if (draws_as_line(circle, window)) {
-    const auto [point, direction] = line_of(circle);
-    place = point + direction * (direction.real() < 0 ? -0.62 : 0.62) * window.half;
-  } else {
-    place = circle.centre() + std::polar(circle.radius(), angle);
-  }
+/// Where the names of the faces stand: in the middle of a circle, towards the left end of a line.
+Complex place_of_face(const Circle& circle, const Window& window) {
+  if (!draws_as_line(circle, window)) return circle.centre();
+  const auto [point, direction] = line_of(circle);
+  return point + direction * (direction.real() < 0 ? 0.75 : -0.75) * window.half;
+}
+
+/// The names of the truncations stand on their circles: v1 above, v2 below, v3 and v4 to the left,
+/// as the paper's place puts the first two side by side within the others.
+Complex place_of_vertex(const Circle& circle, std::size_t vertex) {
+  constexpr double kDirections[4] = {1.6, 4.7, 2.6, 2.6};
+  if (circle.is_line()) return {};
+  return circle.centre() + std::polar(circle.radius(), kDirections[vertex]);
+}
+
+std::string label(const Complex& place, const Window& window, const std::string& name,
+                  const char* colour) {
   return fmt::format(
       "<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\" stroke=\"white\" stroke-width=\"4\" "
-      "paint-order=\"stroke\">{}</text>\n",
-      window.x(place) + 4, window.y(place) - 4, colour, name);
+      "paint-order=\"stroke\" text-anchor=\"middle\">{}</text>\n",
+      window.x(place), window.y(place) + 6, colour, name);
+}
+
+/// Whether the vertices are oriented otherwise than in the paper's place.
+bool is_mirrored(const HyperboloidTetrahedron& tetrahedron) {
+  Matrix4 vertices;
+  for (int v = 0; v < 4; ++v) vertices.col(v) = tetrahedron.vertices[static_cast<std::size_t>(v)];
+  return vertices.determinant() < 0;
 }
 
 std::string escaped(const std::string& text) {
@@ -114,9 +130,11 @@ std::vector<CirclePicture> circle_pictures(const Embedding& embedding, std::span
   std::vector<CirclePicture> pictures;
   if (cells.empty()) return pictures;
   const std::uint32_t root = cells.front().tetrahedron;
-  const Matrix4 to_paper = geometry::isometry_between(
-      embedding.tetrahedra[root],
-      geometry::to_hyperboloid(geometry::circle_packing(dihedral_angles[root])));
+  // Exactly where the paper has it, or its mirror image: its lines are lines to the last bit.
+  CirclePacking first = geometry::circle_packing(dihedral_angles[root]);
+  if (is_mirrored(embedding.tetrahedra[root])) first = geometry::mirrored(first);
+  const Matrix4 to_paper =
+      geometry::isometry_between(embedding.tetrahedra[root], geometry::to_hyperboloid(first));
   const geometry::MoebiusMap frame = geometry::to_moebius(to_paper);
   for (const Cell& cell : cells) {
     const geometry::MoebiusMap map =
@@ -127,6 +145,7 @@ std::vector<CirclePicture> circle_pictures(const Embedding& embedding, std::span
       for (Circle& circle : *circles) circle = geometry::apply(map, circle);
     pictures.push_back(picture);
   }
+  pictures.front().packing = first;
   return pictures;
 }
 
@@ -159,10 +178,10 @@ std::string circles_as_svg(std::span<const CirclePicture> pictures, const std::s
     }
     const CirclePacking& first = pictures.front().packing;
     for (std::size_t i = 0; i < 4; ++i) {
-      const double turn = 0.7 + 1.5 * static_cast<double>(i);
-      svg += label(first.faces[i], window, fmt::format("f{}", i + 1),
-                   hex(tetrahedron_colour(4 + (pictures.front().tetrahedron == 4))), turn);
-      svg += label(first.vertices[i], window, fmt::format("v{}", i + 1), kBlack, turn + 0.8);
+      svg += label(place_of_face(first.faces[i], window), window, fmt::format("f{}", i + 1),
+                   kFaceName);
+      svg +=
+          label(place_of_vertex(first.vertices[i], i), window, fmt::format("v{}", i + 1), kBlack);
     }
   }
   return svg + "</svg>\n";

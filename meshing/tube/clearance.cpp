@@ -19,11 +19,12 @@
 //
 // Against the outer surface: what lies inside must be deeper than 1.5 times the room, which with
 // the grid of tube_surface.cpp keeps tube and outer surface apart by more than two cells.
+#include "meshing/tube/detail/clearance.hpp"
+
 #include <cmath>
 #include <numbers>
 
 #include "base/error.hpp"
-#include "meshing/tube/detail/clearance.hpp"
 #include "meshing/tube/detail/text.hpp"
 
 namespace tripus::meshing::tube {
@@ -44,6 +45,7 @@ class ClearanceSearch {
         turning_(strands.segments.size()) {}
 
   Clearance run() {
+    check_size();
     check_depths();
     for (std::uint32_t n = 0; n < strands_.nodes.size(); ++n) check_corners(n);
     for (std::uint32_t s = 0; s < strands_.segments.size(); ++s) check_pairs(s);
@@ -63,6 +65,15 @@ class ClearanceSearch {
     return segment.node_a == node ? segment.b - segment.a : segment.a - segment.b;
   }
 
+  /// What nothing else limits is limited by the drawing's own size.
+  void check_size() {
+    Bounds bounds;
+    for (const Node& node : strands_.nodes)
+      if (node.kind != NodeKind::kBeyond) bounds.add(node.point);
+    limit(bounds.diagonal(),
+          [&] { return "the whole drawing is " + as_text(bounds.diagonal()) + " large"; });
+  }
+
   void check_depths() {
     if (!strands_.outer.exists()) return;
     for (const Node& node : strands_.nodes) {
@@ -73,8 +84,7 @@ class ClearanceSearch {
       limit(depth / kDepthPerRoom, [&] {
         return "the point " + as_text(node.point) + " of " +
                name_of(strands_.segments[node.segments.front()]) + " is only " + as_text(depth) +
-               (crossing ? " from the next face of the outer box"
-                         : " from the outer surface");
+               (crossing ? " from the next face of the outer box" : " from the outer surface");
       });
     }
   }
@@ -86,9 +96,8 @@ class ClearanceSearch {
         const double phi = angle_between(leaving(at[i], n), leaving(at[j], n));
         if (phi < kSharpest)
           throw InvalidInput(name_of(strands_.segments[at[i]]) + " and " +
-                             name_of(strands_.segments[at[j]]) +
-                             " leave the same direction from " + as_text(strands_.nodes[n].point) +
-                             "; move one of them aside");
+                             name_of(strands_.segments[at[j]]) + " leave the same direction from " +
+                             as_text(strands_.nodes[n].point) + "; move one of them aside");
         if (phi < std::numbers::pi - kTurn) check_sharp_corner(n, phi, at[i], at[j]);
       }
   }

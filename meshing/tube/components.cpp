@@ -49,7 +49,9 @@ class UnionFind {
 
 std::vector<long> euler_characteristics(const SurfaceMesh& mesh) {
   const std::vector<Side> sides = sorted_sides(mesh);
-  const auto same_edge = [](const Side& a, const Side& b) { return a.from == b.from && a.to == b.to; };
+  const auto same_edge = [](const Side& a, const Side& b) {
+    return a.from == b.from && a.to == b.to;
+  };
   if (const auto twice = std::adjacent_find(sides.begin(), sides.end(), same_edge);
       twice != sides.end())
     fail("edge " + std::to_string(twice->from) + "-" + std::to_string(twice->to) + " twice");
@@ -60,8 +62,7 @@ std::vector<long> euler_characteristics(const SurfaceMesh& mesh) {
     return 3 * t + (c[0] == v ? 0u : c[1] == v ? 1u : 2u);
   };
   for (const Side& side : sides) {
-    const auto back =
-        std::lower_bound(sides.begin(), sides.end(), Side{side.to, side.from, 0});
+    const auto back = std::lower_bound(sides.begin(), sides.end(), Side{side.to, side.from, 0});
     if (back == sides.end() || back->from != side.to || back->to != side.from)
       fail("edge " + std::to_string(side.from) + "-" + std::to_string(side.to) + " is open");
     for (const std::uint32_t v : {side.from, side.to})

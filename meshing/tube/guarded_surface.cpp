@@ -228,8 +228,8 @@ SurfaceMesh GuardedSurface::mesh() const {
     }
   for (std::size_t t = 0; t < triangles_.size(); ++t)
     if (!dead_[t])
-      result.triangles.push_back({number[triangles_[t][0]], number[triangles_[t][1]],
-                                  number[triangles_[t][2]]});
+      result.triangles.push_back(
+          {number[triangles_[t][0]], number[triangles_[t][1]], number[triangles_[t][2]]});
   return result;
 }
 

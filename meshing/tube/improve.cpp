@@ -96,8 +96,7 @@ void relax(GuardedSurface& surface, const Region& region, int sweeps,
       const Point& here = surface.point(v);
       const Point goal = region.projected(0.5 * (here + middle_of_ring(surface, v)));
       // A goal that is out of reach may be approached.
-      if (!surface.move(v, goal, kGoodQuality))
-        surface.move(v, 0.5 * (here + goal), kGoodQuality);
+      if (!surface.move(v, goal, kGoodQuality)) surface.move(v, 0.5 * (here + goal), kGoodQuality);
     }
 }
 

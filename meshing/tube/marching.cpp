@@ -15,7 +15,6 @@
 #include "base/error.hpp"
 #include "meshing/stopped.hpp"
 #include "meshing/tube/detail/edge_vertices.hpp"
-#include "meshing/tube/detail/text.hpp"
 
 namespace tripus::meshing::tube {
 namespace {
@@ -44,10 +43,7 @@ class Marcher {
     for (int k = 0; k < 3; ++k) size = std::max(size, bounds.high[k] - bounds.low[k]);
     cells_ = kBlock;
     while (double(cells_) * cell < size + 4 * cell) cells_ *= 2;
-    if (cells_ > kMostCells)
-      throw InvalidInput("the tube is too thin for the size of the whole, " + as_text(cell) +
-                         " cells for " + as_text(size) +
-                         "; choose a larger --radius or draw the strands further apart");
+    if (cells_ > kMostCells) throw InternalError("the grid of a tube's surface is too fine");
     const double half = 0.5 * double(cells_) * cell;
     origin_ = bounds.center() - Point{half, half, half};
   }
@@ -169,9 +165,8 @@ class Marcher {
 
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     if (mesh_.triangles.size() >= most_triangles_)
-      throw InvalidInput("the surface would have more than " + std::to_string(most_triangles_) +
-                         " triangles on the grid that its tube needs (cells of " + as_text(cell_) +
-                         "); choose a larger --radius or draw the strands further apart");
+      throw InvalidInput("the surface needs more than " + std::to_string(most_triangles_) +
+                         " triangles; choose fewer, or a larger radius");
     mesh_.triangles.push_back({a, b, c});
   }
 

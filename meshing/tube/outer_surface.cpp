@@ -1,6 +1,6 @@
-#include <limits>
-
 #include "meshing/tube/detail/outer_surface.hpp"
+
+#include <limits>
 
 namespace tripus::meshing::tube {
 namespace {
@@ -46,7 +46,7 @@ Point OuterSurface::normal(const Point& p) const {
   return n;
 }
 
-Point OuterSurface::exit(const Point& from, const Point& to) const {
+Point OuterSurface::exit_point(const Point& from, const Point& to) const {
   const Point d = unit(to - from);
   double t = 0;
   if (const auto* sphere = std::get_if<OuterSphere>(&shape_)) {

@@ -1,8 +1,9 @@
+#include "meshing/tube/detail/strands.hpp"
+
 #include <map>
 #include <numeric>
 
 #include "base/error.hpp"
-#include "meshing/tube/detail/strands.hpp"
 #include "meshing/tube/detail/text.hpp"
 
 namespace tripus::meshing::tube {
@@ -142,7 +143,7 @@ class StrandMaker {
     if (result_.outer.value(from) >= 0)
       throw InvalidInput(edge_name(edge) +
                          " has one point inside the outer surface; give it two there");
-    const Point crossing = result_.outer.exit(from, to);
+    const Point crossing = result_.outer.exit_point(from, to);
     const Point normal = result_.outer.normal(crossing);
     if (dot(normal, unit(to - from)) < kSteepest)
       throw InvalidInput(edge_name(edge) + " meets the outer surface at " + as_text(crossing) +

@@ -1,7 +1,5 @@
 #include "meshing/tube/detail/sweep.hpp"
 
-#include <span>
-
 #include "base/tolerances.hpp"
 
 namespace tripus::meshing::tube {
@@ -54,51 +52,36 @@ bool separate(const std::array<Point, 4>& t, const std::array<Point, 3>& f, doub
 }
 
 /// Two cones from a common corner, given by unit vectors along their edges: is there a plane
-/// through the corner that touches them at most in different edges?
+/// through the corner with one on each side, touching nothing but the corner?
+///
+/// Normals n with n . t >= 0 and n . f <= 0 for all edges form a cone, whose own edges are cross
+/// products of two of these vectors (or, if all lie in one plane, of one with that plane's normal).
+/// Their sum is inside it, and so separates strictly if any normal does.
 bool cones_apart(const std::array<Point, 3>& t, const std::array<Point, 2>& f) {
-  const auto sides = [](const Point& n, std::span<const Point* const> one,
-                        std::span<const Point* const> other) {
-    const auto all_above = [&](std::span<const Point* const> rays, double sign) {
-      for (const Point* r : rays)
-        if (!(sign * dot(n, *r) > kEps)) return false;
-      return true;
-    };
-    return (all_above(one, 1) && all_above(other, -1)) ||
-           (all_above(one, -1) && all_above(other, 1));
-  };
-  const auto apart = [&](Point n, std::span<const Point* const> one,
-                         std::span<const Point* const> other) {
+  const std::array<Point, 5> rays{t[0], t[1], t[2], -1.0 * f[0], -1.0 * f[1]};
+  Point sum{0, 0, 0};
+  const auto add = [&](const Point& x, const Point& y) {
+    const Point n = cross(x, y);
     const double length = norm(n);
-    if (length <= kEps) return false;
-    n = (1 / length) * n;
-    return sides(n, one, other);
-  };
-  const std::array<const Point*, 3> ts{&t[0], &t[1], &t[2]};
-  const std::array<const Point*, 2> fs{&f[0], &f[1]};
-  // A plane along the triangle, with the whole tetrahedron on one side.
-  const Point along_f = cross(f[0], f[1]);
-  if (apart(along_f, ts, {})) return true;
-  for (int i = 0; i < 3; ++i) {
-    const std::array<const Point*, 1> rest{ts[(i + 2) % 3]};
-    if (apart(cross(t[i], t[(i + 1) % 3]), rest, fs)) return true;
-  }
-  for (int i = 0; i < 3; ++i) {
-    const std::array<const Point*, 2> rest{ts[(i + 1) % 3], ts[(i + 2) % 3]};
-    for (int j = 0; j < 2; ++j) {
-      const std::array<const Point*, 1> other{fs[1 - j]};
-      if (apart(cross(t[i], f[j]), rest, other)) return true;
+    if (length <= kEps) return;
+    double low = 0, high = 0;
+    for (const Point& ray : rays) {
+      const double d = dot(n, ray) / length;
+      low = std::min(low, d);
+      high = std::max(high, d);
     }
-  }
-  // Flat cones in one plane are told apart within it.
-  for (int i = 0; i < 3; ++i) {
-    const std::array<const Point*, 2> rest{ts[(i + 1) % 3], ts[(i + 2) % 3]};
-    if (apart(cross(along_f, t[i]), rest, fs)) return true;
-  }
-  for (int j = 0; j < 2; ++j) {
-    const std::array<const Point*, 1> other{fs[1 - j]};
-    if (apart(cross(along_f, f[j]), ts, other)) return true;
-  }
-  return false;
+    if (low > -kEps) sum = sum + (1 / length) * n;
+    if (high < kEps) sum = sum - (1 / length) * n;
+  };
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    for (std::size_t j = i + 1; j < rays.size(); ++j) add(rays[i], rays[j]);
+  const Point plane = cross(f[0], f[1]);
+  for (const Point& ray : rays) add(plane, ray);
+  const double length = norm(sum);
+  if (length <= kEps) return false;
+  for (const Point& ray : rays)
+    if (!(dot(sum, ray) > kEps * length)) return false;
+  return true;
 }
 
 /// A wedge a b u p and a half-plane a b q at a common edge a b.

@@ -39,12 +39,13 @@ constexpr double kTrianglesPerCell = 6;
 /// Sampled triangles for each one wanted, so that coarsening can even them out.
 constexpr double kSpareTriangles = 2;
 
-constexpr std::size_t kMostTriangles = std::size_t{1} << 25;
+constexpr std::size_t kMostTriangles = std::size_t{1} << 23;
+constexpr double kMostCellsAlongAxis = 1 << 18;
 constexpr int kSweepsBefore = 1, kSweepsAfter = 4;
 
 /// The numbers of a drawing are within these bounds: squares and cubes of its lengths must not
 /// overflow, nor differences of its coordinates lose more than half their digits.
-constexpr double kLargestCoordinate = 1e60, kSmallestSize = 1e-60, kMostOffset = 1e6;
+constexpr double kLargestCoordinate = 1e60, kSmallestSize = 1e-40, kMostOffset = 1e6;
 
 /// A polyline with more pieces is refused: every pair of them is looked at.
 constexpr std::size_t kMostSegments = 50'000;
@@ -81,16 +82,22 @@ void check_sizes(const SpatialGraph& graph) {
   }
   if (count == 0) return;
   const double size = bounds.diagonal();
-  if (size < kSmallestSize && size > 0)
+  if (largest > 0 && size < kSmallestSize)
     throw InvalidInput("the drawing is only " + as_text(size) + " large; scale it up");
   if (largest > kMostOffset * size)
     throw InvalidInput("the drawing is " + as_text(size) + " large but its coordinates reach " +
                        as_text(largest) + "; move it to the origin");
 }
 
+void require_room(const Clearance& clearance) {
+  if (!(clearance.room > 0))
+    throw InvalidInput("there is no room for a tube: " + clearance.place + "; draw them apart");
+}
+
 /// A sphere that leaves the graph's own room around it, and as much again.
 OuterSurface automatic_outer(const SpatialGraph& graph) {
-  const double room = find_clearance(make_strands(graph, OuterSurface{})).room;
+  const Clearance clearance = find_clearance(make_strands(graph, OuterSurface{}));
+  require_room(clearance);
   Bounds bounds;
   for (const auto& edge : graph.edges)
     for (const Point& p : edge) bounds.add(p);
@@ -98,7 +105,7 @@ OuterSurface automatic_outer(const SpatialGraph& graph) {
   double farthest = 0;
   for (const auto& edge : graph.edges)
     for (const Point& p : edge) farthest = std::max(farthest, distance(p, center));
-  return OuterSurface(OuterSphere{center, farthest + 2 * std::min(room, farthest)});
+  return OuterSurface(OuterSphere{center, farthest + 2 * std::min(clearance.room, farthest)});
 }
 
 Strands cut_at_outer(const SpatialGraph& graph) {
@@ -118,10 +125,8 @@ Strands cut_at_outer(const SpatialGraph& graph) {
 
 double choose_radius(const Clearance& clearance, const TubeOptions& options) {
   const double most = kMostOfRoom * clearance.room;
-  if (!(clearance.room > 0))
-    throw InvalidInput("there is no room for a tube: " + clearance.place + "; draw them apart");
-  if (!options.radius)
-    return std::isfinite(clearance.room) ? kUsualPartOfRoom * clearance.room : clearance.room;
+  require_room(clearance);
+  if (!options.radius) return kUsualPartOfRoom * clearance.room;
   if (!(*options.radius > 0) || !std::isfinite(*options.radius))
     throw InvalidInput("the radius of the tube must be a finite number greater than 0");
   if (*options.radius > most)
@@ -143,6 +148,21 @@ double outer_area(const Strands& strands) {
   const double box = 2 * (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
   // A sphere fills pi / 6 of its cube's faces.
   return strands.outer.is_sphere() ? std::numbers::pi / 6 * box : box;
+}
+
+/// Refuses tubes that are too thin for the size of the whole, before any memory is taken.
+void require_feasible(const Strands& strands, const Clearance& clearance, const Region& region,
+                      double area, double cell) {
+  const Point size = region.bounds().high - region.bounds().low;
+  const double most = std::max({size[0], size[1], size[2]});
+  if (most > kMostCellsAlongAxis * cell ||
+      kTrianglesPerCell * area > double(kMostTriangles) * cell * cell)
+    throw InvalidInput(
+        "the tube is too thin for the size of the whole: its surface needs triangles "
+        "of size " +
+        as_text(cell) + " where all is " + as_text(most) + " large; give a larger radius" +
+        (strands.outer.exists() ? " or a closer outer surface" : "") +
+        ", or draw the graph with more room (" + clearance.place + ")");
 }
 
 /// Edges around the tube decide the length of an edge on it; the outer surface has longer ones.
@@ -178,14 +198,15 @@ Tube make_tube(const SpatialGraph& graph, const TubeOptions& options) {
   tube.room = clearance.room;
   tube.room_place = clearance.place;
   tube.euler_characteristics = strands.expected().euler_characteristics;
-  const std::size_t wanted =
-      options.triangles ? *options.triangles
-                        : usual_triangles(strands, tube.radius, options.edges_around);
+  const std::size_t wanted = options.triangles
+                                 ? *options.triangles
+                                 : usual_triangles(strands, tube.radius, options.edges_around);
   const double largest = kLargestCell * std::min(tube.radius, tube.room - tube.radius);
   const double area = tube_area(strands, tube.radius) + outer_area(strands);
   const double cell = std::min(
       largest, std::sqrt(kTrianglesPerCell * area / (kSpareTriangles * double(wanted) + 1)));
   const Region region(strands, tube.radius, largest);
+  require_feasible(strands, clearance, region, area, cell);
   GuardedSurface surface(march(region, cell, kMostTriangles, options.stop_requested));
   relax(surface, region, kSweepsBefore, options.stop_requested);
   coarsen(surface, region, wanted, options.stop_requested);

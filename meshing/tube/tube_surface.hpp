@@ -11,9 +11,9 @@
 namespace tripus::meshing {
 
 struct TubeOptions {
-  std::optional<double> radius;          ///< of the tube; without: half of what the strands leave
-  std::optional<std::size_t> triangles;  ///< about so many; without: by `edges_around`
-  double edges_around = 10;              ///< triangle edges around the tube
+  std::optional<double> radius = {};  ///< of the tube; without: half of what the strands leave
+  std::optional<std::size_t> triangles = {};          ///< about so many; without: by `edges_around`
+  double edges_around = 10;                           ///< triangle edges around the tube
   const std::atomic<bool>* stop_requested = nullptr;  ///< throws Stopped when set
 };
 
@@ -21,8 +21,8 @@ struct TubeOptions {
 struct Tube {
   SurfaceMesh surface;  ///< triangles face out of the piece of space that they bound
   double radius = 0;
-  double room = 0;         ///< radii below this keep the tube's shape
-  std::string room_place;  ///< what limits them
+  double room = 0;                          ///< radii below this keep the tube's shape
+  std::string room_place;                   ///< what limits them
   std::vector<long> euler_characteristics;  ///< of the components, sorted
 };
 

@@ -53,18 +53,12 @@ struct Held {
   std::vector<std::size_t> tetrahedra;
   std::vector<double> x;
 
-  /// Whether those of them that have a corner on edge class e (all for e = E) are flat in the
-  /// way they were before, as far as rounding can tell.
-  bool are_flat(std::size_t e) const {
+  /// Whether all of them are flat in the way they were before, as far as rounding can tell.
+  bool are_flat() const {
     return std::ranges::all_of(tetrahedra, [&](std::size_t t) {
       std::array<double, 6> l, theta;
-      bool touches = e == triangulation.edge_count();
-      for (int i = 0; i < 6; ++i) {
-        const std::size_t edge = triangulation.edge_class(t, i);
-        touches = touches || edge == e;
-        l[static_cast<std::size_t>(i)] = x[edge];
-      }
-      if (!touches) return true;
+      for (std::size_t i = 0; i < 6; ++i)
+        l[i] = x[triangulation.edge_class(t, static_cast<int>(i))];
       geometry::extended_dihedral_angles(l, theta);
       return theta[straight_edge(before.dihedral_angles[t])] >=
              std::numbers::pi - tolerance::kFlatAngleMargin;
@@ -136,9 +130,9 @@ std::optional<Report> flat_minimiser(const Triangulation& triangulation,
   inner.max_iterations = kNewtonSteps;
   const auto* newton = find_solve_method("auto", held.x.size()).minimiser;
   solver::Summary summary = newton->minimise(energy, held.x, inner);
-  if (!held.are_flat(triangulation.edge_count()))
+  if (!held.are_flat())
     for (const std::size_t e : held.free_edges()) held.centre(e);
-  if (!held.are_flat(triangulation.edge_count())) return std::nullopt;
+  if (!held.are_flat()) return std::nullopt;
   summary.iterations += report.iterations;
   summary.evaluations += report.evaluations;
   summary.linear_iterations += report.linear_iterations;

@@ -80,7 +80,7 @@ double newton_order(const topology::Triangulation& triangulation, std::span<cons
   const Vector direction = random_direction(metric.size(), random);
   Vector before, after;
   for (int k = 0; k <= 8; ++k) {
-    const double size = shortest(metric) * std::pow(10.0, -1.5 - 0.25 * k);
+    const double size = shortest(metric) * std::pow(10.0, -2.5 - 0.25 * k);
     const Vector start = shifted(metric, direction, size);
     const MethodRun run = run_method(triangulation, "newton", start,
                                      {.tolerance = 1e-15, .max_iterations = 1, .stop = &stop});

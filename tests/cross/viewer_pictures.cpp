@@ -57,7 +57,8 @@ double side(Model model, const Vector4& n, const Vector3& p) {
   return 0;
 }
 
-/// Where a ray meets a wall: the zeros of a quadratic polynomial, here by its values at three points.
+/// Where a ray meets a wall: the zeros of a quadratic polynomial, here by its values at three
+/// points.
 std::vector<double> crossings(Model model, const Vector4& normal, const Ray& ray, double length) {
   const auto value = [&](double t) {
     return side(model, normal, ray.origin + t * length * ray.direction);
@@ -103,9 +104,9 @@ Hit first_hit(const Scene& scene, Model model, const Ray& ray, double length,
 }
 
 Hit shown(const Image& image, int x, int y) {
-  const std::uint8_t* pixel =
-      image.pixels.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                                 static_cast<std::size_t>(x));
+  const std::uint8_t* pixel = image.pixels.data() + 4 * (static_cast<std::size_t>(y) *
+                                                             static_cast<std::size_t>(image.width) +
+                                                         static_cast<std::size_t>(x));
   return {0, pixel[0] + 256U * pixel[1], pixel[2]};
 }
 
@@ -131,16 +132,18 @@ Agreement compare(const Scene& scene, const PictureOptions& options, int width, 
     const int y = static_cast<int>(random() % static_cast<unsigned>(height));
     const Hit pixel = shown(image, x, y);
     const auto met = [&](double dx, double dy) {
-      return first_hit(scene, options.model, ray_through(view, width, height, x + 0.5 + dx, y + 0.5 + dy),
-                       length, cut);
+      return first_hit(scene, options.model,
+                       ray_through(view, width, height, x + 0.5 + dx, y + 0.5 + dy), length, cut);
     };
-    const auto same = [&](const Hit& hit) { return hit.cell == pixel.cell && hit.wall == pixel.wall; };
+    const auto same = [&](const Hit& hit) {
+      return hit.cell == pixel.cell && hit.wall == pixel.wall;
+    };
     const Hit expected = met(0, 0);
     ++result.compared;
     if (pixel.cell != 0) result.cells.insert(pixel.cell);
     if (same(expected)) continue;
-    // Near an edge, within 2 pixels, anything goes that is there: the wall of a neighbouring pixel, or,
-    // in the seam between two cells, another wall of one of them.
+    // Near an edge, within 2 pixels, anything goes that is there: the wall of a neighbouring pixel,
+    // or, in the seam between two cells, another wall of one of them.
     bool edge = false, same_cell = expected.cell == pixel.cell, near = false;
     for (const double radius : {0.5, 1.0, 1.5, 2.0}) {
       for (int k = 0; k < 8 && !near; ++k) {

@@ -4,12 +4,11 @@
 #include <iterator>
 #include <numeric>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "topology/homology.hpp"
+#include "tests/support/manifold_invariants.hpp"
 #include "topology/isosig.hpp"
 #include "topology/moves/moves.hpp"
 
@@ -17,6 +16,9 @@
 
 namespace tripus::topology {
 namespace {
+
+using testing::expect_kept;
+using testing::ManifoldInvariants;
 
 std::vector<std::string> signatures(const std::string& file, std::size_t stride) {
   std::ifstream in(std::string(TRIPUS_DATA_DIR) + "/" + file);
@@ -31,37 +33,6 @@ std::vector<MoveKind> every_kind() {
   std::vector<MoveKind> kinds;
   for (const MoveInfo& line : move_table()) kinds.push_back(line.kind);
   return kinds;
-}
-
-/// What no move may change; finite vertices are counted apart.
-struct Invariants {
-  AbelianGroup homology;
-  std::vector<std::tuple<int, bool>> links;  // Euler characteristic, orientable; no spheres
-  std::ptrdiff_t spheres = 0;
-  bool orientable = false;
-  std::size_t components = 0;
-
-  explicit Invariants(const Triangulation& triangulation)
-      : homology(first_homology(triangulation)),
-        orientable(triangulation.is_orientable()),
-        components(triangulation.component_count()) {
-    for (std::size_t v = 0; v < triangulation.vertex_count(); ++v) {
-      const VertexLink& link = triangulation.link(v);
-      if (link.euler_characteristic == 2)
-        ++spheres;
-      else
-        links.emplace_back(link.euler_characteristic, link.orientable);
-    }
-    std::ranges::sort(links);
-  }
-};
-
-void expect_kept(const Invariants& before, const Invariants& after, int finite_vertices) {
-  ASSERT_EQ(after.homology, before.homology);
-  ASSERT_EQ(after.links, before.links);
-  ASSERT_EQ(after.spheres, before.spheres + finite_vertices);
-  ASSERT_EQ(after.orientable, before.orientable);
-  ASSERT_EQ(after.components, before.components);
 }
 
 /// The change accounts for every number, and faces between tetrahedra that stay are glued as they
@@ -99,7 +70,7 @@ bool is_undone(const Gluings& gluings, MoveKind inverse, const std::string& sign
 
 void check_every_move(const Gluings& gluings, bool search_for_inverses) {
   const Triangulation triangulation(gluings);
-  const Invariants before(triangulation);
+  const ManifoldInvariants before(triangulation);
   const std::string signature = isosig(gluings);
   for (const Move& move : all_moves(triangulation, every_kind())) {
     SCOPED_TRACE(signature + ": " + to_string(move));
@@ -109,8 +80,9 @@ void check_every_move(const Gluings& gluings, bool search_for_inverses) {
     ASSERT_EQ(static_cast<std::ptrdiff_t>(moved.tetrahedron_count()),
               static_cast<std::ptrdiff_t>(gluings.tetrahedron_count()) + line.tetrahedra);
     expect_told(gluings, moved, change);
-    ASSERT_NO_THROW(expect_kept(before, Invariants(Triangulation(moved)), line.finite_vertices));
-    if (testing::Test::HasFatalFailure()) return;
+    ASSERT_NO_THROW(
+        expect_kept(before, ManifoldInvariants(Triangulation(moved)), line.finite_vertices));
+    if (::testing::Test::HasFatalFailure()) return;
     if (change.inverse) {
       ASSERT_EQ(change.inverse->kind, line.inverse);
       Gluings undone = moved;
@@ -127,7 +99,7 @@ struct List {
   std::size_t stride;
 };
 
-class MoveLists : public testing::TestWithParam<List> {};
+class MoveLists : public ::testing::TestWithParam<List> {};
 
 TEST_P(MoveLists, EveryLegalMoveKeepsTheManifoldAndIsUndone) {
   const auto list = signatures(GetParam().file, GetParam().stride);
@@ -147,13 +119,13 @@ TEST_P(MoveLists, RandomWalksKeepTheManifold) {
   for (const std::string& signature : list) {
     SCOPED_TRACE(signature + ", seed " + std::to_string(seed));
     Gluings gluings = decode_isosig(signature);
-    const Invariants before{Triangulation(gluings)};
+    const ManifoldInvariants before{Triangulation(gluings)};
     const auto made =
         randomize(gluings, {.count = 30, .seed = seed++, .kinds = kinds, .max_tetrahedra = 9});
     ASSERT_EQ(made.size(), 30u);
     int finite_vertices = 0;
     for (const Move& move : made) finite_vertices += info(move.kind).finite_vertices;
-    expect_kept(before, Invariants(Triangulation(gluings)), finite_vertices);
+    expect_kept(before, ManifoldInvariants(Triangulation(gluings)), finite_vertices);
     if (HasFatalFailure()) return;
   }
 }
@@ -171,10 +143,10 @@ TEST_P(MoveLists, EveryLegalMoveAfterAWalkKeepsTheManifold) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Data, MoveLists,
-                         testing::Values(List{"triangulations-2.txt", 1},
-                                         List{"triangulations-3.txt", 1},
-                                         List{"triangulations-4.txt", 22},
-                                         List{"triangulations-cusped.txt", 1}));
+                         ::testing::Values(List{"triangulations-2.txt", 1},
+                                           List{"triangulations-3.txt", 1},
+                                           List{"triangulations-4.txt", 22},
+                                           List{"triangulations-cusped.txt", 1}));
 
 }  // namespace
 }  // namespace tripus::topology

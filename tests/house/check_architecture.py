@@ -37,7 +37,8 @@ USES = {
 }
 
 HIDDEN = re.compile(
-    r"^(ceres/|boost/|suitesparse/|SuiteSparse|cholmod|umfpack|klu|spqr|amd|camd|colamd|ccolamd|glpk)"
+    r"^(ceres/|boost/|suitesparse/|SuiteSparse|cholmod|umfpack|klu|spqr|amd|camd|colamd|ccolamd|glpk"
+    r"|GL/|EGL/|GLFW/|opencsg\.h|stb/)"
 )
 FORBIDDEN_CALLS = re.compile(
     r"\b(?:exit|_exit|_Exit|quick_exit|abort|printf|fprintf|vprintf|vfprintf|puts|fputs|"

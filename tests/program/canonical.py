@@ -103,5 +103,35 @@ class Census(ProgramTest):
             (joined,), = database.execute(
                 "SELECT count(*) FROM triangulation JOIN manifold ON manifold = name")
         self.assertEqual((count, joined), (8, 8))
+        self.assertEqual(self.run_program("census", "--tetrahedra", "2", "--database", "two").out, b"")
+        self.assertEqual(self.run_program("census", "--in", "two").text,
+                         self.run_program("census", "--in", path).text)
         listed = self.run_program("census", "--in", path).text
         self.assertEqual(listed, self.run_program("census", "--tetrahedra", "2").text)
+
+    def test_from_table_to_database_and_back(self):
+        table = DATA / "census.tsv"
+        for arguments in (("--in", str(table)), ()):
+            result = self.run_program("census", *arguments, "--database", "census.sqlite")
+            self.assertEqual((result.status, result.out, result.err), (0, b"", ""))
+            back = self.run_program("census", "--in", "census.sqlite", "--tsv", "-").text
+            # The table's first line counts what is unresolved, which only a classification knows.
+            self.assertEqual(back.splitlines()[1:], table.read_text().splitlines()[1:])
+        for query in (("--volume", "10:10.5"), ("--boundary", "g3", "--homology", "3 Z"),
+                      ("--tetrahedra", "3")):
+            self.assertEqual(self.run_program("census", "--in", "census.sqlite", *query).text,
+                             self.run_program("census", *query).text)
+
+    def test_a_query_makes_no_census(self):
+        list_file = str(DATA / "triangulations-2.txt")
+        result = self.run_program("census", "--from", list_file, "--boundary", "g2")
+        self.assertEqual((result.status, result.out), (2, b""))
+        self.assertEqual(self.run_program("census", "--journal", "j").status, 2)
+
+    def test_foreign_files_are_left_alone(self):
+        list_file = str(DATA / "triangulations-2.txt")
+        for text in ("cPcbbbihq\n", "cPcbbbihq", "a\tb\n"):
+            self.write("journal", text)
+            self.assert_refused("census", "--from", list_file, "--journal", "journal", "--tsv", "-",
+                                says="name another file")
+            self.assertEqual((self.folder / "journal").read_text(), text)

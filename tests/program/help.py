@@ -2,7 +2,8 @@
 
 from support import ProgramTest
 
-VERBS = ["info", "solve", "cover", "canonize", "compare", "identify", "census", "check", "methods"]
+VERBS = ["info", "solve", "simplify", "mesh", "cover", "canonize", "compare", "identify", "census",
+         "check", "study", "embed", "view", "tube", "methods"]
 
 
 class Help(ProgramTest):

@@ -41,6 +41,7 @@ class Tour(ProgramTest):
 
     def test_is_what_the_program_prints(self):
         (self.folder / "data").symlink_to(DATA)
+        (self.folder / "examples").symlink_to(DATA.parent / "examples")
         run = commands()
         self.assertGreater(len(run), 8)
         for command, shown in run:

@@ -1,6 +1,5 @@
 #include "topology/covers/cover_homology.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -44,19 +43,6 @@ Arrows number_arrows(const TransitiveAction& action,
   return arrows;
 }
 
-/// Sorted, with equal columns summed and zeros left out.
-detail::SparseRow<std::int64_t> collected(detail::SparseRow<std::int64_t> row) {
-  std::ranges::sort(row, {}, &detail::Entry<std::int64_t>::column);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < row.size();) {
-    auto sum = row[i++];
-    for (; i < row.size() && row[i].column == sum.column; ++i) sum.value += row[i].value;
-    if (sum.value != 0) row[kept++] = sum;
-  }
-  row.resize(kept);
-  return row;
-}
-
 }  // namespace
 
 AbelianGroup first_homology(const Presentation& presentation, const TransitiveAction& action) {
@@ -78,7 +64,7 @@ AbelianGroup first_homology(const Presentation& presentation, const TransitiveAc
         if (column != kInTree) row.push_back({column, letter > 0 ? 1 : -1});
         if (letter > 0) sheet = action.images[g][sheet];
       }
-      rows.push_back(collected(std::move(row)));
+      rows.push_back(detail::collected(std::move(row)));
     }
   const detail::SmithForm form = detail::smith_form(std::move(rows), arrows.count);
   AbelianGroup group;

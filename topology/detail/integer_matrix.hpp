@@ -20,6 +20,9 @@ struct Entry {
 template <class Integer>
 using SparseRow = std::vector<Entry<Integer>>;
 
+/// The row that summands in any order add up to.
+SparseRow<std::int64_t> collected(SparseRow<std::int64_t> summands);
+
 /// What is known of a matrix after its diagonalisation over the integers.
 struct SmithForm {
   std::size_t rank = 0;

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "topology/detail/edge_walk.hpp"
 #include "topology/dual_graph.hpp"
+#include "topology/edge_walk.hpp"
 #include "topology/triangulation.hpp"
 
 namespace tripus::topology::detail {

@@ -22,7 +22,7 @@ Move draw(const Gluings& gluings, MoveKind kind, std::mt19937_64& engine) {
     move.place = static_cast<std::uint8_t>(engine() % (line.place == MovePlace::kEdge ? 6 : 4));
   if (!line.choice_name.empty()) move.choice = static_cast<std::uint8_t>(engine() % 2);
   if (line.has_steps) {
-    const auto start = detail::EdgeWalk::start(move.tetrahedron, move.place);
+    const auto start = EdgeWalk::start(move.tetrahedron, move.place);
     const std::size_t count = detail::valence(gluings, start);
     if (count > 0) move.steps = static_cast<std::uint32_t>(engine() % count);
   }

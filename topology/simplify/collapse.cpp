@@ -84,7 +84,7 @@ CollapseRefusal EdgeCollapse::refusal(TetrahedronIndex t, int edge) {
   const MutableTriangulation& m = *m_;
   if (t >= m.slot_count() || !m.is_live(t) || edge < 0 || edge > 5)
     return CollapseRefusal::kNoSuchPlace;
-  const auto start = detail::EdgeWalk::start(t, edge);
+  const auto start = EdgeWalk::start(t, edge);
   const Label one = m.vertex(t, start.a);
   const Label two = m.vertex(t, start.b);
   if (one == two) return CollapseRefusal::kSameEnds;
@@ -92,7 +92,7 @@ CollapseRefusal EdgeCollapse::refusal(TetrahedronIndex t, int edge) {
 
   const Label collapsed = m.edge(t, edge);
   corners_.clear();
-  detail::EdgeWalk walk = start;
+  EdgeWalk walk = start;
   for (std::uint32_t i = m.valence(collapsed); i > 0; --i) {
     for (int other = 0; other < 6; ++other)
       if (other != walk.edge() && m.edge(walk.t, other) == collapsed)

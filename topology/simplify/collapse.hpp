@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "topology/detail/edge_walk.hpp"
+#include "topology/edge_walk.hpp"
 #include "topology/simplify/mutable_triangulation.hpp"
 
 namespace tripus::topology {
@@ -83,7 +83,7 @@ class EdgeCollapse {
   void close_gap();
 
   MutableTriangulation* m_;
-  std::vector<detail::EdgeWalk> corners_;  // around the edge; set by refusal, as what follows
+  std::vector<EdgeWalk> corners_;  // around the edge; set by refusal, as what follows
   std::vector<Node> nodes_;
   Sets edge_sets_;                           // of nodes_
   Sets tetrahedron_sets_;                    // of corners_

@@ -34,7 +34,7 @@ MoveRefusal MutableTriangulation::refusal(const Move& move) const {
   if (move.kind == MoveKind::kTwoZeroEdge) {
     const MoveRefusal met = detail::refuse_pillow(gluings_, move);
     if (met != MoveRefusal::kNone) return met;
-    auto walk = detail::EdgeWalk::start(move.tetrahedron, move.place);
+    auto walk = EdgeWalk::start(move.tetrahedron, move.place);
     walk.step(gluings_);
     return edge(move.tetrahedron, 5 - move.place) == edge(walk.t, 5 - walk.edge())
                ? MoveRefusal::kSameOppositeEdges
@@ -43,7 +43,7 @@ MoveRefusal MutableTriangulation::refusal(const Move& move) const {
   if (move.kind == MoveKind::kTwoOne) {
     const MoveRefusal met = detail::refuse_fold(gluings_, move);
     if (met != MoveRefusal::kNone) return met;
-    const auto at = detail::EdgeWalk::start(move.tetrahedron, move.place);
+    const auto at = EdgeWalk::start(move.tetrahedron, move.place);
     const int a = move.choice == 0 ? at.a : at.b;
     const TetrahedronIndex other = gluings_.neighbour(at.t, a);
     const Perm4 p = gluings_.gluing(at.t, a);

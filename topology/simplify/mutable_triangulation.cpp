@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "topology/detail/edge_walk.hpp"
+#include "topology/edge_walk.hpp"
 
 // Bookkeeping: labels, the slots and labels that are free, and the record of a trial. The moves are
 // in mutable_moves.cpp.
@@ -128,7 +128,7 @@ void MutableTriangulation::count(TetrahedronIndex t) {
 
 void MutableTriangulation::relabel_edge(TetrahedronIndex t, int e, Label to) {
   const Label from = edge(t, e);
-  auto walk = detail::EdgeWalk::start(t, e);
+  auto walk = EdgeWalk::start(t, e);
   do {
     set_edge(static_cast<TetrahedronIndex>(walk.t), walk.edge(), to);
     walk.step(gluings_);

@@ -16,7 +16,7 @@ struct SimplifyOptions {
   /// trials, which is linear in T. 0: no search, except for ways to remove finite vertices.
   double effort = 1.0;
   /// Called now and then with what is going on ("collapse", "reduce", "search") and with T.
-  std::function<void(std::string_view stage, std::size_t tetrahedra)> progress;
+  std::function<void(std::string_view stage, std::size_t tetrahedra)> progress = {};
   /// Where it becomes true, simplify returns soon, with what it has.
   const std::atomic<bool>* stop_requested = nullptr;
 };

@@ -86,17 +86,7 @@ class OffscreenRenderer::Implementation {
                                           : samples_for(width, height);
     renderer_.draw(options, frame);
 
-    Image image{width, height, {}};
-    const std::size_t row = 4 * static_cast<std::size_t>(width);
-    image.pixels.resize(row * static_cast<std::size_t>(height));
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-    // OpenGL's rows go up.
-    for (std::size_t low = 0, high = static_cast<std::size_t>(height) - 1; low < high; ++low, --high)
-      std::swap_ranges(image.pixels.data() + low * row, image.pixels.data() + (low + 1) * row,
-                       image.pixels.data() + high * row);
-    for (std::size_t i = 3; i < image.pixels.size(); i += 4) image.pixels[i] = 255;
-    return image;
+    return read_pixels(width, height);
   }
 
  private:

@@ -9,8 +9,8 @@ namespace tripus::viewer {
 /// What each pixel of a picture tells.
 enum class Pixels {
   kColours,
-  /// The number of the cell, from 1, in red and green, the lower byte first, and of its wall, from 1,
-  /// in blue (9: the cut); 0 where there is none. One sample a pixel.
+  /// The number of the cell, from 1, in red and green, the lower byte first, and of its wall, from
+  /// 1, in blue (9: the cut); 0 where there is none. One sample a pixel.
   kIdentities,
 };
 
@@ -24,8 +24,8 @@ class OffscreenRenderer {
   OffscreenRenderer(const OffscreenRenderer&) = delete;
   OffscreenRenderer& operator=(const OffscreenRenderer&) = delete;
 
-  /// The picture of a scene; alpha is 255. What is kept from the last scene makes the next picture of
-  /// it faster. Throws InvalidInput for what cannot be drawn (require_drawable).
+  /// The picture of a scene; alpha is 255. What is kept from the last scene makes the next picture
+  /// of it faster. Throws InvalidInput for what cannot be drawn (require_drawable).
   Image draw(const Scene& scene, const PictureOptions& options, int width, int height,
              Pixels pixels = Pixels::kColours);
 

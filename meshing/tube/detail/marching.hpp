@@ -12,8 +12,8 @@ namespace tripus::meshing::tube {
 /// `cell`: triangles face outwards. Closed, manifold and free of self-intersections for every
 /// function, because each crossing stays strictly inside its own lattice edge and each triangle
 /// inside its own tetrahedron (see marching.cpp).
-/// Throws InvalidInput if the lattice has more than 2^19 cells along an axis, or the surface more
-/// than `most_triangles`.
+/// The region must be less than 2^18 cells large. Throws InvalidInput if the surface has more than
+/// `most_triangles`, and Stopped.
 SurfaceMesh march(const Region& region, double cell, std::size_t most_triangles,
                   const std::atomic<bool>* stop_requested);
 

@@ -17,14 +17,15 @@ class OuterSurface {
   bool exists() const { return shape_.index() != 0; }
   bool is_sphere() const { return std::holds_alternative<OuterSphere>(shape_); }
 
-  /// At most the distance to the surface, negative inside; convex, changes no faster than the place.
+  /// At most the distance to the surface, negative inside; convex, changes no faster than the
+  /// place.
   double value(const Point& p) const;
 
   /// Unit vector along which `value` grows.
   Point normal(const Point& p) const;
 
   /// The point after `from`, which is inside, where the ray through `to` leaves.
-  Point exit(const Point& from, const Point& to) const;
+  Point exit_point(const Point& from, const Point& to) const;
 
   /// How far inside a point of the surface is with respect to the other faces of the box; infinite
   /// for a sphere.

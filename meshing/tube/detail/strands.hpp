@@ -34,7 +34,8 @@ struct Strands {
   std::vector<Segment> segments;
   std::vector<Node> nodes;
   OuterSurface outer;
-  std::vector<std::uint32_t> loose_inside;  ///< edges with loose ends, where there is no outer surface
+  std::vector<std::uint32_t>
+      loose_inside;  ///< edges with loose ends, where there is no outer surface
 
   /// What the surface of the tube must be, by the graph alone.
   struct Expected {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "topology/detail/edge_walk.hpp"
+#include "topology/edge_walk.hpp"
 #include "topology/moves/moves.hpp"
 
 namespace tripus::topology::detail {

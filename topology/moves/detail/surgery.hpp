@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "topology/detail/edge_walk.hpp"
+#include "topology/edge_walk.hpp"
 #include "topology/moves/detail/local.hpp"
 #include "topology/moves/moves.hpp"
 

@@ -67,8 +67,9 @@ void CellProduct::prepare(double error, const HalfSpace* cut_away) {
   for (std::size_t wall = 0; wall < kWallCount; ++wall)
     add_wall(half_spaces_[wall], is_truncation(wall) ? WallKind::kTruncation : WallKind::kFace,
              wall, error_);
-  // Spheres orthogonal to the model's boundary go on beyond it, and the cell's mirror image lies there;
-  // planes of the Klein ball have none. The side is moved out, so that its own mesh cuts off nothing.
+  // Spheres orthogonal to the model's boundary go on beyond it, and the cell's mirror image lies
+  // there; planes of the Klein ball have none. The side is moved out, so that its own mesh cuts off
+  // nothing.
   if (model_ != Model::kKleinBall) {
     HalfSpace side = model_side(model_);
     side.c -= error_ * ball_.radius;

@@ -1,5 +1,7 @@
 #include "viewer/opencsg/detail/gl.hpp"
 
+#include <algorithm>
+
 namespace tripus::viewer {
 namespace {
 
@@ -97,6 +99,20 @@ RenderTarget make_render_target(int width, int height) {
     throw NoOpenGl("OpenGL refuses to draw pictures of " + std::to_string(width) + "x" +
                    std::to_string(height) + " pixels: ask for a smaller --size");
   return target;
+}
+
+Image read_pixels(int width, int height) {
+  Image image{width, height, {}};
+  const std::size_t row = 4 * static_cast<std::size_t>(width);
+  image.pixels.resize(row * static_cast<std::size_t>(height));
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
+  // OpenGL's rows go up.
+  for (std::size_t low = 0, high = static_cast<std::size_t>(height) - 1; low < high; ++low, --high)
+    std::swap_ranges(image.pixels.data() + low * row, image.pixels.data() + (low + 1) * row,
+                     image.pixels.data() + high * row);
+  for (std::size_t i = 3; i < image.pixels.size(); i += 4) image.pixels[i] = 255;
+  return image;
 }
 
 }  // namespace tripus::viewer

@@ -59,4 +59,7 @@ struct RenderTarget {
 /// Throws NoOpenGl if the driver refuses the size.
 RenderTarget make_render_target(int width, int height);
 
+/// The pixels of the bound framebuffer, alpha 255.
+Image read_pixels(int width, int height);
+
 }  // namespace tripus::viewer

@@ -64,7 +64,13 @@ class Renderer::Implementation {
 
 Renderer::Implementation::Implementation()
     : wall_program_(make_program(kWallVertexShader, kWallFragmentShader)),
-      bounding_(bounding_mesh()) {}
+      bounding_(bounding_mesh()) {
+  // All primitives are convex: the sequenced subtraction of Stewart, Leach and John. Occlusion
+  // queries would save passes, but each waits for the graphics card, and with 8 subtractions that
+  // costs more.
+  OpenCSG::setOption(OpenCSG::AlgorithmSetting, OpenCSG::SCS);
+  OpenCSG::setOption(OpenCSG::DepthComplexitySetting, OpenCSG::NoDepthComplexitySampling);
+}
 
 void Renderer::Implementation::set_scene(const Scene& scene, Model model) {
   // Cells that stay keep their meshes.
@@ -176,7 +182,6 @@ void Renderer::Implementation::solve_product(const CellProduct& product, const V
     primitive.setBoundingBox(low[0], low[1], low[2], high[0], high[1], high[2]);
     pointers.push_back(&primitive);
   }
-  OpenCSG::setOption(OpenCSG::AlgorithmSetting, OpenCSG::SCS);OpenCSG::setOption(OpenCSG::DepthComplexitySetting, OpenCSG::NoDepthComplexitySampling);
   OpenCSG::render(pointers);
 }
 
@@ -211,10 +216,11 @@ void Renderer::Implementation::shade(std::size_t number, const PictureOptions& o
   glUniform1i(uniform.at("plain"), frame.identities ? 1 : 0);
   glUniform3fv(uniform.at("eye"), 1, eye.data());
   glUniform3fv(uniform.at("key_light"), 1, light.data());
-  glUniform1f(uniform.at("slack"), static_cast<GLfloat>(2 * product.mesh_error()));
-  // Small cells have thin edges, or they would be nothing but edges.
   const double pixels = product.scale() / (product.centre() - view.eye).norm() * frame.height *
                         frame.samples / view.height_at_one;
+  glUniform1f(uniform.at("slack"), static_cast<GLfloat>(2 * product.mesh_error()));
+  glUniform1f(uniform.at("pixel"), static_cast<GLfloat>(1 / pixels));
+  // Small cells have thin edges, or they would be nothing but edges.
   const double widest = 1.5 * frame.samples * std::max(1.0, frame.height / 900.0);
   glUniform1f(uniform.at("line_width"), static_cast<GLfloat>(std::min(widest, 0.03 * pixels)));
 

@@ -20,6 +20,7 @@ uniform float kind[kMost];     // 0 face, 1 truncation, 2 side of the model, 3 c
 uniform int count;
 uniform int own;
 uniform bool discarding;       // whether this shader does the CSG itself
+uniform float pixel;           // size of one
 uniform float slack;           // farthest that the mesh of a wall leaves it
 uniform bool plain;            // whether to show `colour` as it is
 uniform vec3 colour;
@@ -29,10 +30,18 @@ uniform float line_width;      // pixels
 varying vec3 position;
 
 void main() {
-  // From the mesh to the true wall, along the gradient (of length 1 there).
+  // From the mesh to the true wall: along the ray, so that all meshes of one wall give one point; where
+  // the ray grazes the wall, along the gradient (of length 1 there).
   vec3 p = position;
+  vec3 ray = normalize(position - eye);
   float f_own = square[own] * dot(p, p) + dot(linear[own].xyz, p) + linear[own].w;
-  p -= f_own * (2.0 * square[own] * p + linear[own].xyz);
+  float f_now = f_own;
+  for (int step = 0; step < 2; ++step) {
+    vec3 gradient = 2.0 * square[own] * p + linear[own].xyz;
+    float along = dot(gradient, ray);
+    p -= abs(along) > 0.05 ? ray * (f_now / along) : gradient * f_now;
+    f_now = square[own] * dot(p, p) + dot(linear[own].xyz, p) + linear[own].w;
+  }
   vec3 normal = normalize(2.0 * square[own] * p + linear[own].xyz);
 
   // Distances in pixels to the other walls: where they meet this one are the edges of the cell.
@@ -45,7 +54,7 @@ void main() {
     vec2 slope = vec2(dFdx(f), dFdy(f));
     float pixels = -f / max(length(slope), 1e-12);
     if (i == own) continue;
-    outside = outside || pixels < (discarding ? -0.5 : -1.2);
+    outside = outside || f > (discarding ? 0.02 : 0.6) * pixel;
     if (kind[i] == 2.0) continue;
     bool edge = kind[own] == 0.0 && kind[i] == 0.0;
     float width = edge ? line_width : 0.5 * line_width;
@@ -116,8 +125,8 @@ float openness(vec2 at, vec2 pixel) {
   vec3 normal = normalize(cross(across, along));
   float turn = 6.2831853 * fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
   float closed = 0.0;
-  for (int i = 0; i < 14; ++i) {
-    float share = (float(i) + 0.5) / 14.0;
+  for (int i = 0; i < 10; ++i) {
+    float share = (float(i) + 0.5) / 10.0;
     float angle = turn + 2.3999632 * float(i);
     vec2 offset = 0.5 * lens.xy * reach * share / d * vec2(cos(angle), sin(angle));
     vec2 there = at + offset;
@@ -126,12 +135,12 @@ float openness(vec2 at, vec2 pixel) {
     float fade = max(1.0 - length2 / (reach * reach), 0.0);
     closed += fade * max(dot(normal, way) * inversesqrt(length2 + 1e-12) - 0.08, 0.0);
   }
-  return 1.0 / (1.0 + 2.4 * closed / 14.0 * 2.0);
+  return 1.0 / (1.0 + 2.4 * closed / 10.0 * 2.0);
 }
 
 vec3 background(vec2 at) {
   vec3 direction = to_model * normalize(place(at, 1.0));
-  vec3 sky = mix(vec3(0.90, 0.92, 0.945), vec3(0.985, 0.985, 0.98), smoothstep(0.0, 1.0, 1.0 - at.y));
+  vec3 sky = mix(vec3(0.93, 0.945, 0.96), vec3(0.985, 0.985, 0.98), smoothstep(0.0, 1.0, 1.0 - at.y));
   if (model == 0) {
     // The plane at infinity, z = 0, fading out around the scene.
     float t = -eye.z / direction.z;

@@ -2,7 +2,7 @@
 
 #include "topology/triangulation.hpp"
 
-namespace tripus::topology::detail {
+namespace tripus::topology {
 
 /// A position on the way around an edge: in tetrahedron t, along its edge from vertex a to vertex
 /// b, about to leave through face c; it came in through face d. {a,b,c,d} = {0,1,2,3}.
@@ -30,4 +30,4 @@ struct EdgeWalk {
   bool reversed() const { return a > b; }
 };
 
-}  // namespace tripus::topology::detail
+}  // namespace tripus::topology

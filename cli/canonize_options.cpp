@@ -1,0 +1,48 @@
+#include "cli/canonize_options.hpp"
+
+#include <limits>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "cli/help.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/numbers.hpp"
+
+namespace tripus::cli {
+
+void add_canonize_options(CLI::App& verb, canonical::CanonizeOptions& options) {
+  verb.add_option("--budget", options.retriangulation.budget,
+                  fmt::format("triangulations to try where one carries no metric (default: {})",
+                              options.retriangulation.budget))
+      ->option_text("N")
+      ->check(whole_number(std::numeric_limits<int>::max()));
+}
+
+const char* const kCanonicalStatusHelp =
+    "Exit status: 0 an answer (for --batch: the run finished), 1 \"no\", unresolved or "
+    "interrupted,\n"
+    "2 bad usage or bad input, 3 a failure of the program itself.";
+
+void add_canonical_verb(CLI::App& program, const char* name, const char* description,
+                        Command& chosen,
+                        Outcome (*answer)(const CanonicalCommand& command,
+                                          const Subject& subject)) {
+  CLI::App* verb = program.add_subcommand(name, description);
+  auto command = std::make_shared<CanonicalCommand>();
+  command->canonize.solve.stop_requested = &interrupt_requested();
+  add_common_options(*verb, command->common);
+  add_canonize_options(*verb, command->canonize);
+  verb->footer(std::string(kInputHelp) + "\n" + kCanonicalStatusHelp);
+  verb->final_callback([command, answer, &chosen] {
+    chosen = [command, answer] {
+      return answer_inputs(command->common, [command, answer](const std::string& input) {
+        const Subject subject = load_subject(input);
+        catch_interrupts();
+        return answer(*command, subject);
+      });
+    };
+  });
+}
+
+}  // namespace tripus::cli

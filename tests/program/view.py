@@ -1,0 +1,130 @@
+"""tripus view: pictures without a display, and what is refused."""
+
+import os
+import struct
+import zlib
+
+from support import TRIPUS, ProgramTest
+
+
+def read_png(data):
+    """Width, height, and the colours of the pixels as (red, green, blue), rows from the top."""
+    assert data[:8] == b"\x89PNG\r\n\x1a\n", "no PNG file"
+    at, packed, size = 8, b"", None
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + length]
+        if kind == b"IHDR":
+            size = struct.unpack(">IIBBBBB", body)
+        packed += body if kind == b"IDAT" else b""
+        at += 12 + length
+    width, height, depth, colour, _, _, interlaced = size
+    assert (depth, colour, interlaced) == (8, 6, 0), "not 8-bit RGBA"
+    raw, stride, rows = zlib.decompress(packed), 4 * width, []
+    before = bytearray(stride)
+    for y in range(height):
+        kind = raw[y * (stride + 1)]
+        row = bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
+        for i in range(stride):
+            left = row[i - 4] if i >= 4 else 0
+            up, corner = before[i], before[i - 4] if i >= 4 else 0
+            guess = left + up - corner
+            paeth = min((abs(guess - v), n, v) for n, v in enumerate((left, up, corner)))[2]
+            row[i] = (row[i] + (0, left, up, (left + up) // 2, paeth)[kind]) & 255
+        rows.append([tuple(row[4 * x:4 * x + 3]) for x in range(width)])
+        before = row
+    return width, height, rows
+
+
+class Pictures(ProgramTest):
+    def picture(self, *arguments, size=(96, 72)):
+        result = self.run_program("view", *arguments, "--png", "out.png",
+                                  "--size", f"{size[0]}x{size[1]}")
+        self.assertEqual(result.status, 0, result.err)
+        self.assertEqual(result.err, "")
+        width, height, rows = read_png((self.folder / "out.png").read_bytes())
+        self.assertEqual((width, height), size)
+        return rows
+
+    def drawn(self, rows):
+        """Pixels with a strong colour: the background and the truncations have none."""
+        return sum(max(p) - min(p) > 70 for row in rows for p in row)
+
+    def test_of_every_model_and_number_of_cells(self):
+        seen = []
+        for model in ("upper", "ball", "klein"):
+            for cells in ("1", "2", "20"):
+                rows = self.picture(TRIPUS, "--model", model, "--cells", cells,
+                                    "--colour-by", "face")
+                self.assertGreater(self.drawn(rows), 40, (model, cells))
+                self.assertGreater(min(rows[0][0]), 200)  # the corner is background
+                self.assertNotIn(rows, seen)
+                seen.append(rows)
+
+    def test_shows_what_was_asked_for(self):
+        usual = self.picture(TRIPUS, "--model", "ball")
+        self.assertEqual(usual, self.picture(TRIPUS, "--model", "ball"))  # the same every time
+        for change in (["--colour-by", "face"], ["--colour-by", "depth"], ["--no-truncations"],
+                       ["--no-faces"], ["--cut-away", "0"], ["--camera", "120,-30,6"]):
+            self.assertNotEqual(usual, self.picture(TRIPUS, "--model", "ball", *change), change)
+
+    def test_works_without_a_display(self):
+        environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        result = self.run_program("view", TRIPUS, "--png", "a.png", "--size", "40x30", "--json",
+                                  env=environment)
+        self.assertEqual((result.status, result.err), (0, ""))
+        self.assertIn('"cells": 20', result.text)
+        self.assertIn('"file": "a.png"', result.text)
+
+
+class WindowsWithoutADisplay(ProgramTest):
+    def test_say_what_to_do(self):
+        environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        result = self.run_program("view", TRIPUS, "--cells", "1", env=environment)
+        self.assertEqual((result.status, result.out), (2, b""))
+        self.assertIn("--png", result.err)
+        self.assertIn("page.html", result.err)
+        self.assertEqual(len(result.err.splitlines()), 1)
+
+
+class RefusedViews(ProgramTest):
+    def refused(self, *arguments):
+        result = self.run_program("view", TRIPUS, *arguments)
+        self.assertEqual((result.status, result.out), (2, b""), arguments)
+        self.assertFalse((self.folder / "a.png").exists())
+        return result.err
+
+    def test_sizes(self):
+        for size in ("0x10", "10", "10x", "x", "1e9x10", "99999x10", "10x-5", "10x10x10", "nanx4",
+                     "1.5x3"):
+            self.assertIn("4096", self.refused("--png", "a.png", "--size", size))
+
+    def test_cells(self):
+        for cells in ("0", "-1", "1000000000", "99999999999999999999", "x", "1.5"):
+            self.assertIn("--cells", self.refused("--png", "a.png", "--cells", cells))
+
+    def test_cameras_and_cuts(self):
+        for camera in ("1,2", "a,b,c", "0,90,4", "0,0,1", "nan,0,4", "0,inf,4", "0,0,1e9"):
+            self.assertIn("camera", self.refused("--png", "a.png", "--camera", camera))
+        for cut in ("x", "nan", "inf"):
+            self.assertIn("cut", self.refused("--png", "a.png", "--cut-away", cut))
+
+    def test_names(self):
+        self.refused("--png", "a.png", "--model", "disk")
+        self.refused("--png", "a.png", "--colour-by", "mood")
+        self.refused("--png", "a.png", "--no-faces", "--no-truncations")
+
+    def test_files_that_cannot_be_written(self):
+        for path in ("missing/a.png", "/", "."):
+            self.assertIn("cannot write", self.refused("--png", path, "--size", "20x20"))
+
+    def test_no_metric(self):
+        result = self.run_program("view", "dLQbcbcaekw", "--png", "a.png")
+        self.assertEqual(result.status, 1)
+        self.assertIn("infeasible", result.text)
+        self.assertFalse((self.folder / "a.png").exists())
+
+    def test_no_input(self):
+        result = self.run_program("view", "--png", "a.png")
+        self.assertEqual(result.status, 2)
+        self.assertIn("INPUT", result.err)

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace tripus::viewer {
+
+/// Draws text over the picture in the bound framebuffer.
+///   x, y   of its top left corner, pixels from that of the framebuffer
+///   scale  of the letters, 1: about 10 pixels high
+void draw_text(const std::string& text, float x, float y, int scale, int width, int height);
+
+}  // namespace tripus::viewer

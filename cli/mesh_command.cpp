@@ -186,7 +186,8 @@ void add_mesh(CLI::App& program, Command& chosen) {
   output->excludes(verb->get_option("--batch"));
   mesh_output->excludes(verb->get_option("--batch"));
   verb->add_option("--pictures", command->pictures,
-                   "draw the stages: PREFIX-boundary.svg, -mesh.svg, -coned.svg, -stages.svg")
+                   "draw the stages: PREFIX-boundary.svg, -mesh.svg, -coned.svg,\n"
+                   "-stages.svg")
       ->option_text("PREFIX")
       ->excludes(verb->get_option("--batch"));
   auto& filling = command->options.tetrahedralize;

@@ -183,7 +183,7 @@ int run(const MeshCommand& command) {
 
 void add_mesh(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
-      "mesh", "from a boundary surface or a tetrahedral mesh to a small ideal triangulation");
+      "mesh", "boundary surface or tetrahedral mesh to a small ideal triangulation");
   auto command = std::make_shared<MeshCommand>();
   add_common_options(*verb, command->common);
   auto* output = verb->add_option("-o,--output", command->output,

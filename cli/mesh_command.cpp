@@ -1,7 +1,4 @@
 // tripus mesh: from a boundary surface or a tetrahedral mesh to a small ideal triangulation.
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <limits>
 #include <memory>
 
@@ -15,7 +12,9 @@
 #include "cli/input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
+#include "cli/output_file.hpp"
 #include "cli/progress.hpp"
+#include "cli/triangulation_file.hpp"
 #include "meshing/formats/medit.hpp"
 #include "meshing/formats/vtk.hpp"
 #include "meshing/manifold.hpp"
@@ -50,19 +49,16 @@ bool ends_with(const std::string& path, std::string_view ending) {
 }
 
 void write_file(const std::string& path, const std::string& text) {
-  errno = 0;
-  std::ofstream out(path, std::ios::binary);
-  out << text << std::flush;
-  if (!out)
-    throw InvalidInput("cannot write " + tripus::quoted(path) + ": " + std::strerror(errno));
+  OutputFile file(path);
+  file.open() << text;
+  file.close();
 }
 
 /// Before the work, not after it.
 void require_known_outputs(const MeshCommand& command) {
-  if (!command.output.empty() && !ends_with(command.output, ".json") &&
-      !ends_with(command.output, ".sig"))
-    throw InvalidInput("-o " + tripus::quoted(command.output) +
-                       ": the name must end with .json (gluing table) or .sig (signature)");
+  if (!command.output.empty()) require_triangulation_name(command.output);
+  for (const std::string& path : {command.output, command.mesh_output})
+    if (!path.empty()) OutputFile can_be_written(path);
   if (!command.mesh_output.empty() && !ends_with(command.mesh_output, ".vtk") &&
       !ends_with(command.mesh_output, ".mesh"))
     throw InvalidInput("--save-mesh " + tripus::quoted(command.mesh_output) +
@@ -71,23 +67,17 @@ void require_known_outputs(const MeshCommand& command) {
 
 void write_outputs(const MeshCommand& command, const meshing::Manifold& manifold,
                    const Subject& subject) {
-  if (ends_with(command.output, ".json"))
-    write_file(command.output, topology::write_json({{}, manifold.gluings}));
-  if (ends_with(command.output, ".sig")) {
-    if (!subject.isosig)
-      throw InvalidInput("the signature would take too long to compute; write .json");
-    write_file(command.output, *subject.isosig + "\n");
-  }
+  if (!command.output.empty())
+    write_triangulation_file(command.output, {}, manifold.gluings, subject.isosig);
   if (ends_with(command.mesh_output, ".vtk"))
     write_file(command.mesh_output, meshing::write_vtk(manifold.mesh));
   if (ends_with(command.mesh_output, ".mesh"))
     write_file(command.mesh_output, meshing::write_medit(manifold.mesh));
-  if (!command.pictures.empty()) {
-    write_file(command.pictures + "-boundary.svg", meshing::boundary_picture(manifold.mesh));
-    write_file(command.pictures + "-mesh.svg", meshing::cut_picture(manifold.mesh));
-    write_file(command.pictures + "-coned.svg", meshing::cone_picture(manifold.mesh));
-    write_file(command.pictures + "-stages.svg", meshing::stages_picture(manifold));
-  }
+  if (command.pictures.empty()) return;
+  write_file(command.pictures + "-boundary.svg", meshing::boundary_picture(manifold.mesh));
+  write_file(command.pictures + "-mesh.svg", meshing::cut_picture(manifold.mesh));
+  write_file(command.pictures + "-coned.svg", meshing::cone_picture(manifold.mesh));
+  write_file(command.pictures + "-stages.svg", meshing::stages_picture(manifold));
 }
 
 /// What became of it, in a sentence.
@@ -183,7 +173,7 @@ int run(const MeshCommand& command) {
 
 void add_mesh(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
-      "mesh", "boundary surface or tetrahedral mesh to a small ideal triangulation");
+      "mesh", "from a surface or a tetrahedral mesh to a small triangulation");
   auto command = std::make_shared<MeshCommand>();
   add_common_options(*verb, command->common);
   auto* output = verb->add_option("-o,--output", command->output,
@@ -196,7 +186,7 @@ void add_mesh(CLI::App& program, Command& chosen) {
   output->excludes(verb->get_option("--batch"));
   mesh_output->excludes(verb->get_option("--batch"));
   verb->add_option("--pictures", command->pictures,
-                   "draw the stages: PREFIX-boundary.svg, -mesh.svg, -coned.svg, -stages.svg")
+                   "draw the stages: PREFIX-boundary.svg, -mesh.svg, -coned.svg,\n-stages.svg")
       ->option_text("PREFIX")
       ->excludes(verb->get_option("--batch"));
   auto& filling = command->options.tetrahedralize;

@@ -165,7 +165,7 @@ Colour wall_colour(ColourBy colour_by, const SceneCell& cell, std::size_t wall) 
                                                    {0.000F, 0.447F, 0.698F},
                                                    {0.835F, 0.369F, 0.000F},
                                                    {0.941F, 0.894F, 0.259F}}};
-  constexpr Colour kPaper{0.97F, 0.96F, 0.93F};
+  constexpr Colour kPaper{0.94F, 0.93F, 0.89F};
   constexpr float kTint = 0.62F;
   if (colour_by == ColourBy::kFace) return is_truncation(wall) ? kPaper : kPalette[wall];
   Colour colour = kPalette[cell.tetrahedron % kPalette.size()];

@@ -81,7 +81,8 @@ std::string drawn(const Circle& circle, const Window& window, const std::string&
 Complex place_of_face(const Circle& circle, const Window& window) {
   if (!draws_as_line(circle, window)) return circle.centre();
   const auto [point, direction] = line_of(circle);
-  return point + direction * (direction.real() < 0 ? 0.75 : -0.75) * window.half;
+  const double middle = (std::conj(direction) * (window.centre - point)).real();
+  return point + direction * (middle + (direction.real() < 0 ? 0.85 : -0.85) * window.half);
 }
 
 /// The names of the truncations stand on their circles: v1 above, v2 below, v3 and v4 to the left,

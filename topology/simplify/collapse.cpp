@@ -35,10 +35,10 @@
 // into the ball around u: pushing it out to w is a homeomorphism. The other preimages are as
 // before. Two non-finite ends must not be merged: their boundary components would become one.
 //
-// A cycle does change the manifold in general: a cycle of one arc in 3 is a sphere or a projective
-// plane made of one triangle, a longer one a sphere with merged poles; a cycle in 4 would make a
-// component of solid space vanish. Two edges at w and x that span a bigon with both its sides one
-// class are the common case: the curve u-x-w would be pinched.
+// A cycle changes the manifold in general. In 3, by 1, it has two arcs at least: two triangles abc
+// and abd with ac = ad and bc = bd are a sphere, which would be flattened to an arc; the manifold
+// falls apart there, or loses a summand. In 4 it is a ring of tetrahedra without an outside, and
+// they are a component that would vanish.
 //
 // Loops in M, and edges of which the two ends of a merged edge coincide, do no harm: the proof does
 // not look at ends. The graph in 4 has degree 2 at most, because a triangle has two sides: it is a

@@ -214,7 +214,7 @@ HalfSpacePrimitive half_space_primitive(const HalfSpace& half_space, double erro
 
 ConvexMesh bounding_mesh() {
   // An icosahedron cut in 3 has its faces at 0.9406 and more of its corners' distance.
-  return sphere(Vector3::Zero(), 1.07, 3);
+  return sphere(Vector3::Zero(), kBoundingReach, 3);
 }
 
 }  // namespace tripus::viewer

@@ -23,22 +23,23 @@ struct HalfSpacePrimitive {
   ConvexMesh mesh;
 };
 
-/// Everything of a cell that its primitives must tell apart lies within this of the origin: the
-/// corners of `bounding_mesh` are the farthest points.
+/// A cell's bounding mesh lies within this of the origin: here the primitives must be right.
+inline constexpr double kBoundingReach = 1.07;
+/// Radius of the cylinders that close primitives; as prisms of 12 sides they hold kBoundingReach.
 inline constexpr double kPrimitiveReach = 1.12;
 /// Meshes lie within this of the origin.
 inline constexpr double kFarthestPoint = 2;
 
 /// The primitive of a half-space. A ball, or a half-space bounded by a plane, is convex: it is
 /// intersected. The outside of a ball is not: the ball is subtracted. Of a sphere that is larger
-/// than the cell only the part near the cell is tessellated, and closed beyond kPrimitiveReach: so
+/// than the cell only the part near the cell is tessellated, and closed beyond kBoundingReach: so
 /// planes are nothing special, a far centre costs no digits, and no mesh reaches farther than
 /// kFarthestPoint, that is, behind the eye.
-///   half_space  local frame, |grad f| = 1 on its wall, the wall meeting the ball of
-///   kPrimitiveReach error       greatest distance of the mesh from the wall there, > 0
+///   half_space  local frame, |grad f| = 1 on its wall, the wall meeting the ball of kPrimitiveReach
+///   error       greatest distance of the mesh from the wall within kBoundingReach, > 0
 HalfSpacePrimitive half_space_primitive(const HalfSpace& half_space, double error);
 
-/// A coarse ball that contains the unit ball and lies within kPrimitiveReach.
+/// A coarse ball that contains the unit ball and lies within kBoundingReach.
 ConvexMesh bounding_mesh();
 
 }  // namespace tripus::viewer

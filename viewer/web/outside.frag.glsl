@@ -24,41 +24,44 @@ float valueAt(int i, vec3 u) {
 }
 vec3 slopeAt(int i, vec3 u) { return gSphere[i].w * u + gSphere[i].xyz; }
 
-/// Where the ray o + s d enters the cell first, s >= start; -1 in `surface` if it never does.
-/// A ball holds the ray in one interval, a complement of a ball outside one: s moves on to the end
-/// of each obstacle until nothing stands in its way.
-float enter(vec3 o, vec3 d, float start, out int surface) {
+/// Where the ray o + s d enters the cell first, s in [start, stop]; -1 in `surface` if it never
+/// does. The balls hold the ray in one interval together. Each complement of a ball is an obstacle
+/// in it: s moves on to the end of each until nothing stands in its way.
+float enter(vec3 o, vec3 d, float start, float stop, out int surface) {
   float low[8], high[8];
-  bool isBall[8];
+  int obstacles = 0;
+  int number[8];
+  float s = start;
+  surface = -1;
   for (int i = 0; i < 8; ++i) {
     float a = gSphere[i].w;
     float b = a * dot(o, d) + dot(gSphere[i].xyz, d);
     float c = valueAt(i, o);
     if (abs(a) < 1e-7) a = a < 0.0 ? -1e-7 : 1e-7;
-    isBall[i] = a > 0.0;
     float discriminant = b * b - a * c;
-    if (discriminant < 0.0) {  // never, or always, inside
-      low[i] = isBall[i] ? 1e30 : 2e30;
-      high[i] = isBall[i] ? -1e30 : 2e30;
+    if (discriminant < 0.0) {
+      if (a > 0.0) { surface = -1; return s; }  // the ray misses a ball
       continue;
     }
     float q = -(b + (b < 0.0 ? -1.0 : 1.0) * sqrt(discriminant));
     float first = q / a, second = abs(q) > 1e-30 ? c / q : 0.0;
-    low[i] = min(first, second);
-    high[i] = max(first, second);
-  }
-  float s = start;
-  surface = -1;
-  for (int turn = 0; turn < 17; ++turn) {
-    bool moved = false;
-    for (int i = 0; i < 8; ++i) {
-      if (isBall[i]) {
-        if (s > high[i]) { surface = -1; return s; }
-        if (s < low[i]) { s = low[i]; surface = i; moved = true; }
-      } else if (s > low[i] && s < high[i]) {
-        s = high[i]; surface = i; moved = true;
-      }
+    float near = min(first, second), far = max(first, second);
+    if (a > 0.0) {
+      if (near > s) { s = near; surface = i; }
+      stop = min(stop, far);
+      if (s > stop) { surface = -1; return s; }
+    } else if (far > start) {
+      low[obstacles] = near;
+      high[obstacles] = far;
+      number[obstacles++] = i;
     }
+  }
+  for (int turn = 0; turn <= obstacles; ++turn) {
+    bool moved = false;
+    for (int k = 0; k < obstacles; ++k) {
+      if (s > low[k] && s < high[k]) { s = high[k]; surface = number[k]; moved = true; }
+    }
+    if (s > stop) { surface = -1; return s; }
     if (!moved) break;
   }
   return s;
@@ -112,10 +115,10 @@ void main() {
 
   // Beyond the bounding sphere the eight inequalities also hold in the cell's mirror image in the
   // sphere or plane at infinity.
-  float half_chord = sqrt(1.0 - across);
+  float halfChord = sqrt(1.0 - across);
   int surface;
-  float s = enter(o, ray, max(-nearest, -half_chord), surface);
-  if (surface < 0 || s > half_chord) discard;
+  float s = enter(o, ray, max(-nearest, -halfChord), halfChord, surface);
+  if (surface < 0) discard;
   vec3 u = o + s * ray;
   float along = nearest + s;
   gl_FragDepth = depthOf(along * vRadius);

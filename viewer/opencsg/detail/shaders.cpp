@@ -112,7 +112,8 @@ vec3 place(vec2 at, float far) {
 }
 
 // How much of the sky above a point its surroundings leave open.
-float openness(vec2 at, vec2 pixel) {
+// turn: of the pattern of places that are looked at
+float openness(vec2 at, float turn) {
   float d = distance_at(at);
   vec3 p = place(at, d);
   // The slope of the surface, from the nearer neighbours on each side.
@@ -123,7 +124,6 @@ float openness(vec2 at, vec2 pixel) {
   vec3 along = abs(south - d) < abs(north - d) ? p - place(at - vec2(0.0, 1.0) / size, south)
                                                : place(at + vec2(0.0, 1.0) / size, north) - p;
   vec3 normal = normalize(cross(across, along));
-  float turn = 6.2831853 * fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
   float closed = 0.0;
   for (int i = 0; i < 10; ++i) {
     float share = (float(i) + 0.5) / 10.0;
@@ -164,13 +164,16 @@ void main() {
     for (int j = 0; j < samples; ++j) {
       vec2 pixel = float(samples) * floor(gl_FragCoord.xy) + vec2(float(i), float(j)) + 0.5;
       vec2 at = pixel / size;
+      // Each sample of a pixel looks elsewhere; a single one at random, which is grainy.
+      float part = samples > 1 ? float(i * samples + j) / float(samples * samples)
+                               : fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
       vec4 drawn = texture2D(colours, at);
       vec3 shown;
       if (drawn.a == 0.0) {
         shown = background(at);
       } else {
         shown = drawn.rgb;
-        if (reach > 0.0) shown *= mix(vec3(0.05, 0.07, 0.12), vec3(1.0), openness(at, pixel));
+        if (reach > 0.0) shown *= mix(vec3(0.05, 0.07, 0.12), vec3(1.0), openness(at, 6.2831853 * part));
       }
       sum += shown;
     }

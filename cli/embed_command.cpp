@@ -209,7 +209,7 @@ void add_embed(CLI::App& program, Command& chosen) {
       ->option_text("X")
       ->check(positive_number());
   verb->add_option("--circles", command->circles,
-                   "draw the circles of the cells at infinity, in the paper's place, as SVG")
+                   "draw the circles of the cells at infinity, in the paper's place,\nas SVG")
       ->option_text("FILE");
   verb->footer(
       std::string("Without --cells, --depth or --radius the cells are a fundamental domain: each\n"

@@ -186,7 +186,7 @@ void add_picture_options(CLI::App& verb, ViewCommand& command) {
   verb.add_option("--size", command.size, "of the picture or window (default: 1200x900)")
       ->option_text("WxH");
   verb.add_option("--colour-by", command.colour_by,
-                  "tetrahedron (default), face, or depth: gluings away from the first cell")
+                  "tetrahedron (default), face, or depth: gluings away from the\nfirst cell")
       ->option_text("WHAT")
       ->check(CLI::IsMember({"tetrahedron", "face", "depth"}));
   verb.add_flag("--no-truncations", command.no_truncations,
@@ -195,7 +195,7 @@ void add_picture_options(CLI::App& verb, ViewCommand& command) {
   verb.add_flag("--no-faces", command.no_faces, "truncations alone: the geodesic boundary")
       ->option_text(" ");
   verb.add_option("--cut-away", command.cut_away,
-                  "cut the cells at the plane x = X of the model, and leave out what lies beyond")
+                  "cut the cells at the plane x = X of the model, and leave out\nwhat lies beyond")
       ->option_text("X");
   verb.add_option("--camera", command.camera,
                   "azimuth and elevation in degrees, distance in radii of the scene\n"

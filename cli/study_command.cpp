@@ -162,7 +162,7 @@ void add_study(CLI::App& program, Command& chosen) {
       ->option_text("N")
       ->check(whole_number(std::numeric_limits<int>::max()));
   verb->add_option("--census", command->census,
-                   "add all triangulations with up to N tetrahedra of the manifolds in the census, "
+                   "add all triangulations with up to N tetrahedra in the census,\n"
                    "and take all inputs unless --samples says otherwise")
       ->option_text("N")
       ->check(CLI::Range(2, 4));

@@ -131,10 +131,9 @@ class Gallery {
     const std::string path = (folder_ / entry.page).string();
     write_file(path, page_of(subject, report, embedding, request_,
                              std::filesystem::path(request_.path).filename().string()));
-    viewer::write_png(
-        viewer::inside_picture(embedding, subject.triangulation, viewer::kThumbnailWidth,
-                               viewer::kThumbnailHeight),
-        (folder_ / entry.picture).string());
+    viewer::write_png(viewer::inside_picture(embedding, subject.triangulation,
+                                             viewer::kThumbnailWidth, viewer::kThumbnailHeight),
+                      (folder_ / entry.picture).string());
     return page_written(subject, report, path, request_.json);
   }
 
@@ -174,12 +173,12 @@ Outcome write_page(const Subject& subject, const structure::Report& report,
 int write_gallery(const CommonOptions& list, const PageRequest& request) {
   check_pages(request);
   Gallery gallery(request);
-  const std::string title = list.batch == "-"
-                                ? "Manifolds"
-                                : "Manifolds of " + std::filesystem::path(list.batch).stem().string();
+  const std::string title =
+      list.batch == "-" ? "Manifolds"
+                        : "Manifolds of " + std::filesystem::path(list.batch).stem().string();
   gallery.write_index(title);  // before the work, so that a wrong path costs none
-  const int status = answer_lines(
-      list, [&](const topology::BatchLine& line) { return gallery.add(line); });
+  const int status =
+      answer_lines(list, [&](const topology::BatchLine& line) { return gallery.add(line); });
   gallery.write_index(title);
   return status;
 }

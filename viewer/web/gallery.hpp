@@ -22,9 +22,9 @@ struct GalleryEntry {
 inline constexpr int kThumbnailWidth = 240;
 inline constexpr int kThumbnailHeight = 180;
 
-/// The index page: a card for each manifold with its thumbnail, which the browser loads when it comes
-/// into sight, a search by name and orders by list, volume and tetrahedra. What has no page is listed
-/// below with the reason. The page needs no graphics and nothing from the network.
+/// The index page: a card for each manifold with its thumbnail, which the browser loads when it
+/// comes into sight, a search by name and orders by list, volume and tetrahedra. What has no page
+/// is listed below with the reason. The page needs no graphics and nothing from the network.
 std::string gallery_html(const std::string& title, std::span<const GalleryEntry> entries);
 
 }  // namespace tripus::viewer

@@ -57,9 +57,8 @@ void append_topology(Text& out, const topology::Triangulation& m) {
   const auto table = [&](std::string_view key, auto numbers, std::size_t width) {
     append_key(out, key);
     append_list(out, count, [&](std::size_t t) {
-      append_list(out, width, [&](std::size_t i) {
-        append_number(out, std::size_t{numbers[width * t + i]});
-      });
+      append_list(out, width,
+                  [&](std::size_t i) { append_number(out, std::size_t{numbers[width * t + i]}); });
     });
   };
   table("edge_classes", m.edge_classes(), 6);
@@ -89,8 +88,9 @@ void append_report(Text& out, const structure::Report& report) {
               [&](std::size_t e) { append_number(out, report.edge_lengths[e]); });
   append_key(out, "vertices");
   append_list(out, report.vertices.size(), [&](std::size_t v) {
-    fmt::format_to(std::back_inserter(out), "{{\"genus\":{},\"kind\":\"{}\",\"area\":",
-                   report.vertices[v].genus, report.vertices[v].kind);
+    fmt::format_to(std::back_inserter(out),
+                   "{{\"genus\":{},\"kind\":\"{}\",\"area\":", report.vertices[v].genus,
+                   report.vertices[v].kind);
     append_number(out, report.vertices[v].area);
     out.push_back('}');
   });
@@ -108,8 +108,7 @@ void append_embedding(Text& out, const embedding::Embedding& embedding) {
   });
   append_key(out, "face_pairings");
   append_list(out, embedding.face_pairings.size(), [&](std::size_t t) {
-    append_list(out, 4,
-                [&](std::size_t f) { append_entries(out, embedding.face_pairings[t][f]); });
+    append_list(out, 4, [&](std::size_t f) { append_entries(out, embedding.face_pairings[t][f]); });
   });
 }
 
@@ -138,8 +137,8 @@ void check(const PageOptions& options, const topology::Triangulation& triangulat
   if (report.outcome != structure::Outcome::kGeometric)
     throw InvalidInput("a page shows a metric, and none was found: " + report.message);
   if (options.cells < 1 || options.cells > kMostPageCells) {
-    throw InvalidInput(fmt::format("a page shows 1 to {} cells, not {}", kMostPageCells,
-                                   options.cells));
+    throw InvalidInput(
+        fmt::format("a page shows 1 to {} cells, not {}", kMostPageCells, options.cells));
   }
   if (options.model != "ball" && options.model != "upper")
     throw InvalidInput("a page knows the models ball and upper, not " + quoted(options.model));
@@ -164,21 +163,19 @@ std::string page_html(const PageOptions& options, const topology::Triangulation&
     }
   }
   const std::string name = detail::escape_html(options.name.empty() ? "A manifold" : options.name);
-  const std::string back =
-      options.gallery.empty()
-          ? std::string()
-          : fmt::format("<a id=\"gallery\" href=\"{}\">All manifolds</a>",
-                        detail::escape_html(options.gallery));
-  return detail::fill_template(
-      detail::web_asset("page.html"),
-      {{"version", std::string(kVersion)},
-       {"title", name + " - Tripus"},
-       {"heading", name},
-       {"back", back},
-       {"style", std::string(detail::web_asset("style.css"))},
-       {"shaders", shaders},
-       {"data", page_data(options, triangulation, report, embedding)},
-       {"script", "'use strict';\n(() => {\n" + scripts + "})();"}});
+  const std::string back = options.gallery.empty()
+                               ? std::string()
+                               : fmt::format("<a id=\"gallery\" href=\"{}\">All manifolds</a>",
+                                             detail::escape_html(options.gallery));
+  return detail::fill_template(detail::web_asset("page.html"),
+                               {{"version", std::string(kVersion)},
+                                {"title", name + " - Tripus"},
+                                {"heading", name},
+                                {"back", back},
+                                {"style", std::string(detail::web_asset("style.css"))},
+                                {"shaders", shaders},
+                                {"data", page_data(options, triangulation, report, embedding)},
+                                {"script", "'use strict';\n(() => {\n" + scripts + "})();"}});
 }
 
 }  // namespace tripus::viewer

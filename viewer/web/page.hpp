@@ -17,11 +17,11 @@ inline constexpr std::size_t kMostPageCells = 10'000;
 
 /// What a page says and how it opens.
 struct PageOptions {
-  std::string name;         ///< from outside: any bytes; the heading
-  std::string isosig;       ///< empty where it is not known
-  std::size_t cells = 20;   ///< shown at first, 1 to kMostPageCells
+  std::string name;            ///< from outside: any bytes; the heading
+  std::string isosig;          ///< empty where it is not known
+  std::size_t cells = 20;      ///< shown at first, 1 to kMostPageCells
   std::string model = "ball";  ///< shown at first: "ball" or "upper"
-  std::string gallery;      ///< relative address of a page to go back to, empty for none
+  std::string gallery;         ///< relative address of a page to go back to, empty for none
 };
 
 /// One self-contained HTML page that shows the manifold from outside, as cells of the universal
@@ -29,8 +29,8 @@ struct PageOptions {
 /// a file.
 ///   report     of the same triangulation, geometric
 ///   embedding  of the same triangulation
-/// Throws InvalidInput for a report that is not geometric, for options out of range, and Unsupported
-/// beyond kMostPageTetrahedra.
+/// Throws InvalidInput for a report that is not geometric, for options out of range, and
+/// Unsupported beyond kMostPageTetrahedra.
 std::string page_html(const PageOptions& options, const topology::Triangulation& triangulation,
                       const structure::Report& report, const embedding::Embedding& embedding);
 

@@ -111,8 +111,7 @@ Sight look(const embedding::Embedding& embedding, const topology::Triangulation&
     }
     const std::size_t other = triangulation.gluings().neighbour(sight.tetrahedron, face);
     came_from = triangulation.gluings().gluing(sight.tetrahedron, face)(face);
-    const auto& crossing_map =
-        embedding.face_pairings[other][static_cast<std::size_t>(came_from)];
+    const auto& crossing_map = embedding.face_pairings[other][static_cast<std::size_t>(came_from)];
     x = crossing_map * x;
     u = crossing_map * u;
     normalise(x, u);
@@ -140,8 +139,7 @@ Image inside_picture(const embedding::Embedding& embedding,
       for (int sample = 0; sample < 4; ++sample) {
         const double across = 2 * (column + 0.25 + 0.5 * (sample & 1)) - width;
         const double upwards = height - 2 * (row + 0.25 + 0.5 * (sample >> 1));
-        const Vector3 ray =
-            (forward + scale * (across * right + upwards * above)).normalized();
+        const Vector3 ray = (forward + scale * (across * right + upwards * above)).normalized();
         const Vector4 direction(ray[0], ray[1], ray[2], 0);
         sum += colour_of(look(embedding, triangulation, 0, geometry::origin(), direction));
       }

@@ -15,7 +15,7 @@ struct Sight {
   std::size_t vertex = 0;       ///< of the wall met
   double distance = 0;          ///< along the geodesic
   double facing = 0;            ///< cosine at which it meets the wall
-  double side = 0;              ///< distance of that point from the sides of its truncation triangle
+  double side = 0;  ///< distance of that point from the sides of its truncation triangle
 };
 
 /// Follows the geodesic from a point of a tetrahedron through the glued faces.

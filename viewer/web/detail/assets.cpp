@@ -37,8 +37,7 @@ std::string fill_template(std::string_view text,
     const std::string_view key = text.substr(open + 2, close - open - 2);
     const auto value =
         std::ranges::find(values, key, &std::pair<std::string_view, std::string>::first);
-    if (value == values.end())
-      throw InternalError("a page template asks for " + std::string(key));
+    if (value == values.end()) throw InternalError("a page template asks for " + std::string(key));
     out += value->second;
     text.remove_prefix(close + 2);
   }
@@ -49,11 +48,21 @@ std::string escape_html(std::string_view text) {
   for (const char c : clean_utf8(text)) {
     const auto byte = static_cast<unsigned char>(c);
     switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\'': out += "&#39;"; break;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
       default:
         if (byte < 0x20 || byte == 0x7f) {
           out += "\xef\xbf\xbd";
@@ -70,10 +79,17 @@ std::string json_string(std::string_view text) {
   std::string out;
   for (const char c : nlohmann::json(text).dump(-1, ' ', true, kReplace)) {
     switch (c) {
-      case '<': out += "\\u003c"; break;
-      case '>': out += "\\u003e"; break;
-      case '&': out += "\\u0026"; break;
-      default: out += c;
+      case '<':
+        out += "\\u003c";
+        break;
+      case '>':
+        out += "\\u003e";
+        break;
+      case '&':
+        out += "\\u0026";
+        break;
+      default:
+        out += c;
     }
   }
   return out;

@@ -31,10 +31,10 @@ double orthogonality_defect(const Matrix4& matrix);
 
 /// The isometry nearest to a matrix that rounding has moved off O+(3,1).
 ///
-/// It goes through SL(2,C), where every matrix gives an isometry and only its size must be set, which
-/// the image of the origin does. Gram-Schmidt on the columns of A would subtract numbers of size
-/// e^{2r} (r: how far A moves the origin) to find numbers of order 1, and spoil digits that A has
-/// (docs/theory.md (62)).
+/// It goes through SL(2,C), where every matrix gives an isometry and only its size must be set,
+/// which the image of the origin does. Gram-Schmidt on the columns of A would subtract numbers of
+/// size e^{2r} (r: how far A moves the origin) to find numbers of order 1, and spoil digits that A
+/// has (docs/theory.md (62)).
 Matrix4 reorthogonalised(const Matrix4& matrix);
 
 /// The point of the hyperboloid with the spatial part of x; takes off what rounding put on.

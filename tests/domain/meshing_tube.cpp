@@ -141,7 +141,7 @@ TEST(TubeDomain, TooThickATubeNamesTheStrandsAndTheLimit) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("edge 0 segment 0 and edge 1 segment 0"));
     EXPECT_THAT(error.what(), ::testing::HasSubstr("must not exceed 0.475"));
   }
-  EXPECT_NO_THROW(make_tube(graph, {.radius = 0.4, .triangles = 2000}));
+  EXPECT_NO_THROW(make_tube(graph, {.radius = 0.2, .triangles = 2000}));
 }
 
 TEST(TubeDomain, RefusesRadiiAndResolutionsThatAreNone) {

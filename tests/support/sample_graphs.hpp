@@ -3,9 +3,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <map>
 #include <numbers>
 #include <random>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "meshing/tube/spatial_graph.hpp"
@@ -17,6 +20,14 @@ using meshing::OuterBox;
 using meshing::OuterSphere;
 using meshing::Point;
 using meshing::SpatialGraph;
+
+/// examples/graphs/<name>.json
+inline SpatialGraph example_graph(const std::string& name) {
+  std::ifstream file(std::string(TRIPUS_DATA_DIR) + "/../examples/graphs/" + name + ".json");
+  std::stringstream text;
+  text << file.rdbuf();
+  return meshing::read_spatial_graph(text.str());
+}
 
 /// A regular polygon of n sides in the plane z = 0, as a knot.
 inline SpatialGraph ring_graph(int n, double radius, Point centre = {0, 0, 0}) {

@@ -1,12 +1,9 @@
 // The laws are those of meshing/tube/README.md.
-#include <fstream>
 #include <numbers>
-#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "meshing/self_intersection.hpp"
 #include "meshing/stopped.hpp"
 #include "meshing/tube/detail/clearance.hpp"
 #include "meshing/tube/tube_surface.hpp"
@@ -17,13 +14,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using testing::ring_graph;
-
-SpatialGraph example(const std::string& name) {
-  std::ifstream file(std::string(TRIPUS_DATA_DIR) + "/../examples/graphs/" + name + ".json");
-  std::stringstream text;
-  text << file.rdbuf();
-  return read_spatial_graph(text.str());
-}
 
 double room_of(const SpatialGraph& graph) {
   return tube::find_clearance(tube::make_strands(graph, tube::OuterSurface{})).room;
@@ -64,39 +54,11 @@ TEST(TubeClearance, IgnoresBendsButNotHairpins) {
 }
 
 TEST(TubeClearance, NamesThePlace) {
-  const Tube tube = make_tube(example("knotted-theta"), {.triangles = 2000});
+  const Tube tube = make_tube(testing::example_graph("knotted-theta"), {.triangles = 2000});
   EXPECT_DOUBLE_EQ(tube.room, 0.5);
   EXPECT_THAT(tube.room_place, ::testing::HasSubstr("segment"));
   EXPECT_THAT(tube.room_place, ::testing::HasSubstr("come within 1 of each other"));
 }
-
-struct Shape {
-  const char* name;
-  std::vector<long> euler_characteristics;
-};
-
-class TubeExamples : public ::testing::TestWithParam<Shape> {};
-
-/// Law 1: closed, manifold, without self-intersections, with the graph's genera.
-TEST_P(TubeExamples, HaveTheGeneraOfTheirGraphs) {
-  const Tube tube = make_tube(example(GetParam().name), {.triangles = 3000});
-  EXPECT_EQ(testing::counted_characteristics(tube.surface), GetParam().euler_characteristics);
-  EXPECT_EQ(tube.euler_characteristics, GetParam().euler_characteristics);
-  EXPECT_FALSE(first_self_intersection(tube.surface));
-  EXPECT_GT(testing::enclosed_volume(tube.surface), 0);
-}
-
-INSTANTIATE_TEST_SUITE_P(All, TubeExamples,
-                         ::testing::Values(Shape{"knotted-y", {-2}},
-                                           Shape{"knotted-theta", {-2, 2}},
-                                           Shape{"unknotted-theta", {-2, 2}},
-                                           Shape{"four-legs", {-4}}, Shape{"trefoil", {0, 2}},
-                                           Shape{"linked-handcuff", {-2, 2}}),
-                         [](const auto& param) {
-                           std::string name = param.param.name;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
 
 TEST(Tube, VolumeIsThatOfTheBallLessTheTorus) {
   // A ring's tube is a solid torus of volume 2 pi^2 R r^2.
@@ -108,27 +70,10 @@ TEST(Tube, VolumeIsThatOfTheBallLessTheTorus) {
   EXPECT_NEAR(testing::enclosed_volume(tube.surface), exact, 1e-2 * exact);
 }
 
-TEST(Tube, AThickerTubeLeavesLess) {
-  double before = HUGE_VAL;
-  for (const double radius : {0.2, 0.3, 0.4}) {
-    const Tube tube = make_tube(example("knotted-y"), {.radius = radius, .triangles = 6000});
-    const double volume = testing::enclosed_volume(tube.surface);
-    EXPECT_LT(volume, before) << radius;
-    before = volume;
-  }
-}
-
-TEST(Tube, HasAboutAsManyTrianglesAsAsked) {
-  for (const std::size_t count : {2'000u, 12'000u}) {
-    const SurfaceMesh surface = tube_surface(example("knotted-y"), {.triangles = count});
-    EXPECT_NEAR(double(surface.triangles.size()), double(count), 0.02 * double(count));
-  }
-}
-
 TEST(Tube, IsTheSameEveryTime) {
   const TubeOptions options{.triangles = 2000};
-  EXPECT_EQ(tube_surface(example("knotted-y"), options),
-            tube_surface(example("knotted-y"), options));
+  EXPECT_EQ(tube_surface(testing::example_graph("knotted-y"), options),
+            tube_surface(testing::example_graph("knotted-y"), options));
 }
 
 TEST(Tube, WithoutOuterSurfaceBoundsTheTubeItself) {
@@ -147,28 +92,9 @@ TEST(Tube, OfALooseEndInsideGoesStraightOn) {
   EXPECT_THAT(make_tube(graph, {.radius = 0.2}).euler_characteristics, ElementsAre(0));
 }
 
-TEST(Tube, IsTheSameAtEveryScale) {
-  const auto scaled = [](double s) {
-    SpatialGraph graph = example("knotted-theta");
-    for (Point& p : graph.vertices)
-      for (double& x : p) x *= s;
-    for (auto& edge : graph.edges)
-      for (Point& p : edge)
-        for (double& x : p) x *= s;
-    return make_tube(graph, {.triangles = 3000});
-  };
-  const Tube one = scaled(1);
-  for (const double s : {0x1p-100, 0x1p100}) {
-    const Tube other = scaled(s);
-    EXPECT_EQ(other.radius, s * one.radius);
-    EXPECT_EQ(other.euler_characteristics, one.euler_characteristics);
-    EXPECT_EQ(other.surface.triangles, one.surface.triangles);
-  }
-}
-
 TEST(Tube, StopsWhenAsked) {
   const std::atomic<bool> stop = true;
-  EXPECT_THROW(make_tube(example("knotted-y"), {.stop_requested = &stop}), Stopped);
+  EXPECT_THROW(make_tube(testing::example_graph("knotted-y"), {.stop_requested = &stop}), Stopped);
 }
 
 }  // namespace

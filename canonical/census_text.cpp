@@ -1,4 +1,5 @@
 // The census and its journal as text with tabs.
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -48,6 +49,12 @@ bool parse_facts(std::span<const std::string_view> cells, CensusEntry& entry) {
   return parse_number(cells[1], entry.volume) && std::isfinite(entry.volume) &&
          parse_number(cells[4], entry.keeping) && parse_number(cells[5], entry.reversing) &&
          !entry.signature.empty();
+}
+
+bool has_control(const std::vector<std::string_view>& cells) {
+  return std::ranges::any_of(cells, [](std::string_view cell) {
+    return std::ranges::any_of(cell, [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+  });
 }
 
 /// Nothing if it is not a line of a journal.
@@ -131,17 +138,19 @@ Census parse_tsv(std::string_view text) {
     if (!std::exchange(header, true)) continue;
     const auto cells = split(line, '\t');
     CensusEntry entry;
-    if (cells.size() != kFacts + 3 || cells[0].empty() || cells.back().empty() ||
+    if (cells.size() != kFacts + 3 || cells[0].empty() || has_control(cells) ||
         !parse_number(cells[1], entry.tetrahedra) ||
         !parse_facts(std::span(cells).subspan(2), entry)) {
-      throw InvalidInput(
-          fmt::format("line {} of the census: not {} columns, none of them empty, with "
-                      "their numbers",
-                      number, kFacts + 3));
+      throw InvalidInput(fmt::format("line {} of the census: not {} columns with their numbers",
+                                     number, kFacts + 3));
     }
     entry.name = cells[0];
-    for (const std::string_view triangulation : split(cells[kFacts + 2], ' '))
+    for (const std::string_view triangulation : split(cells[kFacts + 2], ' ')) {
+      if (triangulation.empty())
+        throw InvalidInput(fmt::format(
+            "line {} of the census: its triangulations are not parted by single spaces", number));
       entry.triangulations.emplace_back(triangulation);
+    }
     census.manifolds.push_back(std::move(entry));
   }
   if (!header) throw InvalidInput("the census has no line with the names of its columns");

@@ -132,7 +132,9 @@ int run(const TubeCommand& command) {
 void add_tube(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand("tube", "surface of the tube around a graph in space");
   auto command = std::make_shared<TubeCommand>();
-  verb->add_option("GRAPH", command->graph, "JSON file with vertices and edges, or -")->required();
+  verb->add_option("GRAPH", command->graph, "JSON file with vertices and edges, or -")
+      ->option_text(" ")
+      ->required();
   verb->add_option("-o,--output", command->output, "OFF file to write, or -")
       ->option_text("FILE")
       ->required();

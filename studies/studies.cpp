@@ -16,7 +16,7 @@ constexpr Study kStudies[] = {
      "which starting lengths converge, by the paper's formulae and by Tripus", 200,
      "random starts an input", detail::plan_stability},
     {"paper", "The paper's experiment: errors against an independent algebraic route",
-     "the paper's flow on many manifolds, against the gluing equations solved in 60 digits", 200,
+     "the paper's flow on many manifolds, against gluing equations solved in 60 digits", 200,
      "inputs, chosen at random", detail::plan_paper},
     {"triangulations", "Triangulations: many of one manifold",
      "many triangulations of one manifold: which carry the metric, and how well", 1000,

@@ -56,7 +56,7 @@ class CoVolume final : public solver::Problem {
   /// From now on takes these tetrahedra for flat at all lengths, with angle pi at that pair of
   /// opposite edges where the latest evaluation found the largest angles. What is evaluated then is
   /// convex, nowhere above H, and equal to it where these tetrahedra are flat: a minimiser of it
-  /// where they are is one of H. Source: docs/theory.md (55).
+  /// where they are is one of H. Source: docs/theory.md (54').
   ///   tetrahedra  indices < T, ascending
   void hold_flat(std::vector<std::size_t> tetrahedra);
 

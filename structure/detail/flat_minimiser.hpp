@@ -14,7 +14,7 @@ namespace tripus::structure::detail {
 /// triangulations with a strict angle structure, where the minimum is attained.
 ///   report    of that run
 /// Returns the degenerate outcome, or nothing where the minimiser is not seen to have flat
-/// tetrahedra. Source: docs/theory.md (55).
+/// tetrahedra. Source: docs/theory.md (54').
 std::optional<Report> flat_minimiser(const topology::Triangulation& triangulation,
                                      const SolveOptions& options, const Report& report);
 

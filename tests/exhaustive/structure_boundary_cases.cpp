@@ -1,4 +1,4 @@
-// Minimisers at which the angles are not smooth, theory (55): no verdict is left open, and the
+// Minimisers at which the angles are not smooth, theory (54'): no verdict is left open, and the
 // lengths reported are those of a minimiser by formulae of the tests' own.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The co-volume with tetrahedra held flat, theory (55).
+// The co-volume with tetrahedra held flat, theory (54').
 #include <cmath>
 #include <numbers>
 #include <random>

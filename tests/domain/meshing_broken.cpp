@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "meshing/manifold.hpp"
 #include "tests/support/data_files.hpp"
+#include "tests/support/data_folder.hpp"
 
 // Every file of tests/broken-meshes gives the message that its table says: never an answer, never a
 // crash. The table and the folder must list the same files.
@@ -14,7 +15,7 @@
 namespace tripus::meshing {
 namespace {
 
-const std::string kFolder = std::string(TRIPUS_DATA_DIR) + "/../tests/broken-meshes/";
+const std::string kFolder = testing::data_folder() + "/../tests/broken-meshes/";
 
 std::string content_of(const std::string& path) {
   std::ifstream in(path, std::ios::binary);

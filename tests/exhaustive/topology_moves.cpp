@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/data_folder.hpp"
 #include "tests/support/manifold_invariants.hpp"
 #include "topology/isosig.hpp"
 #include "topology/moves/moves.hpp"
@@ -21,7 +22,7 @@ using testing::expect_kept;
 using testing::ManifoldInvariants;
 
 std::vector<std::string> signatures(const std::string& file, std::size_t stride) {
-  std::ifstream in(std::string(TRIPUS_DATA_DIR) + "/" + file);
+  std::ifstream in(testing::data_folder() + "/" + file);
   std::vector<std::string> found;
   std::size_t number = 0;
   for (std::string line; std::getline(in, line);)

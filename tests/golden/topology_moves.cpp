@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/data_folder.hpp"
 #include "topology/isosig.hpp"
 #include "topology/moves/moves.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 
 // Columns: isosig, move, signature of the result or "-" where Regina refuses the move.
 TEST(MovesGolden, AgreeWithRegina) {
-  std::ifstream in(std::string(TRIPUS_DATA_DIR) + "/moves-golden.tsv");
+  std::ifstream in(testing::data_folder() + "/moves-golden.tsv");
   std::map<std::pair<MoveKind, bool>, int> counts;
   for (std::string line; std::getline(in, line);) {
     if (line.empty() || line[0] == '#' || line.starts_with("isosig")) continue;

@@ -7,11 +7,13 @@
 #include <string>
 #include <vector>
 
-/// The files of data/, whose folder is the macro TRIPUS_DATA_DIR.
+#include "tests/support/data_folder.hpp"
+
+/// The files of data/.
 namespace tripus::testing {
 
 inline std::string data_text(const std::string& file) {
-  std::ifstream in(std::string(TRIPUS_DATA_DIR) + "/" + file, std::ios::binary);
+  std::ifstream in(data_folder() + "/" + file, std::ios::binary);
   if (!in) throw std::runtime_error("no data file " + file);
   std::ostringstream text;
   text << in.rdbuf();

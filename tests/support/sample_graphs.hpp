@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "meshing/tube/spatial_graph.hpp"
+#include "tests/support/data_folder.hpp"
 
 /// Graphs in space for the tests of meshing/tube.
 namespace tripus::testing {
@@ -23,7 +24,7 @@ using meshing::SpatialGraph;
 
 /// examples/graphs/<name>.json
 inline SpatialGraph example_graph(const std::string& name) {
-  std::ifstream file(std::string(TRIPUS_DATA_DIR) + "/../examples/graphs/" + name + ".json");
+  std::ifstream file(data_folder() + "/../examples/graphs/" + name + ".json");
   std::stringstream text;
   text << file.rdbuf();
   return meshing::read_spatial_graph(text.str());

@@ -1,10 +1,13 @@
 """tripus view: pictures without a display, and what is refused."""
 
 import os
+import signal
 import struct
+import subprocess
+import time
 import zlib
 
-from support import TRIPUS, ProgramTest
+from support import TRIPUS, ProgramTest, read_json
 
 
 def read_png(data):
@@ -85,6 +88,29 @@ class WindowsWithoutADisplay(ProgramTest):
         self.assertIn("--png", result.err)
         self.assertIn("page.html", result.err)
         self.assertEqual(len(result.err.splitlines()), 1)
+
+
+class InterruptedPictures(ProgramTest):
+    def test_hold_the_cells_drawn_so_far(self):
+        # A minute of work, of which the nearest cells are soon done.
+        run = subprocess.Popen(
+            self.command("view", TRIPUS, "--model", "ball", "--cells", "20000", "--size",
+                         "1600x1200", "--png", "a.png", "--json"),
+            cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        time.sleep(2)
+        run.send_signal(signal.SIGINT)
+        start = time.monotonic()
+        out, err = run.communicate(timeout=100)
+        self.assertLess(time.monotonic() - start, 15)  # on a loaded machine, too
+        self.assertEqual(run.returncode, 1)
+        answer = read_json(out.decode())
+        written = (self.folder / "a.png").exists()
+        if written:
+            self.assertIn(answer["cells"], range(1, 20000))
+            self.assertEqual(answer["file"], "a.png")
+            self.assertEqual(err, b"")
+        else:  # it had come to no cell yet
+            self.assertEqual(answer["error"]["kind"], "interrupted")
 
 
 class RefusedViews(ProgramTest):

@@ -87,10 +87,14 @@ embedding::UniversalCover cells_of(const EmbedCommand& command, const Subject& s
   return cover;
 }
 
-void write_mesh(const EmbedCommand& command, const EmbeddedSubject& embedded,
+/// Ctrl-C leaves fewer cells, in the file and in the answer. One that came before, while the cells
+/// were found, has done its work: what was found is written.
+void write_mesh(const EmbedCommand& command, EmbeddedSubject& embedded,
                 const embedding::MeshFormat& format, OutputFile& file) {
-  const embedding::Tessellation tessellation(embedded.embedding, embedded.cover.cells,
-                                             {model_named(command.model), command.error});
+  const embedding::Tessellation tessellation(
+      embedded.embedding, embedded.cover.cells,
+      {model_named(command.model), command.error,
+       interrupt_requested() ? nullptr : &interrupt_requested()});
   if (tessellation.triangle_count() > embedding::kMostTriangles) {
     throw InvalidInput(fmt::format(
         "{} cells with an error of {} take {} triangles, more than {}; ask for fewer cells or a "
@@ -98,7 +102,11 @@ void write_mesh(const EmbedCommand& command, const EmbeddedSubject& embedded,
         embedded.cover.cells.size(), command.error, tessellation.triangle_count(),
         embedding::kMostTriangles));
   }
-  format.write(file.open(), tessellation);
+  const std::size_t written = format.write(file.open(), tessellation);
+  if (written < embedded.cover.cells.size()) {
+    embedded.cover.cells.resize(written);
+    embedded.cover.end = embedding::CoverEnd::kInterrupted;
+  }
 }
 
 std::string circle_figure(const EmbeddedSubject& embedded) {
@@ -109,7 +117,7 @@ std::string circle_figure(const EmbeddedSubject& embedded) {
                   counted(embedded.cover.cells.size(), "cell", "cells")));
 }
 
-void write_file(const EmbedCommand& command, const EmbeddedSubject& embedded, OutputFile& file) {
+void write_file(const EmbedCommand& command, EmbeddedSubject& embedded, OutputFile& file) {
   const std::string extension = extension_of(file.path());
   if (const embedding::MeshFormat* format = find_mesh_format(extension)) {
     write_mesh(command, embedded, *format, file);
@@ -142,7 +150,7 @@ Outcome embed_one(const EmbedCommand& command, const std::string& input) {
   }
   embedding::Embedding placed = embedding::embed(subject.triangulation, report.edge_lengths);
   embedding::UniversalCover cover = cells_of(command, subject, placed);
-  const EmbeddedSubject embedded{subject, report, std::move(placed), std::move(cover)};
+  EmbeddedSubject embedded{subject, report, std::move(placed), std::move(cover)};
   if (file) write_file(command, embedded, *file);
   if (circles) {
     circles->open() << circle_figure(embedded);

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
@@ -50,17 +49,13 @@ const embedding::MeshFormat* find_mesh_format(std::string_view extension) {
   return nullptr;
 }
 
-/// Throws InvalidInput for a name whose ending says nothing.
-void require_known_extension(const std::string& path) {
-  const std::string extension = extension_of(path);
-  if (extension == "json" || extension == "svg" || find_mesh_format(extension) != nullptr) return;
+/// The format goes by the ending of the name.
+std::vector<std::string> known_endings() {
   std::vector<std::string> known{".json"};
   for (const embedding::MeshFormat& format : embedding::mesh_formats())
     known.push_back(fmt::format(".{}", format.extension));
   known.emplace_back(".svg");
-  throw InvalidInput(
-      fmt::format("-o {}: the format goes by the ending of the name, and there are {}",
-                  quoted(path), fmt::join(known, ", ")));
+  return known;
 }
 
 geometry::Model model_named(std::string_view name) {
@@ -131,11 +126,14 @@ void write_file(const EmbedCommand& command, EmbeddedSubject& embedded, OutputFi
 
 Outcome embed_one(const EmbedCommand& command, const std::string& input) {
   std::optional<OutputFile> file, circles;
-  if (!command.output.empty()) {
-    require_known_extension(command.output);
-    file.emplace(command.output);
-  }
+  if (!command.output.empty()) file.emplace(command.output);
   if (!command.circles.empty()) circles.emplace(command.circles);
+  std::error_code unknown;
+  if (file && circles && std::filesystem::equivalent(command.output, command.circles, unknown)) {
+    throw InvalidInput(
+        fmt::format("-o and --circles would both write {}; give one of them another name",
+                    quoted(command.circles)));
+  }
   const Subject subject = load_subject(input);
   catch_interrupts();
   structure::SolveOptions solve;
@@ -203,7 +201,8 @@ void add_embed(CLI::App& program, Command& chosen) {
     formats += fmt::format(".{:<5} {}\n", format.extension, format.summary);
   verb->add_option("-o,--output", command->output,
                    formats + ".svg   the circles at infinity, as --circles")
-      ->option_text("FILE");
+      ->option_text("FILE")
+      ->check(file_name(known_endings()));
   verb->add_flag("--json", command->common.json,
                  "one JSON object on standard output; also without -o");
   add_cell_options(*verb, *command);
@@ -218,7 +217,8 @@ void add_embed(CLI::App& program, Command& chosen) {
       ->check(positive_number());
   verb->add_option("--circles", command->circles,
                    "draw the circles of the cells at infinity, in the paper's place,\nas SVG")
-      ->option_text("FILE");
+      ->option_text("FILE.svg")
+      ->check(file_name({".svg"}));
   verb->footer(
       std::string("Without --cells, --depth or --radius the cells are a fundamental domain: each\n"
                   "tetrahedron once.\n\n") +

@@ -230,9 +230,11 @@ void add_view(CLI::App& program, Command& chosen) {
                     ->option_text(" ")
                     ->transform(unshield());
   auto* png = verb->add_option("--png", command->png, "draw a picture, without any display")
-                  ->option_text("FILE");
+                  ->option_text("FILE.png")
+                  ->check(file_name({".png"}));
   auto* page = verb->add_option("-o", command->page, "write a page for a browser, in one file")
-                   ->option_text("FILE.html");
+                   ->option_text("FILE.html")
+                   ->check(file_name({".html", ".htm"}));
   auto* gallery =
       verb->add_option("--gallery", command->common.batch,
                        "a file with one INPUT a line: a page for each, and -o the index that\n"

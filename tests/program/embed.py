@@ -183,7 +183,12 @@ class EmbedRefusals(ProgramTest):
             self.assert_refused("embed", TRIPUS, *arguments, says=says, kind="usage")
 
     def test_files(self):
-        self.assert_refused("embed", TRIPUS, "-o", "x.stl", says=".json, .obj, .ply, .vtk, .svg")
+        self.assert_refused("embed", TRIPUS, "-o", "x.stl", says=".json or .obj or .ply or .vtk or .svg")
+        for option in ("-o", "--circles"):
+            self.assert_refused("embed", TRIPUS, option, "", says=".svg", kind="usage")
+        self.assert_refused("embed", TRIPUS, "--circles", "x.obj", says=".svg", kind="usage")
+        self.assert_refused("embed", TRIPUS, "-o", "x.svg", "--circles", "./x.svg",
+                            says="another name")
         self.assert_refused("embed", TRIPUS, "-o", "no/such/x.obj", says="No such file")
         self.assert_refused("embed", TRIPUS, "--circles", "no/such/x.svg", says="No such file")
         self.assert_refused("embed", TRIPUS, "-o", "x.obj", "--tessellation", "1e-30",

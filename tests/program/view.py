@@ -141,8 +141,14 @@ class RefusedViews(ProgramTest):
         self.refused("--png", "a.png", "--no-faces", "--no-truncations")
 
     def test_files_that_cannot_be_written(self):
-        for path in ("missing/a.png", "/", "."):
+        (self.folder / "folder.png").mkdir()
+        for path in ("missing/a.png", "folder.png"):
             self.assertIn("cannot write", self.refused("--png", path, "--size", "20x20"))
+
+    def test_names_of_files(self):
+        for name in ("", "a.gif", "png", "/", "."):
+            self.assertIn("must end with .png", self.refused("--png", name))
+            self.assertFalse((self.folder / "a.gif").exists())
 
     def test_no_metric(self):
         result = self.run_program("view", "dLQbcbcaekw", "--png", "a.png")

@@ -157,7 +157,9 @@ void check_list(const std::string& list, const std::string& index) {
   if (std::filesystem::equivalent(list, index, unknown))
     throw InvalidInput("-o " + tripus::quoted(index) +
                        " is the list itself; give the index another name, such as index.html");
-  (void)topology::read_batch(read_file(list));
+  // A pipe can be read only once.
+  const bool is_pipe = std::filesystem::is_fifo(list, unknown);
+  if (!is_pipe) (void)topology::read_batch(read_file(list));
 }
 
 }  // namespace

@@ -1,5 +1,13 @@
 #include "cli/arguments.hpp"
 
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.hpp"
 #include "topology/isosig.hpp"
 
 namespace tripus::cli {
@@ -27,6 +35,18 @@ CLI::Validator unshield() {
   return {[](std::string& text) {
             if (is_shielded(text)) text.erase(0, 1);
             return std::string();
+          },
+          ""};
+}
+
+CLI::Validator file_name(std::vector<std::string> endings) {
+  return {[endings = std::move(endings)](std::string& text) -> std::string {
+            std::string ending = std::filesystem::path(text).extension().string();
+            for (char& c : ending)
+              c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+            if (std::ranges::find(endings, ending) != endings.end()) return {};
+            return fmt::format("the name {} must end with {}", tripus::quoted(text),
+                               fmt::join(endings, " or "));
           },
           ""};
 }

@@ -16,4 +16,7 @@ std::vector<std::string> shield_signatures(std::vector<std::string> arguments);
 /// For INPUT options: takes the space of shield_signatures off.
 CLI::Validator unshield();
 
+/// For an option: the name of a file with one of these endings, such as ".png", in any case.
+CLI::Validator file_name(std::vector<std::string> endings);
+
 }  // namespace tripus::cli

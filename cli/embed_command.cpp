@@ -5,7 +5,6 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
@@ -50,17 +49,13 @@ const embedding::MeshFormat* find_mesh_format(std::string_view extension) {
   return nullptr;
 }
 
-/// Throws InvalidInput for a name whose ending says nothing.
-void require_known_extension(const std::string& path) {
-  const std::string extension = extension_of(path);
-  if (extension == "json" || extension == "svg" || find_mesh_format(extension) != nullptr) return;
+/// The format goes by the ending of the name.
+std::vector<std::string> known_endings() {
   std::vector<std::string> known{".json"};
   for (const embedding::MeshFormat& format : embedding::mesh_formats())
     known.push_back(fmt::format(".{}", format.extension));
   known.emplace_back(".svg");
-  throw InvalidInput(
-      fmt::format("-o {}: the format goes by the ending of the name, and there are {}",
-                  quoted(path), fmt::join(known, ", ")));
+  return known;
 }
 
 geometry::Model model_named(std::string_view name) {
@@ -87,10 +82,14 @@ embedding::UniversalCover cells_of(const EmbedCommand& command, const Subject& s
   return cover;
 }
 
-void write_mesh(const EmbedCommand& command, const EmbeddedSubject& embedded,
+/// Ctrl-C leaves fewer cells, in the file and in the answer. One that came before, while the cells
+/// were found, has done its work: what was found is written.
+void write_mesh(const EmbedCommand& command, EmbeddedSubject& embedded,
                 const embedding::MeshFormat& format, OutputFile& file) {
-  const embedding::Tessellation tessellation(embedded.embedding, embedded.cover.cells,
-                                             {model_named(command.model), command.error});
+  const embedding::Tessellation tessellation(
+      embedded.embedding, embedded.cover.cells,
+      {model_named(command.model), command.error,
+       interrupt_requested() ? nullptr : &interrupt_requested()});
   if (tessellation.triangle_count() > embedding::kMostTriangles) {
     throw InvalidInput(fmt::format(
         "{} cells with an error of {} take {} triangles, more than {}; ask for fewer cells or a "
@@ -98,7 +97,11 @@ void write_mesh(const EmbedCommand& command, const EmbeddedSubject& embedded,
         embedded.cover.cells.size(), command.error, tessellation.triangle_count(),
         embedding::kMostTriangles));
   }
-  format.write(file.open(), tessellation);
+  const std::size_t written = format.write(file.open(), tessellation);
+  if (written < embedded.cover.cells.size()) {
+    embedded.cover.cells.resize(written);
+    embedded.cover.end = embedding::CoverEnd::kInterrupted;
+  }
 }
 
 std::string circle_figure(const EmbeddedSubject& embedded) {
@@ -109,7 +112,7 @@ std::string circle_figure(const EmbeddedSubject& embedded) {
                   counted(embedded.cover.cells.size(), "cell", "cells")));
 }
 
-void write_file(const EmbedCommand& command, const EmbeddedSubject& embedded, OutputFile& file) {
+void write_file(const EmbedCommand& command, EmbeddedSubject& embedded, OutputFile& file) {
   const std::string extension = extension_of(file.path());
   if (const embedding::MeshFormat* format = find_mesh_format(extension)) {
     write_mesh(command, embedded, *format, file);
@@ -123,11 +126,14 @@ void write_file(const EmbedCommand& command, const EmbeddedSubject& embedded, Ou
 
 Outcome embed_one(const EmbedCommand& command, const std::string& input) {
   std::optional<OutputFile> file, circles;
-  if (!command.output.empty()) {
-    require_known_extension(command.output);
-    file.emplace(command.output);
-  }
+  if (!command.output.empty()) file.emplace(command.output);
   if (!command.circles.empty()) circles.emplace(command.circles);
+  std::error_code unknown;
+  if (file && circles && std::filesystem::equivalent(command.output, command.circles, unknown)) {
+    throw InvalidInput(
+        fmt::format("-o and --circles would both write {}; give one of them another name",
+                    quoted(command.circles)));
+  }
   const Subject subject = load_subject(input);
   catch_interrupts();
   structure::SolveOptions solve;
@@ -142,7 +148,7 @@ Outcome embed_one(const EmbedCommand& command, const std::string& input) {
   }
   embedding::Embedding placed = embedding::embed(subject.triangulation, report.edge_lengths);
   embedding::UniversalCover cover = cells_of(command, subject, placed);
-  const EmbeddedSubject embedded{subject, report, std::move(placed), std::move(cover)};
+  EmbeddedSubject embedded{subject, report, std::move(placed), std::move(cover)};
   if (file) write_file(command, embedded, *file);
   if (circles) {
     circles->open() << circle_figure(embedded);
@@ -195,7 +201,8 @@ void add_embed(CLI::App& program, Command& chosen) {
     formats += fmt::format(".{:<5} {}\n", format.extension, format.summary);
   verb->add_option("-o,--output", command->output,
                    formats + ".svg   the circles at infinity, as --circles")
-      ->option_text("FILE");
+      ->option_text("FILE")
+      ->check(file_name(known_endings()));
   verb->add_flag("--json", command->common.json,
                  "one JSON object on standard output; also without -o");
   add_cell_options(*verb, *command);
@@ -210,7 +217,8 @@ void add_embed(CLI::App& program, Command& chosen) {
       ->check(positive_number());
   verb->add_option("--circles", command->circles,
                    "draw the circles of the cells at infinity, in the paper's place,\nas SVG")
-      ->option_text("FILE");
+      ->option_text("FILE.svg")
+      ->check(file_name({".svg"}));
   verb->footer(
       std::string("Without --cells, --depth or --radius the cells are a fundamental domain: each\n"
                   "tetrahedron once.\n\n") +

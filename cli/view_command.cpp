@@ -15,6 +15,7 @@
 #include "cli/report_text.hpp"
 #include "cli/view_pages.hpp"
 #include "embedding/universal_cover.hpp"
+#include "meshing/stopped.hpp"
 #include "structure/solve.hpp"
 #include "viewer/egl/offscreen.hpp"
 #include "viewer/window/window.hpp"
@@ -118,6 +119,28 @@ std::string as_json(const Subject& subject, const std::string& file, std::size_t
   return fmt::to_string(out);
 }
 
+/// The answer to --png, of which so many cells are drawn.
+Outcome picture_written(const Developed& developed, const ViewCommand& command, std::size_t drawn) {
+  const bool interrupted = drawn < command.cells && interrupt_requested();
+  const int status = interrupted ? kNoAnswer : kSuccess;
+  if (command.common.json) return {as_json(developed.subject, command.png, drawn), status};
+  return {fmt::format(
+              "{}: {} of its universal cover drawn to {}{}\n", printable(developed.subject.input),
+              counted(drawn, "cell", "cells"), printable(command.png),
+              interrupted ? fmt::format(": interrupted, {} were asked for", command.cells) : ""),
+          status};
+}
+
+Outcome draw_picture(const Developed& developed, const ViewCommand& command) {
+  const viewer::Scene scene = developed.scene(command.cells, command.picture.model);
+  const viewer::Image image =
+      viewer::render_picture(scene, command.picture, command.width, command.height);
+  const std::size_t drawn = scene.cells.size() - image.cells_left;
+  if (drawn == 0) throw meshing::Stopped();  // no picture is better than an empty one
+  viewer::write_png(image, command.png);
+  return picture_written(developed, command, drawn);
+}
+
 PageRequest page_request(const ViewCommand& command) {
   return {command.page, command.cells, command.model, command.common.json};
 }
@@ -151,15 +174,7 @@ Outcome view_one(const ViewCommand& command, const std::string& input) {
         window);
     return {};
   }
-  const viewer::Scene scene = developed.scene(command.cells, command.picture.model);
-  const viewer::Image image =
-      viewer::render_picture(scene, command.picture, command.width, command.height);
-  viewer::write_png(image, command.png);
-  if (command.common.json)
-    return {as_json(developed.subject, command.png, scene.cells.size()), kSuccess};
-  return {fmt::format("{}: {} of its universal cover drawn to {}\n", printable(input),
-                      counted(scene.cells.size(), "cell", "cells"), printable(command.png)),
-          kSuccess};
+  return draw_picture(developed, command);
 }
 
 int run(ViewCommand& command) {
@@ -171,6 +186,7 @@ int run(ViewCommand& command) {
   command.picture.cut_away = command.cut_away;
   command.picture.faces = !command.no_faces;
   command.picture.truncations = !command.no_truncations;
+  command.picture.stop_requested = &interrupt_requested();
   return answer_inputs(command.common,
                        [&](const std::string& input) { return view_one(command, input); });
 }
@@ -214,9 +230,11 @@ void add_view(CLI::App& program, Command& chosen) {
                     ->option_text(" ")
                     ->transform(unshield());
   auto* png = verb->add_option("--png", command->png, "draw a picture, without any display")
-                  ->option_text("FILE");
+                  ->option_text("FILE.png")
+                  ->check(file_name({".png"}));
   auto* page = verb->add_option("-o", command->page, "write a page for a browser, in one file")
-                   ->option_text("FILE.html");
+                   ->option_text("FILE.html")
+                   ->check(file_name({".html", ".htm"}));
   auto* gallery =
       verb->add_option("--gallery", command->common.batch,
                        "a file with one INPUT a line: a page for each, and -o the index that\n"

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/report_text.hpp"
 #include "structure/solve.hpp"
@@ -148,6 +149,19 @@ class Gallery {
   std::vector<viewer::GalleryEntry> entries_;
 };
 
+/// The index must not replace the list; nor anything, where there is no list.
+/// Throws InvalidInput.
+void check_list(const std::string& list, const std::string& index) {
+  if (list == "-") return;
+  std::error_code unknown;
+  if (std::filesystem::equivalent(list, index, unknown))
+    throw InvalidInput("-o " + tripus::quoted(index) +
+                       " is the list itself; give the index another name, such as index.html");
+  // A pipe can be read only once.
+  const bool is_pipe = std::filesystem::is_fifo(list, unknown);
+  if (!is_pipe) (void)topology::read_batch(read_file(list));
+}
+
 }  // namespace
 
 void check_pages(const PageRequest& request) {
@@ -172,6 +186,7 @@ Outcome write_page(const Subject& subject, const structure::Report& report,
 
 int write_gallery(const CommonOptions& list, const PageRequest& request) {
   check_pages(request);
+  check_list(list.batch, request.path);
   Gallery gallery(request);
   const std::string title =
       list.batch == "-" ? "Manifolds"

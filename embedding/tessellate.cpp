@@ -40,6 +40,11 @@ Tessellation::Tessellation(const Embedding& embedding, std::span<const Cell> cel
   shapes_.resize(embedding.tetrahedra.size());
   subdivisions_.reserve(cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c) {
+    if (c > 0 && is_stopped()) {
+      cells_ = cells.first(c);
+      options_.stop_requested = nullptr;  // it has ended this; the cells that are left are whole
+      break;
+    }
     int n = 0;
     while (options.model != Model::kKleinBall && largest_deviation(cells[c], n) > options.error) {
       if (++n > kMostSubdivisions) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -45,19 +46,27 @@ struct TessellationOptions {
   /// coordinates of the model; > 0. In the upper half-space, where cells can be large, it is
   /// multiplied by the diameter of a cell that is larger than 1.
   double error = 1e-2;
+  /// Ends the work at a whole cell when it becomes true; null: nothing does.
+  const std::atomic<bool>* stop_requested = nullptr;
 };
 
 /// Cells cut into triangles, one cell at a time, so that not all must be in memory. In the Klein
 /// model planes are flat and nothing is subdivided.
 class Tessellation {
  public:
-  /// Finds the level of every cell: the least power of 2 that keeps the error.
+  /// Finds the level of every cell: the least power of 2 that keeps the error. A stop leaves the
+  /// cells found so far, one at least.
   /// Throws InvalidInput, naming the cell, where kFinestLevel is too coarse for the error, and for
   /// an error that is not positive. The arguments must outlive the tessellation.
   Tessellation(const Embedding& embedding, std::span<const Cell> cells,
                const TessellationOptions& options);
 
   std::span<const Cell> cells() const { return cells_; }
+  /// Whether writers should end: a stop was requested since this was made.
+  bool is_stopped() const {
+    return options_.stop_requested != nullptr &&
+           options_.stop_requested->load(std::memory_order_relaxed);
+  }
   int subdivisions(std::size_t cell) const { return subdivisions_[cell]; }
   std::size_t point_count() const { return point_count_; }
   std::size_t triangle_count() const { return triangle_count_; }

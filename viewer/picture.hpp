@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -30,6 +31,8 @@ struct PictureOptions {
   Drawing drawing = Drawing::kSolid;
   bool occlusion = true;  ///< whether nooks are darkened; costs some
   int samples = 0;        ///< a pixel, in each direction, up to 4; 0: what its size allows
+  /// Ends the drawing between two cells when it becomes true; null: nothing does.
+  const std::atomic<bool>* stop_requested = nullptr;
 };
 
 /// An image: rows from the top, red, green, blue and alpha of each pixel.
@@ -37,6 +40,9 @@ struct Image {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> pixels;  ///< [height x width x 4]
+  /// Cells of the scene that are not in the picture because a stop was requested: those farthest
+  /// from the eye, as the nearest are drawn first.
+  std::size_t cells_left = 0;
 };
 
 /// Sides of pictures may be as long as this.

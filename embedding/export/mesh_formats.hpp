@@ -10,8 +10,9 @@
 /// and side a triangle belongs to, and the colour of its cell, are written as the format allows.
 namespace tripus::embedding {
 
-/// Writes all cells of a tessellation; a failed write leaves the stream's error state.
-using WriteMesh = void (*)(std::ostream& out, const Tessellation& tessellation);
+/// Writes all cells of a tessellation, or the first of them if a stop was requested, one at least,
+/// and returns how many; a failed write leaves the stream's error state.
+using WriteMesh = std::size_t (*)(std::ostream& out, const Tessellation& tessellation);
 
 struct MeshFormat {
   std::string_view extension;  ///< "obj"
@@ -26,14 +27,15 @@ std::span<const MeshFormat> mesh_formats();
 inline constexpr std::size_t kMostTriangles = 100'000'000;
 
 /// Wavefront OBJ: a group for each cell, "cell_C_tetrahedron_T", and the colour behind each vertex.
-void write_obj(std::ostream& out, const Tessellation& tessellation);
+std::size_t write_obj(std::ostream& out, const Tessellation& tessellation);
 
 /// PLY, binary little-endian. Vertices: x y z (double). Faces: vertex_indices, red, green, blue
 /// (uchar), cell, tetrahedron (int), side (uchar: 0..3 the face, 4..7 4 + the truncated vertex).
-void write_ply(std::ostream& out, const Tessellation& tessellation);
+/// Its header counts, so it is written to the end.
+std::size_t write_ply(std::ostream& out, const Tessellation& tessellation);
 
 /// VTK legacy PolyData, binary, with the cell data `cell`, `tetrahedron`, `depth`, `side` (int) and
-/// `colour` (red, green, blue).
-void write_vtk(std::ostream& out, const Tessellation& tessellation);
+/// `colour` (red, green, blue). It counts, so it is written to the end.
+std::size_t write_vtk(std::ostream& out, const Tessellation& tessellation);
 
 }  // namespace tripus::embedding

@@ -8,11 +8,13 @@
 
 namespace tripus::embedding {
 
-void write_obj(std::ostream& out, const Tessellation& tessellation) {
+std::size_t write_obj(std::ostream& out, const Tessellation& tessellation) {
   out << "# cells of a universal cover, by Tripus; each group is a closed surface\n";
   std::size_t first = 1;  // OBJ counts from 1
   fmt::memory_buffer text;
-  for (std::size_t c = 0; c < tessellation.cells().size() && out; ++c) {
+  std::size_t c = 0;
+  for (; c < tessellation.cells().size() && out; ++c) {
+    if (c > 0 && tessellation.is_stopped()) break;
     text.clear();
     const auto to = std::back_inserter(text);
     const std::uint32_t tetrahedron = tessellation.cells()[c].tetrahedron;
@@ -28,6 +30,7 @@ void write_obj(std::ostream& out, const Tessellation& tessellation) {
     first += points.size();
     out.write(text.data(), static_cast<std::streamsize>(text.size()));
   }
+  return c;
 }
 
 }  // namespace tripus::embedding

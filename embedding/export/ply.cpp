@@ -9,7 +9,7 @@
 
 namespace tripus::embedding {
 
-void write_ply(std::ostream& out, const Tessellation& tessellation) {
+std::size_t write_ply(std::ostream& out, const Tessellation& tessellation) {
   out << fmt::format(
       "ply\nformat binary_little_endian 1.0\n"
       "comment cells of a universal cover, by Tripus; each cell is a closed surface\n"
@@ -43,6 +43,7 @@ void write_ply(std::ostream& out, const Tessellation& tessellation) {
     bytes.write_to(out);
     first += static_cast<std::uint32_t>(point_count(tessellation.subdivisions(c)));
   }
+  return cell_count;
 }
 
 }  // namespace tripus::embedding

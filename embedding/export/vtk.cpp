@@ -51,7 +51,7 @@ void write_surface(std::ostream& out, const Tessellation& tessellation) {
 
 }  // namespace
 
-void write_vtk(std::ostream& out, const Tessellation& tessellation) {
+std::size_t write_vtk(std::ostream& out, const Tessellation& tessellation) {
   out << "# vtk DataFile Version 3.0\ncells of a universal cover, by Tripus\nBINARY\n"
          "DATASET POLYDATA\n";
   write_surface(out, tessellation);
@@ -73,6 +73,7 @@ void write_vtk(std::ostream& out, const Tessellation& tessellation) {
     bytes.write_to(out);
   }
   out << '\n';
+  return cells.size();
 }
 
 }  // namespace tripus::embedding

@@ -183,7 +183,12 @@ class EmbedRefusals(ProgramTest):
             self.assert_refused("embed", TRIPUS, *arguments, says=says, kind="usage")
 
     def test_files(self):
-        self.assert_refused("embed", TRIPUS, "-o", "x.stl", says=".json, .obj, .ply, .vtk, .svg")
+        self.assert_refused("embed", TRIPUS, "-o", "x.stl", says=".json or .obj or .ply or .vtk or .svg")
+        for option in ("-o", "--circles"):
+            self.assert_refused("embed", TRIPUS, option, "", says=".svg", kind="usage")
+        self.assert_refused("embed", TRIPUS, "--circles", "x.obj", says=".svg", kind="usage")
+        self.assert_refused("embed", TRIPUS, "-o", "x.svg", "--circles", "./x.svg",
+                            says="another name")
         self.assert_refused("embed", TRIPUS, "-o", "no/such/x.obj", says="No such file")
         self.assert_refused("embed", TRIPUS, "--circles", "no/such/x.svg", says="No such file")
         self.assert_refused("embed", TRIPUS, "-o", "x.obj", "--tessellation", "1e-30",
@@ -209,6 +214,27 @@ class EmbedRefusals(ProgramTest):
         self.write("x.ply", "precious")
         self.assertEqual(self.run_program("embed", WITHOUT_METRIC, "-o", "x.ply").status, 1)
         self.assertEqual((self.folder / "x.ply").read_text(), "precious")
+
+    def test_interruption_of_the_writing_leaves_whole_cells(self):
+        process = subprocess.Popen(
+            self.command("embed", TRIPUS, "--cells", "100000", "-o", "x.obj", "--json",
+                         "--tessellation", "0.001"),
+            cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        file, end = self.folder / "x.obj", time.monotonic() + 100
+        while (not file.exists() or file.stat().st_size == 0) and time.monotonic() < end:
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        out, _ = process.communicate(timeout=100)
+        answer = read_json(out.decode())
+        self.assertEqual((process.returncode, answer["cells_end"]), (1, "interrupted"))
+        lines = file.read_text().splitlines()
+        groups = [line for line in lines if line.startswith("g ")]
+        self.assertEqual(len(groups), len(answer["cells"]))
+        self.assertLess(len(groups), 100000)
+        points = sum(line.startswith("v ") for line in lines)
+        self.assertEqual(lines[-1].split()[0], "f")
+        self.assertEqual(max(int(word) for line in lines if line.startswith("f ")
+                             for word in line.split()[1:]), points)
 
     def test_interruption_writes_what_is_there(self):
         process = subprocess.Popen(

@@ -1,10 +1,13 @@
 """tripus view: pictures without a display, and what is refused."""
 
 import os
+import signal
 import struct
+import subprocess
+import time
 import zlib
 
-from support import TRIPUS, ProgramTest
+from support import TRIPUS, ProgramTest, read_json
 
 
 def read_png(data):
@@ -87,6 +90,29 @@ class WindowsWithoutADisplay(ProgramTest):
         self.assertEqual(len(result.err.splitlines()), 1)
 
 
+class InterruptedPictures(ProgramTest):
+    def test_hold_the_cells_drawn_so_far(self):
+        # A minute of work, of which the nearest cells are soon done.
+        run = subprocess.Popen(
+            self.command("view", TRIPUS, "--model", "ball", "--cells", "20000", "--size",
+                         "1600x1200", "--png", "a.png", "--json"),
+            cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        time.sleep(2)
+        run.send_signal(signal.SIGINT)
+        start = time.monotonic()
+        out, err = run.communicate(timeout=100)
+        self.assertLess(time.monotonic() - start, 15)  # on a loaded machine, too
+        self.assertEqual(run.returncode, 1)
+        answer = read_json(out.decode())
+        written = (self.folder / "a.png").exists()
+        if written:
+            self.assertIn(answer["cells"], range(1, 20000))
+            self.assertEqual(answer["file"], "a.png")
+            self.assertEqual(err, b"")
+        else:  # it had come to no cell yet
+            self.assertEqual(answer["error"]["kind"], "interrupted")
+
+
 class RefusedViews(ProgramTest):
     def refused(self, *arguments):
         result = self.run_program("view", TRIPUS, *arguments)
@@ -115,8 +141,14 @@ class RefusedViews(ProgramTest):
         self.refused("--png", "a.png", "--no-faces", "--no-truncations")
 
     def test_files_that_cannot_be_written(self):
-        for path in ("missing/a.png", "/", "."):
+        (self.folder / "folder.png").mkdir()
+        for path in ("missing/a.png", "folder.png"):
             self.assertIn("cannot write", self.refused("--png", path, "--size", "20x20"))
+
+    def test_names_of_files(self):
+        for name in ("", "a.gif", "png", "/", "."):
+            self.assertIn("must end with .png", self.refused("--png", name))
+            self.assertFalse((self.folder / "a.gif").exists())
 
     def test_no_metric(self):
         result = self.run_program("view", "dLQbcbcaekw", "--png", "a.png")

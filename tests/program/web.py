@@ -240,6 +240,11 @@ class Refusals(ProgramTest):
         self.assertEqual(result.status, 1)
         self.assertFalse((self.folder / "page.html").exists())
 
+    def test_names(self):
+        for name in ("", "b.txt", ".html", "html"):
+            self.assert_refused("view", TRIPUS, "-o", name, says=".html", kind="usage")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
     def test_bad_requests(self):
         self.assert_refused("view", TRIPUS, "-o", "no/such/folder/page.html", says="no/such/folder")
         for cells in ("0", "10001", "-3", "many"):
@@ -270,6 +275,16 @@ class Gallery(ProgramTest):
         self.assertEqual([f"out/{link}" for link in links], files[:len(signatures)])
         self.assertIn(f"Without a page ({len(bad)})", index)
         self.assertIn("nonsense!", index)
+
+    def test_what_was_there_stays(self):
+        self.write("list.html", TRIPUS + "\n")
+        (self.folder / "alias.html").symlink_to("list.html")
+        for index in ("list.html", "./list.html", "alias.html"):
+            self.assert_refused("view", "--gallery", "list.html", "-o", index, says="list itself")
+        self.assertEqual((self.folder / "list.html").read_text(), TRIPUS + "\n")
+        self.write("index.html", "precious")
+        self.assert_refused("view", "--gallery", "none", "-o", "index.html", says="none")
+        self.assertEqual((self.folder / "index.html").read_text(), "precious")
 
     def test_refusals(self):
         self.write("list", TRIPUS + "\n")

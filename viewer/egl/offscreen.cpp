@@ -84,9 +84,10 @@ class OffscreenRenderer::Implementation {
     frame.samples = frame.identities      ? 1
                     : options.samples > 0 ? options.samples
                                           : samples_for(width, height);
-    renderer_.draw(options, frame);
-
-    return read_pixels(width, height);
+    const std::size_t left = renderer_.draw(options, frame);
+    Image image = read_pixels(width, height);
+    image.cells_left = left;
+    return image;
   }
 
  private:

@@ -118,6 +118,8 @@ class Viewer {
         glfwWaitEventsTimeout(0.5);
       }
       if (failure_) std::rethrow_exception(failure_);
+      const std::atomic<bool>* const stop = options_.picture.stop_requested;
+      if (stop != nullptr && stop->load()) return;
     }
   }
 

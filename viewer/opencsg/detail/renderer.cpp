@@ -19,12 +19,19 @@ namespace {
 constexpr double kMeshError = 0.2;
 /// Cells whose ball is of smaller radius on the picture, in pixels, are not drawn.
 constexpr double kSmallestCell = 0.4;
+/// Drawing that can be stopped waits for the graphics after so many cells.
+constexpr std::size_t kCellsBetweenWaits = 8;
 
 Eigen::Matrix4f as_floats(const Eigen::Matrix4d& matrix) { return matrix.cast<float>(); }
 
 /// Without some of its walls a cell is no solid.
 bool is_solid(const PictureOptions& options) {
   return options.drawing == Drawing::kSolid && options.faces && options.truncations;
+}
+
+bool is_stopped(const PictureOptions& options) {
+  return options.stop_requested != nullptr &&
+         options.stop_requested->load(std::memory_order_relaxed);
 }
 
 struct Uniform {
@@ -38,11 +45,11 @@ class Renderer::Implementation {
  public:
   Implementation();
   void set_scene(const Scene& scene, Model model);
-  void draw(const PictureOptions& options, const Frame& frame);
+  std::size_t draw(const PictureOptions& options, const Frame& frame);
   const Ball& scene_ball() const { return ball_; }
 
  private:
-  void draw_cells(const PictureOptions& options, const Frame& frame, const View& view);
+  std::size_t draw_cells(const PictureOptions& options, const Frame& frame, const View& view);
   void draw_cell(std::size_t number, const PictureOptions& options, const Frame& frame,
                  const View& view, const HalfSpace* cut);
   void solve_product(const CellProduct& product, const View& view);
@@ -87,7 +94,7 @@ void Renderer::Implementation::set_scene(const Scene& scene, Model model) {
     products_.emplace_back(model, scene.cells[products_.size()]);
 }
 
-void Renderer::Implementation::draw(const PictureOptions& options, const Frame& frame) {
+std::size_t Renderer::Implementation::draw(const PictureOptions& options, const Frame& frame) {
   const int width = frame.width * frame.samples, height = frame.height * frame.samples;
   const View view = view_of(options.camera, ball_, frame.width, frame.height);
   GLint target = 0;
@@ -104,17 +111,18 @@ void Renderer::Implementation::draw(const PictureOptions& options, const Frame& 
   glClearDepth(1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   glEnable(GL_DEPTH_TEST);
-  draw_cells(options, frame, view);
+  const std::size_t left = draw_cells(options, frame, view);
   compose(options, frame, view, target);
   glPopAttrib();
   const GLenum error = glGetError();
   if (error != GL_NO_ERROR)
     throw NoOpenGl("OpenGL reports the error " + std::to_string(error) +
                    " while drawing; try a smaller --size or fewer --cells");
+  return left;
 }
 
-void Renderer::Implementation::draw_cells(const PictureOptions& options, const Frame& frame,
-                                          const View& view) {
+std::size_t Renderer::Implementation::draw_cells(const PictureOptions& options, const Frame& frame,
+                                                 const View& view) {
   glMatrixMode(GL_PROJECTION);
   glLoadMatrixf(as_floats(view.projection).data());
   glMatrixMode(GL_MODELVIEW);
@@ -127,8 +135,13 @@ void Renderer::Implementation::draw_cells(const PictureOptions& options, const F
   for (std::size_t i = 0; i < products_.size(); ++i)
     distance[i] = (products_[i].centre() - view.eye).norm() - products_[i].scale();
   std::ranges::sort(order, {}, [&](std::size_t i) { return distance[i]; });
-  for (const std::size_t number : order)
-    draw_cell(number, options, frame, view, options.cut_away ? &cut : nullptr);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    // Else the queue of drawing commands, seconds long, would have to be waited for.
+    if (options.stop_requested != nullptr && i % kCellsBetweenWaits == 0) glFinish();
+    if (is_stopped(options)) return order.size() - i;
+    draw_cell(order[i], options, frame, view, options.cut_away ? &cut : nullptr);
+  }
+  return 0;
 }
 
 void Renderer::Implementation::draw_cell(std::size_t number, const PictureOptions& options,
@@ -312,8 +325,8 @@ Renderer::~Renderer() { OpenCSG::freeResources(); }
 void Renderer::set_scene(const Scene& scene, Model model) {
   implementation_->set_scene(scene, model);
 }
-void Renderer::draw(const PictureOptions& options, const Frame& frame) {
-  implementation_->draw(options, frame);
+std::size_t Renderer::draw(const PictureOptions& options, const Frame& frame) {
+  return implementation_->draw(options, frame);
 }
 const Ball& Renderer::scene_ball() const { return implementation_->scene_ball(); }
 

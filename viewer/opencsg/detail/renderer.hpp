@@ -29,8 +29,9 @@ class Renderer {
   };
 
   /// Draws into the framebuffer that is bound. `options.model` is that of the scene.
+  /// Returns the number of cells left out because a stop was requested.
   /// Throws NoOpenGl if OpenGL reports an error.
-  void draw(const PictureOptions& options, const Frame& frame);
+  std::size_t draw(const PictureOptions& options, const Frame& frame);
 
   /// The ball around the scene that the camera looks at.
   const Ball& scene_ball() const;

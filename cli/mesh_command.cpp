@@ -192,8 +192,8 @@ void add_mesh(CLI::App& program, Command& chosen) {
       ->excludes(verb->get_option("--batch"));
   auto& filling = command->options.tetrahedralize;
   auto* aim = verb->add_option("--tetrahedra", filling.tetrahedra,
-                               "fill a surface with about N tetrahedra (default: as few as it\n"
-                               "takes)")
+                               "fill a surface with about N tetrahedra, more if its triangles\n"
+                               "force it (default: as few as it takes)")
                   ->option_text("N")
                   ->check(whole_number(std::numeric_limits<int>::max()));
   verb->add_option("--max-volume", filling.max_volume, "no tetrahedron larger than V")

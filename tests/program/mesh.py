@@ -62,6 +62,14 @@ class Mesh(ProgramTest):
                 again = self.json_answer("mesh", "knotted-y.off", *options)
                 self.assertEqual(again, answer)
 
+    def test_sizes_that_the_boundary_alone_does_not_give(self):
+        self.write("ball.off", BALL)
+        stages = self.json_answer("mesh", "ball.off", "--tetrahedra", "1000", status=1)["stages"]
+        self.assertAlmostEqual(stages["mesh"], 1000, delta=100)
+        stages = self.json_answer("mesh", "ball.off", "--max-volume", "1e-2", status=1)["stages"]
+        self.assertGreaterEqual(stages["mesh"], 17)  # the volume is 1/6
+        self.assert_refused("mesh", "ball.off", "--max-volume", "1e-300", says="memory")
+
     def test_a_ball(self):
         self.write("ball.off", BALL)
         answer = self.json_answer("mesh", "ball.off", status=1)

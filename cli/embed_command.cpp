@@ -128,7 +128,7 @@ Outcome embed_one(const EmbedCommand& command, const std::string& input) {
     file.emplace(command.output);
   }
   if (!command.circles.empty()) circles.emplace(command.circles);
-  const Subject subject = load_subject(input);
+  const Subject subject = load_solvable_subject(input);
   catch_interrupts();
   structure::SolveOptions solve;
   solve.stop_requested = &interrupt_requested();

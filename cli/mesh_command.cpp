@@ -131,6 +131,8 @@ std::string as_text(const meshing::Manifold& manifold, const Subject& subject) {
     return text;
   }
   line("signature", subject.isosig.value_or("not computed: it would take too long"));
+  if (const std::string why_not = objection_to(subject.triangulation); !why_not.empty())
+    line("not solvable", why_not);
   return text;
 }
 

@@ -78,6 +78,26 @@ class Mesh(ProgramTest):
         self.assertIn("it bounds a ball", self.run_program("mesh", "ball.off").text)
         self.assert_refused("solve", "ball.off", says='"ball.off": it bounds a ball')
 
+    def test_a_ball_filled_in_is_a_triangulation(self):
+        self.write("ball.off", BALL)
+        answer = self.json_answer("info", "ball.off")
+        self.assertEqual([v["genus"] for v in answer["vertices"]], [0])
+        self.assertEqual(self.json_answer("simplify", "ball.off")["tetrahedron_count"], 1)
+        none = self.run_program("cover", "ball.off", "--cyclic", "2")
+        self.assertEqual(none.status, 1)
+        self.assertIn("no cyclic cover", none.err)
+
+    def test_what_cannot_carry_a_metric_is_named(self):
+        self.write("trefoil.json", (ROOT / "examples" / "graphs" / "trefoil.json").read_bytes())
+        self.run_program("tube", "trefoil.json", "-o", "torus.off")
+        text = self.run_program("mesh", "torus.off")
+        self.assertEqual(text.status, 0)
+        self.assertRegex(text.text, "not solvable +the link .* is a torus; cusps are not")
+        for verb in ("solve", "canonize", "identify"):
+            self.assert_refused(verb, "torus.off", says='"torus.off": the link', kind="unsupported")
+        self.assert_refused("compare", TRIPUS, "torus.off", says='"torus.off": the link')
+        self.assert_refused("compare", "cPcbbbiht", TRIPUS, says='"cPcbbbiht": the link')
+
     def test_a_batch(self):
         self.surface("knotted-y.off")
         self.write("ball.off", BALL)

@@ -117,6 +117,21 @@ class Mesh(ProgramTest):
         self.assert_refused("mesh", "ball.off", "-o", "x.txt", says="must end with .json")
         self.assert_refused("mesh", "ball.off", "--save-mesh", "x.off", says="must end with .vtk")
         self.assert_refused("mesh", "ball.off", "--save-mesh", "none/x.vtk", says="cannot write")
+        self.assert_refused("mesh", "none.off", "--pictures", "none/x", says="cannot write")
+        for option in ("-o", "--save-mesh", "--pictures"):
+            self.assert_refused("mesh", "ball.off", option, "", says="is empty")
+        self.assert_refused("simplify", TRIPUS, "-o", "", says="is empty")
+        self.assert_refused("simplify", "none.off", "-o", "none/x.sig", says="cannot write")
+        self.assert_refused("cover", TRIPUS, "--degree", "2", "-o", "", says="is empty")
+        self.assert_refused("cover", TRIPUS, "--degree", "2", "-o", "no/x", says="No such file")
+        for option in ("--tsv", "--database"):
+            result = self.run_program("census", "--from", "tripus.sig", option, "no/x")
+            self.assertEqual(result.status, 2)
+            self.assertIn('cannot write "no/x": No such file', result.err)
+        (self.folder / "full.json").symlink_to("/dev/full")
+        late = self.run_program("mesh", "ball.off", "-o", "full.json")
+        self.assertEqual((late.status, late.err),
+                         (2, 'tripus: cannot write "full.json": No space left on device\n'))
         self.assert_refused("mesh", "ball.off", "--tetrahedra", "-1", says="--tetrahedra")
         self.assert_refused("mesh", "ball.off", "--max-volume", "0", says="--max-volume")
 

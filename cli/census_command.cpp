@@ -1,5 +1,7 @@
 // tripus census: makes tables of manifolds, and looks things up in them.
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -18,6 +20,7 @@
 #include "cli/manifold_text.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "cli/output_file.hpp"
 #include "cli/progress.hpp"
 #include "topology/formats/formats.hpp"
 
@@ -44,16 +47,21 @@ class Journal {
     std::error_code error;
     if (std::filesystem::exists(path, error)) read();
     out_.open(path, std::ios::app | std::ios::binary);
-    if (!out_) throw InvalidInput("the journal " + tripus::quoted(path) + " cannot be written");
+    require_written();
   }
 
   void add(const CensusLine& line) {
     out_ << canonical::to_journal(line) << '\n' << std::flush;
-    if (!out_) throw InvalidInput("the journal " + tripus::quoted(path_) + " cannot be written");
+    require_written();
   }
   std::vector<CensusLine>& lines() { return lines_; }
 
  private:
+  void require_written() const {
+    if (!out_)
+      throw InvalidInput("cannot write the journal " + tripus::quoted(path_) + ": " +
+                         std::strerror(errno));
+  }
   void read() {
     canonical::JournalText journal;
     const std::string text = read_file(path_);
@@ -84,9 +92,15 @@ void write_text(const std::string& path, const std::string& text) {
     write_output(text);
     return;
   }
-  std::ofstream out(path, std::ios::binary);
-  out << text << std::flush;
-  if (!out) throw InvalidInput(tripus::quoted(path) + " cannot be written");
+  OutputFile file(path);
+  file.open() << text;
+  file.close();
+}
+
+/// Before the work, not after it.
+void require_outputs(const CensusCommand& command) {
+  for (const std::string& path : {command.tsv, command.database})
+    if (!path.empty() && path != "-") OutputFile can_be_written(path);
 }
 
 void write_census(const CensusCommand& command, const Census& census) {
@@ -103,6 +117,7 @@ std::string journal_of(const CensusCommand& command) {
 }
 
 int make(CensusCommand& command) {
+  require_outputs(command);
   const std::vector<std::string> list = read_lists(command.lists);
   const std::string path = journal_of(command);
   std::optional<Journal> journal;

@@ -1,5 +1,7 @@
 // tripus cover: finite covers, as a stream.
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -18,6 +20,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "cli/output_file.hpp"
 #include "cli/progress.hpp"
 #include "topology/covers/covers.hpp"
 #include "topology/formats/json.hpp"
@@ -81,7 +84,8 @@ class Sink {
     }
   }
   static void check(bool good, const std::string& path) {
-    if (!good) throw InvalidInput(tripus::quoted(path) + " cannot be written");
+    if (!good)
+      throw InvalidInput("cannot write " + tripus::quoted(path) + ": " + std::strerror(errno));
   }
   std::string path_;
   bool folder_ = false;
@@ -253,7 +257,8 @@ void add_cover(CLI::App& program, Command& chosen) {
   verb->add_option("-o,--output", command->output,
                    "write the lines to this file; or, for a folder (FOLDER/), also every\n"
                    "cover as a gluing table in a file of its own")
-      ->option_text("FILE");
+      ->option_text("FILE")
+      ->check(problem_of_name);
   add_input_options(*verb, command->common, "their covers follow one another");
   verb->add_flag("--json", command->common.json, "one JSON object for each cover, one a line");
   verb->footer(std::string(kInputHelp) + kFooter);

@@ -7,6 +7,7 @@
 
 #include "cli/input.hpp"
 #include "topology/isosig.hpp"
+#include "topology/requirements.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -25,6 +26,20 @@ Subject make_subject(std::string input, std::string name, topology::Gluings glui
 Subject load_subject(const std::string& input) {
   topology::NamedGluings loaded = load_input(input);
   return make_subject(input, std::move(loaded.name), std::move(loaded.gluings));
+}
+
+Subject load_solvable_subject(const std::string& input) {
+  topology::NamedGluings loaded = load_solvable_input(input);
+  return make_subject(input, std::move(loaded.name), std::move(loaded.gluings));
+}
+
+std::string objection_to(const topology::Triangulation& triangulation) {
+  try {
+    topology::require_solvable(triangulation);
+    return {};
+  } catch (const InvalidInput& error) {
+    return error.what();
+  }
 }
 
 std::string printable(std::string_view text) {

@@ -19,6 +19,8 @@ struct Subject {
 
 /// Loads an INPUT and computes its signature.
 Subject load_subject(const std::string& input);
+/// The same for what needs a metric; see load_solvable_input.
+Subject load_solvable_subject(const std::string& input);
 /// The same for gluings that are already there.
 Subject make_subject(std::string input, std::string name, topology::Gluings gluings);
 
@@ -30,6 +32,9 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 
 /// The kind of a vertex link in a word: geodesic, cusp, finite, or unsupported.
 std::string_view link_kind(const topology::VertexLink& link);
+
+/// Why `solve` would refuse it; empty if it would not.
+std::string objection_to(const topology::Triangulation& triangulation);
 
 /// The keys that `info` and `solve` share: name, isosig, counts, orientable, edge_valences.
 void append_subject(JsonText& out, const Subject& subject);

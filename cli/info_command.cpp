@@ -6,20 +6,9 @@
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "topology/homology.hpp"
-#include "topology/requirements.hpp"
 
 namespace tripus::cli {
 namespace {
-
-/// Why `solve` would refuse it; empty if it would not.
-std::string objection(const topology::Triangulation& triangulation) {
-  try {
-    topology::require_solvable(triangulation);
-    return {};
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
-}
 
 std::string as_json(const Subject& subject) {
   const topology::Triangulation& m = subject.triangulation;
@@ -33,7 +22,7 @@ std::string as_json(const Subject& subject) {
   append_string(out, topology::to_string(topology::first_homology(m)));
   append(out, ", ");
   append_edge_classes(out, m);
-  const std::string why_not = objection(m);
+  const std::string why_not = objection_to(m);
   append(out, ", \"solvable\": ");
   append(out, why_not.empty() ? "true" : "false");
   append(out, ", \"message\": ");
@@ -66,7 +55,7 @@ std::string as_text(const Subject& subject) {
   line("orientable", m.is_orientable() ? "yes" : "no");
   if (!m.is_connected()) line("components", std::to_string(m.component_count()));
   line("H1", topology::to_string(topology::first_homology(m)));
-  const std::string why_not = objection(m);
+  const std::string why_not = objection_to(m);
   if (!why_not.empty()) line("not solvable", why_not);
   return text;
 }

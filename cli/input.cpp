@@ -13,6 +13,8 @@
 #include "cli/interrupt.hpp"
 #include "meshing/manifold.hpp"
 #include "topology/isosig.hpp"
+#include "topology/requirements.hpp"
+#include "topology/triangulation.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -56,13 +58,17 @@ std::optional<meshing::MeshFile> read_as_mesh(const std::string& content,
   return blame(source_of(input), [&] { return meshing::read_mesh(content, input, read_file); });
 }
 
-topology::NamedGluings solid_of(meshing::MeshFile file, const std::string& source) {
+/// Which manifolds an INPUT may be.
+enum class Wanted { kAny, kWithMetric };
+
+topology::NamedGluings solid_of(meshing::MeshFile file, Wanted wanted, const std::string& source) {
   return blame(source, [&]() -> topology::NamedGluings {
     catch_interrupts();
     meshing::ManifoldOptions options;
     options.stop_requested = &interrupt_requested();
     meshing::Manifold manifold = meshing::manifold_of(std::move(file), options);
-    if (manifold.has_only_spheres()) throw InvalidInput(meshing::ball_message(manifold));
+    if (wanted == Wanted::kWithMetric && manifold.has_only_spheres())
+      throw InvalidInput(meshing::ball_message(manifold));
     return {{}, std::move(manifold.gluings)};
   });
 }
@@ -81,6 +87,20 @@ std::string read_all(std::istream& in, const std::string& source) {
   return content;
 }
 
+topology::NamedGluings load(const std::string& input, Wanted wanted) {
+  if (input.empty()) throw InvalidInput("the input is empty; give a signature or a file");
+  std::error_code status;
+  if (input == "-" || std::filesystem::exists(input, status)) {
+    const std::string content = read_file(input);
+    if (auto mesh = read_as_mesh(content, input))
+      return solid_of(*std::move(mesh), wanted, source_of(input));
+    return read_single(content, source_of(input));
+  }
+  if (topology::looks_like_isosig(input)) return {{}, topology::decode_isosig(input)};
+  throw InvalidInput(quoted(input) +
+                     " is neither a file nor an isomorphism signature (letters, digits, + and -)");
+}
+
 }  // namespace
 
 std::string read_file(const std::string& path) {
@@ -94,18 +114,13 @@ std::string read_file(const std::string& path) {
   return read_all(file, quoted(path));
 }
 
-topology::NamedGluings load_input(const std::string& input) {
-  if (input.empty()) throw InvalidInput("the input is empty; give a signature or a file");
-  std::error_code status;
-  if (input == "-" || std::filesystem::exists(input, status)) {
-    const std::string content = read_file(input);
-    if (auto mesh = read_as_mesh(content, input))
-      return solid_of(*std::move(mesh), source_of(input));
-    return read_single(content, source_of(input));
-  }
-  if (topology::looks_like_isosig(input)) return {{}, topology::decode_isosig(input)};
-  throw InvalidInput(quoted(input) +
-                     " is neither a file nor an isomorphism signature (letters, digits, + and -)");
+topology::NamedGluings load_input(const std::string& input) { return load(input, Wanted::kAny); }
+
+topology::NamedGluings load_solvable_input(const std::string& input) {
+  topology::NamedGluings loaded = load(input, Wanted::kWithMetric);
+  blame(source_of(input),
+        [&] { topology::require_solvable(topology::Triangulation(loaded.gluings)); });
+  return loaded;
 }
 
 std::optional<meshing::MeshFile> load_mesh(const std::string& input) {

@@ -11,10 +11,14 @@
 namespace tripus::cli {
 
 /// Reads an INPUT as typed: a file, `-` for standard input, or an isomorphism signature. A surface
-/// or a tetrahedral mesh becomes a small ideal triangulation of its solid (meshing::manifold_of).
-/// Throws InvalidInput if it is none of them, its content cannot be read, or the solid is a ball;
+/// or a tetrahedral mesh becomes a small ideal triangulation of its solid (meshing::manifold_of);
+/// of a ball, which has no boundary left when it is filled in, a triangulation with a finite
+/// vertex. Throws InvalidInput if it is none of them or its content cannot be read;
 /// meshing::Stopped if interrupted.
 topology::NamedGluings load_input(const std::string& input);
+/// The same for what needs a metric. Throws also, naming the input, what
+/// topology::require_solvable throws, and InvalidInput for a ball.
+topology::NamedGluings load_solvable_input(const std::string& input);
 
 /// The surface or tetrahedral mesh in a file, or in standard input for `-`; nothing if the content
 /// has no mesh format. Throws InvalidInput if the content cannot be read.

@@ -1,4 +1,5 @@
 // tripus mesh: from a boundary surface or a tetrahedral mesh to a small ideal triangulation.
+#include <array>
 #include <limits>
 #include <memory>
 
@@ -54,11 +55,16 @@ void write_file(const std::string& path, const std::string& text) {
   file.close();
 }
 
+/// What --pictures adds to its prefix.
+constexpr std::array kPictures{"-boundary.svg", "-mesh.svg", "-coned.svg", "-stages.svg"};
+
 /// Before the work, not after it.
 void require_known_outputs(const MeshCommand& command) {
   if (!command.output.empty()) require_triangulation_name(command.output);
   for (const std::string& path : {command.output, command.mesh_output})
     if (!path.empty()) OutputFile can_be_written(path);
+  if (!command.pictures.empty())
+    for (const char* ending : kPictures) OutputFile can_be_written(command.pictures + ending);
   if (!command.mesh_output.empty() && !ends_with(command.mesh_output, ".vtk") &&
       !ends_with(command.mesh_output, ".mesh"))
     throw InvalidInput("--save-mesh " + tripus::quoted(command.mesh_output) +
@@ -74,10 +80,10 @@ void write_outputs(const MeshCommand& command, const meshing::Manifold& manifold
   if (ends_with(command.mesh_output, ".mesh"))
     write_file(command.mesh_output, meshing::write_medit(manifold.mesh));
   if (command.pictures.empty()) return;
-  write_file(command.pictures + "-boundary.svg", meshing::boundary_picture(manifold.mesh));
-  write_file(command.pictures + "-mesh.svg", meshing::cut_picture(manifold.mesh));
-  write_file(command.pictures + "-coned.svg", meshing::cone_picture(manifold.mesh));
-  write_file(command.pictures + "-stages.svg", meshing::stages_picture(manifold));
+  write_file(command.pictures + kPictures[0], meshing::boundary_picture(manifold.mesh));
+  write_file(command.pictures + kPictures[1], meshing::cut_picture(manifold.mesh));
+  write_file(command.pictures + kPictures[2], meshing::cone_picture(manifold.mesh));
+  write_file(command.pictures + kPictures[3], meshing::stages_picture(manifold));
 }
 
 /// What became of it, in a sentence.
@@ -131,6 +137,8 @@ std::string as_text(const meshing::Manifold& manifold, const Subject& subject) {
     return text;
   }
   line("signature", subject.isosig.value_or("not computed: it would take too long"));
+  if (const std::string why_not = objection_to(subject.triangulation); !why_not.empty())
+    line("not solvable", why_not);
   return text;
 }
 
@@ -150,17 +158,18 @@ Outcome mesh_one(const MeshCommand& command, const std::string& input) {
     progress.show(tetrahedra == 0 ? fmt::format("{}", activity)
                                   : fmt::format("{}: {} tetrahedra", activity, tetrahedra));
   };
+  meshing::Manifold manifold;
   try {
-    const meshing::Manifold manifold = meshing::manifold_of(*std::move(file), options);
-    const Subject subject = make_subject(input, {}, manifold.gluings);
-    write_outputs(command, manifold, subject);
-    return {command.common.json ? as_json(manifold, subject) : as_text(manifold, subject),
-            manifold.has_only_spheres() ? kNoAnswer : kSuccess};
+    manifold = meshing::manifold_of(*std::move(file), options);
   } catch (const Unsupported& error) {
     throw Unsupported(source + ": " + error.what());
   } catch (const InvalidInput& error) {
     throw InvalidInput(source + ": " + error.what());
   }
+  const Subject subject = make_subject(input, {}, manifold.gluings);
+  write_outputs(command, manifold, subject);
+  return {command.common.json ? as_json(manifold, subject) : as_text(manifold, subject),
+          manifold.has_only_spheres() ? kNoAnswer : kSuccess};
 }
 
 int run(const MeshCommand& command) {
@@ -179,21 +188,24 @@ void add_mesh(CLI::App& program, Command& chosen) {
   auto* output = verb->add_option("-o,--output", command->output,
                                   "write the triangulation: x.json (gluing table) or x.sig\n"
                                   "(signature); either is an INPUT again")
-                     ->option_text("FILE");
+                     ->option_text("FILE")
+                     ->check(problem_of_name);
   auto* mesh_output = verb->add_option("--save-mesh", command->mesh_output,
                                        "write the tetrahedral mesh: x.vtk or x.mesh")
-                          ->option_text("FILE");
+                          ->option_text("FILE")
+                          ->check(problem_of_name);
   output->excludes(verb->get_option("--batch"));
   mesh_output->excludes(verb->get_option("--batch"));
   verb->add_option("--pictures", command->pictures,
                    "draw the stages: PREFIX-boundary.svg, -mesh.svg, -coned.svg,\n"
                    "-stages.svg")
       ->option_text("PREFIX")
+      ->check(problem_of_name)
       ->excludes(verb->get_option("--batch"));
   auto& filling = command->options.tetrahedralize;
   auto* aim = verb->add_option("--tetrahedra", filling.tetrahedra,
-                               "fill a surface with about N tetrahedra (default: as few as it\n"
-                               "takes)")
+                               "fill a surface with about N tetrahedra, more if its triangles\n"
+                               "force it (default: as few as it takes)")
                   ->option_text("N")
                   ->check(whole_number(std::numeric_limits<int>::max()));
   verb->add_option("--max-volume", filling.max_volume, "no tetrahedron larger than V")

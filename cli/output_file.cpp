@@ -15,6 +15,10 @@ namespace {
 
 }  // namespace
 
+std::string problem_of_name(const std::string& name) {
+  return name.empty() ? "the name of the file is empty" : "";
+}
+
 OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
   std::error_code unknown;
   made_here_ = !std::filesystem::exists(path_, unknown);

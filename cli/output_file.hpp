@@ -5,6 +5,9 @@
 
 namespace tripus::cli {
 
+/// What is wrong with the name of a file to write, as a check of an option: it must not be empty.
+std::string problem_of_name(const std::string& name);
+
 /// A file that a verb will write at the end of its work.
 class OutputFile {
  public:

@@ -14,6 +14,7 @@
 #include "cli/input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
+#include "cli/output_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/triangulation_file.hpp"
 #include "topology/cone.hpp"
@@ -134,11 +135,15 @@ void add_simplify(CLI::App& program, Command& chosen) {
   verb->add_option("-o,--output", command->output,
                    "write the triangulation, to a file .json or .sig")
       ->option_text("FILE")
+      ->check(problem_of_name)
       ->excludes(verb->get_option("--batch"));
   verb->footer(std::string(kInputHelp) + "\n" + kSimplifyHelp);
   verb->final_callback([command, &chosen] {
     chosen = [command] {
-      if (!command->output.empty()) require_triangulation_name(command->output);
+      if (!command->output.empty()) {
+        require_triangulation_name(command->output);
+        OutputFile can_be_written(command->output);
+      }
       return answer_inputs(command->common,
                            [&](const std::string& input) { return simplify_one(*command, input); });
     };

@@ -161,7 +161,7 @@ int run(SolveCommandOptions& command) {
   structure::find_solve_method(command.solve.method, 1);  // a wrong name is wrong for all inputs
   return answer_inputs(command.common, [&](const std::string& input) {
     return command.components ? solve_components(command, input)
-                              : solve_subject(command, load_subject(input));
+                              : solve_subject(command, load_solvable_subject(input));
   });
 }
 

@@ -1,7 +1,7 @@
 // tripus tube: the boundary surface of a ball or box with the tube around a spatial graph removed.
-#include <fstream>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +14,7 @@
 #include "cli/json.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "cli/output_file.hpp"
 #include "meshing/formats/off.hpp"
 #include "meshing/stopped.hpp"
 #include "meshing/tube/tube_surface.hpp"
@@ -58,15 +59,18 @@ meshing::TubeOptions options_of(const TubeCommand& command) {
   return options;
 }
 
-void write_surface(const std::string& path, const meshing::SurfaceMesh& surface) {
-  const std::string text = meshing::write_off(surface);
-  if (path == "-") {
-    write_output(text);
-    return;
+/// Errors name the file they come from.
+meshing::Tube tube_of(const TubeCommand& command) {
+  const std::string text = read_file(command.graph);
+  const std::string source =
+      command.graph == "-" ? "standard input" : tripus::quoted(command.graph);
+  try {
+    return meshing::make_tube(meshing::read_spatial_graph(text), options_of(command));
+  } catch (const Unsupported& error) {
+    throw Unsupported(source + ": " + error.what());
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(source + ": " + error.what());
   }
-  std::ofstream out(path, std::ios::binary);
-  out << text << std::flush;
-  if (!out) throw InvalidInput(tripus::quoted(path) + " cannot be written");
 }
 
 std::string genus_text(long euler_characteristic) {
@@ -112,10 +116,17 @@ int run(const TubeCommand& command) {
         "--json and the surface cannot both go to standard output; name a file "
         "with -o");
   catch_interrupts();
+  std::optional<OutputFile> file;
+  if (command.output != "-") file.emplace(command.output);
   try {
-    const meshing::SpatialGraph graph = meshing::read_spatial_graph(read_file(command.graph));
-    const meshing::Tube tube = meshing::make_tube(graph, options_of(command));
-    write_surface(command.output, tube.surface);
+    const meshing::Tube tube = tube_of(command);
+    const std::string surface = meshing::write_off(tube.surface);
+    if (file) {
+      file->open() << surface;
+      file->close();
+    } else {
+      write_output(surface);
+    }
     if (command.json)
       write_output(as_json(command, tube));
     else if (!command.quiet)

@@ -146,7 +146,7 @@ PageRequest page_request(const ViewCommand& command) {
 }
 
 Outcome view_one(const ViewCommand& command, const std::string& input) {
-  Developed developed{load_subject(input), {}, {}};
+  Developed developed{load_solvable_subject(input), {}, {}};
   catch_interrupts();
   structure::SolveOptions solve;
   solve.stop_requested = &interrupt_requested();

@@ -112,7 +112,7 @@ class Gallery {
  private:
   Outcome make(const topology::BatchLine& line, viewer::GalleryEntry& entry) {
     if (line.text == "-") throw InvalidInput(kNoStandardInput);
-    const Subject subject = load_subject(line.text);
+    const Subject subject = load_solvable_subject(line.text);
     structure::SolveOptions options;
     options.stop_requested = &interrupt_requested();
     const structure::Report report = structure::solve(subject.triangulation, options);

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <limits>
 #include <utility>
 
 #include "base/error.hpp"
 #include "meshing/detail/child_process.hpp"
 #include "meshing/detail/find_tetgen.hpp"
+#include "meshing/detail/split.hpp"
 #include "meshing/detail/tetgen_protocol.hpp"
 #include "meshing/predicates.hpp"
 #include "meshing/stopped.hpp"
@@ -27,6 +29,9 @@ constexpr double kFirstShare = 1.2;
 /// An aim is met when the number of tetrahedra is off by less than this part.
 constexpr double kAimTolerance = 0.1;
 constexpr int kMostAttempts = 4;
+/// Of memory, for a tetrahedron on its way to the triangulation (bench/README.md: 260 MB for
+/// 200,000).
+constexpr std::uint64_t kBytesEach = 1300;
 
 /// TetGen's own tolerances suppose coordinates near 1: a power of two changes no digit.
 int scale_exponent(const std::vector<Point>& points) {
@@ -196,6 +201,18 @@ TetrahedralMesh fill_with_about(std::size_t aim, double region_volume, const Fil
   return best;
 }
 
+/// TetGen adds no point whose sphere of influence meets the boundary, so that near coarse triangles
+/// it leaves tetrahedra larger than it was told: these are split here.
+void keep_promises(TetrahedralMesh& mesh, double max_volume, const TetrahedralizeOptions& options) {
+  detail::SplitOptions split;
+  split.max_volume = max_volume;
+  const auto aim = static_cast<double>(options.tetrahedra);
+  if (static_cast<double>(mesh.tetrahedra.size()) < (1 - kAimTolerance) * aim)
+    split.tetrahedra = options.tetrahedra;
+  split.most = options.memory_limit / kBytesEach;
+  detail::split_largest(mesh, split);
+}
+
 }  // namespace
 
 double volume(const Region& region) {
@@ -222,12 +239,17 @@ TetrahedralMesh tetrahedralize(const Region& region, const TetrahedralizeOptions
     if (c != region.outermost) holes.push_back(point_in_hole(region, c));
   holes = scaled(std::move(holes), exponent);
   const double unit = std::ldexp(1.0, exponent);
+  const auto scaled_volume = [&](double max_volume) {  // 0 stays, and nothing else becomes 0
+    const double least = max_volume > 0 ? std::numeric_limits<double>::min() : 0;
+    return std::fmax(max_volume * unit * unit * unit, least);
+  };
   const auto fill = [&](double max_volume) {
-    return run(region, points, holes, max_volume * unit * unit * unit, options);
+    return run(region, points, holes, scaled_volume(max_volume), options);
   };
   TetrahedralMesh mesh = options.tetrahedra > 0
                              ? fill_with_about(options.tetrahedra, volume(region), fill)
                              : fill(options.max_volume);
+  keep_promises(mesh, scaled_volume(options.max_volume), options);
   mesh.points = scaled(std::move(mesh.points), -exponent);
   require_positive(mesh);
   require_boundary(mesh, region.surface);

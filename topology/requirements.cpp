@@ -22,6 +22,12 @@ std::string surface_name(const VertexLink& link) {
          std::to_string(link.euler_characteristic);
 }
 
+bool is_closed(const Triangulation& triangulation) {
+  for (std::size_t v = 0; v < triangulation.vertex_count(); ++v)
+    if (triangulation.link(v).euler_characteristic != 2) return false;
+  return true;
+}
+
 }  // namespace
 
 void require_solvable(const Triangulation& triangulation) {
@@ -29,6 +35,10 @@ void require_solvable(const Triangulation& triangulation) {
     throw InvalidInput("the triangulation has " + std::to_string(triangulation.component_count()) +
                        " components; a metric is found for one connected manifold at a time: "
                        "tripus solve --components takes each by itself");
+  if (is_closed(triangulation))
+    throw Unsupported(
+        "the link of every vertex is a sphere, so the manifold is closed; closed manifolds are not "
+        "supported: a metric with geodesic boundary needs a link of genus 2 or more");
   for (std::size_t v = 0; v < triangulation.vertex_count(); ++v) {
     const VertexLink& link = triangulation.link(v);
     if (!link.orientable)

@@ -33,8 +33,11 @@ json parse(std::string_view text) {
   } catch (const json::parse_error& error) {
     throw InvalidInput("spatial graph: JSON syntax error at byte " + std::to_string(error.byte) +
                        "; expected an object " + kForm);
-  } catch (const json::exception& error) {
-    throw InvalidInput("spatial graph: " + quoted(error.what(), 120));
+  } catch (const json::out_of_range&) {
+    throw InvalidInput(
+        "spatial graph: a number is too large; numbers must be finite, below 1.8e308");
+  } catch (const json::exception&) {
+    throw InvalidInput(std::string("spatial graph: this is not JSON; expected an object ") + kForm);
   }
 }
 

@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"disconnected", "cPcbbbihqcPcbbbihq", "has 2 components"},
         BadInput{"cusp", "cPcbbbiht",
                  "the link of vertex class 0 (vertex 0 of tetrahedron 0) is a torus; cusps"},
-        BadInput{"sphere", "bkaagj", "is a sphere, so this is a finite vertex; simplify first"},
+        BadInput{"sphere", "bkaagj", "is a sphere, so the manifold is closed; closed manifolds are not"},
         BadInput{"klein", "bkaaid", "is a Klein bottle"}));
 
 TEST(Requirements, ACuspIsUnsupportedRatherThanInvalid) {

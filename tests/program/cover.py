@@ -84,7 +84,7 @@ class Streams(ProgramTest):
             self.assertEqual(answer["isosig"], line.split()[0])
             self.assertEqual(answer["name"], f"{TRIPUS}, degree 3, cover {number}")
         self.assert_refused("cover", TRIPUS, "--degree", "3", "-o", "no/such/file",
-                            says="cannot be written")
+                            says="cannot write")
 
 
 class Limits(ProgramTest):

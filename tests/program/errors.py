@@ -49,9 +49,9 @@ class Links(ProgramTest):
     CASES = [
         ("cPcbbbiht", "unsupported", "(vertex 0 of tetrahedron 0) is a torus; cusps are not"),
         ("cPcbbbdxm", "unsupported", "is a torus"),
-        ("bkaagj", "invalid-input", "is a sphere, so this is a finite vertex; simplify"),
-        ("bkaagb", "invalid-input", "is a sphere"),
-        ("cMcabbgqs", "invalid-input", "is a sphere"),
+        ("bkaagj", "unsupported", "so the manifold is closed; closed manifolds are not"),
+        ("bkaagb", "unsupported", "so the manifold is closed; closed manifolds are not"),
+        ("cMcabbgqs", "unsupported", "so the manifold is closed; closed manifolds are not"),
         ("bkaaid", "invalid-input", "is a Klein bottle"),
         ("bkaahd", "invalid-input", "its own reverse"),
         ("bkaagd", "invalid-input", "its own reverse"),

@@ -62,6 +62,14 @@ class Mesh(ProgramTest):
                 again = self.json_answer("mesh", "knotted-y.off", *options)
                 self.assertEqual(again, answer)
 
+    def test_sizes_that_the_boundary_alone_does_not_give(self):
+        self.write("ball.off", BALL)
+        stages = self.json_answer("mesh", "ball.off", "--tetrahedra", "1000", status=1)["stages"]
+        self.assertAlmostEqual(stages["mesh"], 1000, delta=100)
+        stages = self.json_answer("mesh", "ball.off", "--max-volume", "1e-2", status=1)["stages"]
+        self.assertGreaterEqual(stages["mesh"], 17)  # the volume is 1/6
+        self.assert_refused("mesh", "ball.off", "--max-volume", "1e-300", says="memory")
+
     def test_a_ball(self):
         self.write("ball.off", BALL)
         answer = self.json_answer("mesh", "ball.off", status=1)
@@ -69,6 +77,26 @@ class Mesh(ProgramTest):
         self.assertIn("it bounds a ball", answer["message"])
         self.assertIn("it bounds a ball", self.run_program("mesh", "ball.off").text)
         self.assert_refused("solve", "ball.off", says='"ball.off": it bounds a ball')
+
+    def test_a_ball_filled_in_is_a_triangulation(self):
+        self.write("ball.off", BALL)
+        answer = self.json_answer("info", "ball.off")
+        self.assertEqual([v["genus"] for v in answer["vertices"]], [0])
+        self.assertEqual(self.json_answer("simplify", "ball.off")["tetrahedron_count"], 1)
+        none = self.run_program("cover", "ball.off", "--cyclic", "2")
+        self.assertEqual(none.status, 1)
+        self.assertIn("no cyclic cover", none.err)
+
+    def test_what_cannot_carry_a_metric_is_named(self):
+        self.write("trefoil.json", (ROOT / "examples" / "graphs" / "trefoil.json").read_bytes())
+        self.run_program("tube", "trefoil.json", "-o", "torus.off")
+        text = self.run_program("mesh", "torus.off")
+        self.assertEqual(text.status, 0)
+        self.assertRegex(text.text, "not solvable +the link .* is a torus; cusps are not")
+        for verb in ("solve", "canonize", "identify"):
+            self.assert_refused(verb, "torus.off", says='"torus.off": the link', kind="unsupported")
+        self.assert_refused("compare", TRIPUS, "torus.off", says='"torus.off": the link')
+        self.assert_refused("compare", "cPcbbbiht", TRIPUS, says='"cPcbbbiht": the link')
 
     def test_a_batch(self):
         self.surface("knotted-y.off")
@@ -89,6 +117,21 @@ class Mesh(ProgramTest):
         self.assert_refused("mesh", "ball.off", "-o", "x.txt", says="must end with .json")
         self.assert_refused("mesh", "ball.off", "--save-mesh", "x.off", says="must end with .vtk")
         self.assert_refused("mesh", "ball.off", "--save-mesh", "none/x.vtk", says="cannot write")
+        self.assert_refused("mesh", "none.off", "--pictures", "none/x", says="cannot write")
+        for option in ("-o", "--save-mesh", "--pictures"):
+            self.assert_refused("mesh", "ball.off", option, "", says="is empty")
+        self.assert_refused("simplify", TRIPUS, "-o", "", says="is empty")
+        self.assert_refused("simplify", "none.off", "-o", "none/x.sig", says="cannot write")
+        self.assert_refused("cover", TRIPUS, "--degree", "2", "-o", "", says="is empty")
+        self.assert_refused("cover", TRIPUS, "--degree", "2", "-o", "no/x", says="No such file")
+        for option in ("--tsv", "--database"):
+            result = self.run_program("census", "--from", "tripus.sig", option, "no/x")
+            self.assertEqual(result.status, 2)
+            self.assertIn('cannot write "no/x": No such file', result.err)
+        (self.folder / "full.json").symlink_to("/dev/full")
+        late = self.run_program("mesh", "ball.off", "-o", "full.json")
+        self.assertEqual((late.status, late.err),
+                         (2, 'tripus: cannot write "full.json": No space left on device\n'))
         self.assert_refused("mesh", "ball.off", "--tetrahedra", "-1", says="--tetrahedra")
         self.assert_refused("mesh", "ball.off", "--max-volume", "0", says="--max-volume")
 

@@ -97,7 +97,17 @@ class TubeErrors(ProgramTest):
         self.fails(str(GRAPHS / "knotted-y.json"), "-o", "-", "--json", says="standard output")
 
     def test_a_place_that_cannot_be_written(self):
-        self.fails(str(GRAPHS / "knotted-y.json"), "-o", "no/such/folder.off", says="written")
+        self.fails(str(GRAPHS / "knotted-y.json"), "-o", "no/such/folder.off",
+                   says='cannot write "no/such/folder.off": No such file')
+        self.fails("missing.json", "-o", "no/such.off", says="cannot write")  # before all work
+
+    def test_errors_name_the_file_and_nothing_of_the_library(self):
+        for text, says in (('{"edges": [[[1e999, 0, 0]]]}', "must be finite"), ("{", "syntax"),
+                           ('{"edges": 3}', "expected an array"), ('{"edges": []}', "")):
+            (self.folder / "g.json").write_text(text)
+            run = self.fails("g.json", "-o", "a.off", says='"g.json": ')
+            self.assertIn(says, run.err)
+            self.assertNotIn("exception", run.err)
 
 
 class TubeToMetric(ProgramTest):

@@ -75,6 +75,16 @@ TEST(MeshingValidate, HolesOnAGridAreFoundExactly) {
   }
 }
 
+double volume_of(const TetrahedralMesh& mesh, const Tetrahedron& t) {
+  std::array<std::array<double, 3>, 3> v;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) v[i][k] = mesh.points[t[i + 1]][k] - mesh.points[t[0]][k];
+  return (v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) +
+          v[0][1] * (v[1][2] * v[2][0] - v[1][0] * v[2][2]) +
+          v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0])) /
+         6;
+}
+
 TEST(MeshingTetrahedralize, FillsRegionsExactly) {
   const SurfaceMesh surface = joined(
       box_surface(0, 9, 3), joined(torus_surface(2, 0.5, 9, 7, {5, 5, 5}), box_surface(0.5, 1)));
@@ -85,16 +95,7 @@ TEST(MeshingTetrahedralize, FillsRegionsExactly) {
       for (double& x : p) x *= factor;
     const TetrahedralMesh mesh = tetrahedralize(scaled);
     double sum = 0;
-    for (const Tetrahedron& t : mesh.tetrahedra) {
-      std::array<std::array<double, 3>, 3> v;
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t k = 0; k < 3; ++k)
-          v[i][k] = mesh.points[t[i + 1]][k] - mesh.points[t[0]][k];
-      sum += (v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) +
-              v[0][1] * (v[1][2] * v[2][0] - v[1][0] * v[2][2]) +
-              v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0])) /
-             6;
-    }
+    for (const Tetrahedron& t : mesh.tetrahedra) sum += volume_of(mesh, t);
     EXPECT_NEAR(sum / volume(scaled), 1, 1e-12);
     const Solid solid = require_valid(mesh);
     EXPECT_EQ(solid.mesh, mesh);
@@ -112,6 +113,38 @@ TEST(MeshingTetrahedralize, AimsAtANumberOfTetrahedra) {
   }
   options.tetrahedra = 1;  // the boundary needs more
   EXPECT_EQ(tetrahedralize(region, options), tetrahedralize(region));
+}
+
+/// Where the boundary is so coarse that TetGen adds no point at all.
+TEST(MeshingTetrahedralize, KeepsItsPromisesInsideACoarseBoundary) {
+  SurfaceMesh simplex;
+  simplex.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  simplex.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  for (const SurfaceMesh& surface :
+       {simplex, box_surface(0, 1), joined(box_surface(0, 9), box_surface(4, 5)),
+        torus_surface(2, 0.7, 9, 5)}) {
+    const Region region = require_valid(surface);
+    for (const std::size_t aim : {200u, 3000u}) {
+      TetrahedralizeOptions options;
+      options.tetrahedra = aim;
+      const double made = double(tetrahedralize(region, options).tetrahedra.size());
+      EXPECT_NEAR(made, double(aim), 0.1 * double(aim));
+      options.tetrahedra = 0;
+      options.max_volume = volume(region) / double(aim);
+      const TetrahedralMesh mesh = tetrahedralize(region, options);
+      double sum = 0;
+      for (const Tetrahedron& t : mesh.tetrahedra) {
+        sum += volume_of(mesh, t);
+        EXPECT_LE(volume_of(mesh, t), options.max_volume * (1 + 1e-12));
+      }
+      EXPECT_NEAR(sum / volume(region), 1, 1e-12);
+      EXPECT_EQ(require_valid(mesh).mesh, mesh);
+    }
+  }
+  TetrahedralizeOptions tiny;
+  tiny.max_volume = 1e-300;
+  tiny.memory_limit = 1 << 28;
+  EXPECT_THROW(tetrahedralize(require_valid(simplex), tiny), Unsupported);
 }
 
 TEST(MeshingTetrahedra, OrderOfCornersIsMended) {

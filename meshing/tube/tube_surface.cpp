@@ -9,11 +9,11 @@
 // hence isotopic to S (Waldhausen; for spheres: Alexander). What follows sampling consists of
 // isotopies (guarded_surface.hpp). So the genus, which is checked at the end, decides all.
 //
-// Where strands part at an acute angle the space between their tubes is a cleft, and the lattice
-// may fall to pieces in it at every cell side (the few lattice directions may all leave the cleft).
-// So what is sampled has fillets there (Region), as large as the lattice resolves, that lie where
-// -kFilletHeight * kFilletCells * h <= F <= 0; the levels that must be regular reach so much
-// farther.
+// Where strands part at an acute angle the space between their tubes is a cleft, and the sample may
+// fall to pieces there at every cell side: the few lattice directions may all lead out of the
+// cleft. If the sample's genus is wrong, the next ones are of the region with fillets (Region), as
+// large as the lattice resolves. They lie where -kFilletHeight * kFilletCells * h <= F <= 0; the
+// cells are chosen so that the levels down to there less h are regular too.
 #include "meshing/tube/tube_surface.hpp"
 
 #include <cmath>

@@ -23,8 +23,8 @@ double squared_distance(const Point& p, const std::array<Point, 2>& segment) {
 
 }  // namespace
 
-Region::Region(const Strands& strands, double radius, double depth)
-    : outer_(strands.outer), radius_(radius), depth_(depth) {
+Region::Region(const Strands& strands, double radius, double depth, double fillet)
+    : outer_(strands.outer), radius_(radius), depth_(depth), fillet_(fillet) {
   for (const Segment& s : strands.segments) segments_.push_back({s.a, s.b});
   cells_.reserve(2 * segments_.size());
   build(0, std::uint32_t(segments_.size()));
@@ -75,11 +75,48 @@ double Region::graph_distance(const Point& p, double beyond) const {
   return std::sqrt(nearest(p, beyond).squared);
 }
 
+template <class Visit>
+void Region::for_segments_within(const Point& p, double distance, Visit&& visit) const {
+  std::array<std::uint32_t, kDeepest> todo;
+  std::size_t count = 0;
+  todo[count++] = 0;
+  while (count > 0) {
+    const std::uint32_t c = todo[--count];
+    const Cell& cell = cells_[c];
+    if (cell.bounds.distance(p) >= distance) continue;
+    if (cell.right != 0) {
+      todo[count++] = cell.right;
+      todo[count++] = c + 1;
+      continue;
+    }
+    for (std::uint32_t s = cell.first; s < cell.last; ++s) visit(segments_[s]);
+  }
+}
+
+/// A smooth minimum of the distances d, e from two segments is d - (k - (e - d))^2 / 4k where they
+/// differ by less than k. It counts as far as the segments are seen in different directions, so
+/// that the joints of a bent strand stay as they are.
+double Region::rounding(const Point& p, const Nearest& near) const {
+  const double d = std::sqrt(near.squared);
+  if (near.segment == kNone || d == 0 || !(std::abs(d - radius_) < fillet_)) return 0;
+  const Point to_near = (1 / d) * (foot(p, segments_[near.segment]) - p);
+  double most = 0;
+  for_segments_within(p, d + fillet_, [&](const std::array<Point, 2>& segment) {
+    const Point to = foot(p, segment) - p;
+    const double e = norm(to), overlap = fillet_ - (e - d);
+    if (e == 0 || overlap <= 0) return;
+    const double apart = std::clamp(0.5 - dot(to, to_near) / e, 0.0, 0.5) * 2;
+    most = std::max(most, apart * kFilletHeight * overlap * overlap / fillet_);
+  });
+  return most;
+}
+
 double Region::value(const Point& p) const {
-  if (!outer_.exists()) return std::min(graph_distance(p, radius_ + depth_) - radius_, depth_);
   const double outer = outer_.value(p);
-  if (outer >= depth_) return outer;  // far outside: no matter how far from the tube
-  return std::max({outer, radius_ - graph_distance(p, radius_ + depth_), -depth_});
+  if (outer_.exists() && outer >= depth_) return outer;  // no matter how far from the tube
+  const Nearest near = nearest(p, radius_ + depth_);
+  const double tube = radius_ - std::sqrt(near.squared) + (fillet_ > 0 ? rounding(p, near) : 0);
+  return outer_.exists() ? std::max({outer, tube, -depth_}) : std::min(-tube, depth_);
 }
 
 double Region::full_value(const Point& p) const {

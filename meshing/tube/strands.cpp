@@ -1,6 +1,8 @@
 #include "meshing/tube/detail/strands.hpp"
 
+#include <algorithm>
 #include <map>
+#include <numbers>
 #include <numeric>
 
 #include "base/error.hpp"
@@ -111,6 +113,31 @@ class StrandMaker {
     return run;
   }
 
+  /// A pipe straight through the outer surface, both of whose ends lie outside, gets a point
+  /// inside: the deepest one of its segments.
+  void add_point_inside(std::size_t edge) {
+    auto& points = graph_.edges[edge];
+    const OuterSurface& outer = result_.outer;
+    if (!std::all_of(points.begin(), points.end(),
+                     [&](const Point& p) { return outer.value(p) >= 0; }))
+      return;
+    for (std::size_t p = 0; p + 1 < points.size(); ++p) {
+      const Point a = points[p], b = points[p + 1];
+      double low = 0, high = 1;  // by thirds: the function is convex
+      for (int step = 0; step < 100; ++step) {
+        const double s = low + (high - low) / 3, t = high - (high - low) / 3;
+        if (outer.value(a + s * (b - a)) < outer.value(a + t * (b - a)))
+          high = t;
+        else
+          low = s;
+      }
+      const Point deepest = a + 0.5 * (low + high) * (b - a);
+      if (outer.value(deepest) >= 0) continue;
+      points.insert(points.begin() + std::ptrdiff_t(p) + 1, deepest);
+      return;
+    }
+  }
+
   void add_edge(std::size_t edge) {
     check_points(edge);
     const auto& points = graph_.edges[edge];
@@ -122,6 +149,7 @@ class StrandMaker {
       add_pieces(edge, {0, points.size() - 1}, start, end);
       return;
     }
+    if (loose_first && loose_last) add_point_inside(edge);
     Inside run = inside_run(edge, loose_first, loose_last);
     std::uint32_t from = start, to = end;
     if (knot) from = to = add_node(points.front(), NodeKind::kInside);
@@ -169,7 +197,7 @@ class StrandMaker {
     }
   }
 
-  const SpatialGraph& graph_;
+  SpatialGraph graph_;
   Strands result_;
   std::map<Point, std::uint32_t> vertex_at_;
 };
@@ -183,6 +211,21 @@ std::string name_of(const Segment& segment) {
 
 Strands make_strands(const SpatialGraph& graph, const OuterSurface& outer) {
   return StrandMaker(graph, outer).make();
+}
+
+double Strands::sharpest_angle() const {
+  double least = std::numbers::pi;
+  for (std::uint32_t n = 0; n < nodes.size(); ++n) {
+    const auto leaving = [&](std::uint32_t s) {
+      return segments[s].node_a == n ? segments[s].b - segments[s].a
+                                     : segments[s].a - segments[s].b;
+    };
+    const auto& at = nodes[n].segments;
+    for (std::size_t i = 0; i < at.size(); ++i)
+      for (std::size_t j = i + 1; j < at.size(); ++j)
+        least = std::min(least, angle_between(leaving(at[i]), leaving(at[j])));
+  }
+  return least;
 }
 
 Strands::Expected Strands::expected() const {

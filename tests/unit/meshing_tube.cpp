@@ -92,6 +92,39 @@ TEST(Tube, OfALooseEndInsideGoesStraightOn) {
   EXPECT_THAT(make_tube(graph, {.radius = 0.2}).euler_characteristics, ElementsAre(0));
 }
 
+/// Strands that part at 15 degrees leave a cleft that a lattice often does not resolve.
+TEST(Tube, OfStrandsThatPartAtSmallAnglesHasTheirGenus) {
+  for (int turn = 0; turn < 8; ++turn) {
+    const double around = 0.3 + 0.7 * turn, apart = std::numbers::pi / 12;
+    SpatialGraph graph;
+    graph.outer = NoOuter{};
+    graph.vertices = {{0, 0, 0}};
+    for (int k = -1; k <= 1; ++k) {
+      const double x = 12 * std::cos(k * apart), y = 12 * std::sin(k * apart);
+      const Point end{x, y * std::cos(around), y * std::sin(around)};
+      graph.vertices.push_back(end);
+      graph.edges.push_back({{0, 0, 0}, end});
+    }
+    EXPECT_THAT(make_tube(graph, {.radius = 0.4, .triangles = 500}).euler_characteristics,
+                ElementsAre(2))
+        << turn;
+  }
+}
+
+TEST(Tube, OfStraightPipesThroughTheOuterSurfaceHasTheirNumberAsGenus) {
+  for (const Outer& outer :
+       {Outer(OuterSphere{{0, 0, 0}, 4}), Outer(OuterBox{{-4, -4, -4}, {4, 4, 4}})}) {
+    SpatialGraph graph;
+    graph.outer = outer;
+    graph.edges = {{{-1, 0, -5}, {-1, 0, 5}}};
+    EXPECT_THAT(testing::counted_characteristics(make_tube(graph, {.triangles = 2000}).surface),
+                ElementsAre(0));
+    graph.edges.push_back({{1, 0, -5}, {1, 0, 5}});
+    EXPECT_THAT(testing::counted_characteristics(make_tube(graph, {.triangles = 2000}).surface),
+                ElementsAre(-2));
+  }
+}
+
 TEST(Tube, StopsWhenAsked) {
   const std::atomic<bool> stop = true;
   EXPECT_THROW(make_tube(testing::example_graph("knotted-y"), {.stop_requested = &stop}), Stopped);

@@ -11,8 +11,12 @@ namespace tripus::meshing::tube {
 /// an outer surface the tube itself.
 class Region {
  public:
-  /// `depth` > 0: values below -depth count as -depth.
-  Region(const Strands& strands, double radius, double depth);
+  /// `depth` > 0: values below -depth count as -depth. `fillet` >= 0: `value` rounds the clefts
+  /// between strands that part at an acute angle, by balls about as large as this; it grows there
+  /// by at most kFilletHeight * fillet, and nowhere else.
+  Region(const Strands& strands, double radius, double depth, double fillet = 0);
+
+  static constexpr double kFilletHeight = 0.25;
 
   /// Negative inside, 0 on the surface; changes no faster than the place.
   double value(const Point& p) const;
@@ -27,6 +31,7 @@ class Region {
   double graph_distance(const Point& p, double beyond) const;
 
   double radius() const { return radius_; }
+  double fillet() const { return fillet_; }
   Bounds bounds() const;
 
  private:
@@ -42,11 +47,14 @@ class Region {
 
   std::uint32_t build(std::uint32_t first, std::uint32_t last);
   Nearest nearest(const Point& p, double beyond) const;
+  template <class Visit>
+  void for_segments_within(const Point& p, double distance, Visit&& visit) const;
+  double rounding(const Point& p, const Nearest& near) const;
 
   std::vector<std::array<Point, 2>> segments_;
   std::vector<Cell> cells_;
   OuterSurface outer_;
-  double radius_, depth_;
+  double radius_, depth_, fillet_;
 };
 
 }  // namespace tripus::meshing::tube

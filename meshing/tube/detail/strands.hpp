@@ -42,6 +42,9 @@ struct Strands {
     std::vector<long> euler_characteristics;  ///< one a component, sorted
   };
   Expected expected() const;
+
+  /// The least angle between two segments at a node.
+  double sharpest_angle() const;
 };
 
 /// "edge 2 segment 3", or what a spur is.

@@ -67,4 +67,8 @@ inline constexpr double kThinnestHole = 1e-9;
 /// metrics have 1e-12 and less.
 inline constexpr double kEmbeddedCurvature = 1e-8;
 
+/// Relators of a holonomy that miss the identity of SL(2,C) by more than this are reported as not
+/// holding in double precision: all triangulations with up to 4 tetrahedra keep some 1e-11.
+inline constexpr double kRelator = 1e-9;
+
 }  // namespace tripus::tolerance

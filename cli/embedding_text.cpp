@@ -1,9 +1,13 @@
 #include "cli/embedding_text.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
+#include "base/tolerances.hpp"
 #include "cli/report_text.hpp"
 #include "embedding/holonomy.hpp"
 
@@ -32,6 +36,34 @@ void append_tetrahedron(JsonText& out, const HyperboloidTetrahedron& tetrahedron
   append(out, ", \"faces\": ");
   append_array(out, tetrahedron.faces, append_vector);
   out.push_back('}');
+}
+
+double largest(const std::vector<double>& values) {
+  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+}
+
+/// How well the relators hold in the frame of tetrahedron 0.
+struct RelatorNumbers {
+  double defect, bound;
+  bool hold() const { return defect <= tolerance::kRelator; }
+};
+
+RelatorNumbers relator_numbers(const embedding::Holonomy& holonomy) {
+  return {largest(embedding::relator_defects(holonomy)),
+          largest(embedding::relator_bounds(holonomy))};
+}
+
+constexpr std::string_view kNotHeld =
+    "do not hold in double precision in the frame of tetrahedron 0: the fundamental domain is too "
+    "large for that; use face_pairings, which are exact to local_defect";
+
+/// JSON has no infinity: null.
+void append_finite(JsonText& out, double value) {
+  if (std::isfinite(value)) {
+    fmt::format_to(std::back_inserter(out), "{}", value);
+  } else {
+    append(out, "null");
+  }
 }
 
 void append_generators(JsonText& out, const embedding::Holonomy& holonomy) {
@@ -67,6 +99,15 @@ void append_holonomy(JsonText& out, const embedding::Holonomy& holonomy) {
                    fmt::format_to(std::back_inserter(text), "{}", letter);
                  });
                });
+  const RelatorNumbers numbers = relator_numbers(holonomy);
+  append(out, ", \"relator_defect\": ");
+  append_finite(out, numbers.defect);
+  append(out, ", \"relator_bound\": ");
+  append_finite(out, numbers.bound);
+  append(out, ", \"local_defect\": ");
+  append_finite(out, holonomy.local_defect);
+  append(out, ", \"warning\": ");
+  append(out, numbers.hold() ? "null" : fmt::format("\"the relators {}\"", kNotHeld));
   out.push_back('}');
 }
 
@@ -112,10 +153,6 @@ std::string_view end_remark(CoverEnd end) {
   return "";
 }
 
-double largest(const std::vector<double>& values) {
-  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
-}
-
 }  // namespace
 
 std::string embedding_as_json(const EmbeddedSubject& embedded) {
@@ -149,12 +186,15 @@ std::string embedding_as_text(const EmbeddedSubject& embedded, const std::string
   line("around edges",
        fmt::format("the face pairings multiply to the identity within {:.1e}",
                    largest(embedding::edge_defects(embedded.embedding, triangulation))));
+  const RelatorNumbers numbers = relator_numbers(holonomy);
   line("holonomy",
-       fmt::format("{} in {}, relators hold within {:.1e}",
+       fmt::format("{} in {}, relators {} {:.1e} (bound {:.1e})",
                    counted(holonomy.isometries.size(), "generator", "generators"),
                    holonomy.orientable ? "PSL(2,C)"
                                        : "O+(3,1); some reverse orientation, so not in PSL(2,C)",
-                   largest(embedding::relator_defects(holonomy))));
+                   numbers.hold() ? "hold within" : "miss the identity by", numbers.defect,
+                   numbers.bound));
+  if (!numbers.hold()) line("warning", fmt::format("the relators {}", kNotHeld));
   line("cells", fmt::format("{}{}", embedded.cover.cells.size(), end_remark(embedded.cover.end)));
   line("written to", printable(output));
   return text;

@@ -80,7 +80,7 @@ std::array<int, 3> face_vertices(int f) {
 /// A = (sum_ab v_a (G^-1)_ab v'_b^T - n n'^T) J, docs/theory.md (63): takes v'_b to v_b for the
 /// three vertices of the face, and the outward normal n' to -n.
 Matrix4 face_pairing(const HyperboloidTetrahedron& here, const HyperboloidTetrahedron& there,
-                     Perm4 p, int f) {
+                     Perm4 p, int f, bool reverses) {
   const std::array<int, 3> vertices = face_vertices(f);
   FaceMatrix v, w;
   for (int n = 0; n < 3; ++n) {
@@ -98,7 +98,7 @@ Matrix4 face_pairing(const HyperboloidTetrahedron& here, const HyperboloidTetrah
   const WideVector m = there.faces[static_cast<std::size_t>(p(f))].cast<Wide>();
   const WideMatrix pairing =
       (v * gram.inverse() * w.transpose() - n * m.transpose()) * signs.asDiagonal();
-  return geometry::reorthogonalised(pairing.cast<double>());
+  return geometry::to_matrix(geometry::to_moebius(pairing.cast<double>(), reverses));
 }
 
 }  // namespace
@@ -131,7 +131,8 @@ Embedding embed(const Triangulation& triangulation, std::span<const double> edge
       embedding.face_pairings[t][face] =
           4 * other + back < 4 * t + face
               ? geometry::lorentz_inverse(embedding.face_pairings[other][back])
-              : face_pairing(embedding.tetrahedra[t], embedding.tetrahedra[other], p, f);
+              : face_pairing(embedding.tetrahedra[t], embedding.tetrahedra[other], p, f,
+                             detail::pairing_reverses(orientation, gluings, t, f));
     }
   }
   return embedding;

@@ -1,48 +1,137 @@
 #include "embedding/holonomy.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "embedding/detail/orientations.hpp"
 #include "embedding/developing_map.hpp"
+#include "topology/dual_graph.hpp"
 
 namespace tripus::embedding {
+namespace {
+
+using geometry::MoebiusMap;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A product of two 2x2 matrices is off by less than this times the product of their norms: four
+/// roundings in each of two terms of a complex sum, and those of the factors themselves.
+constexpr double kProductRounding = 16 * std::numeric_limits<double>::epsilon();
+
+double norm(const MoebiusMap& map) {
+  return std::sqrt(std::norm(map.a) + std::norm(map.b) + std::norm(map.c) + std::norm(map.d));
+}
+
+/// Overflow, and infinity minus infinity, count as infinite.
+double or_infinity(double value) { return std::isfinite(value) ? value : kInfinity; }
+
+/// [T] bounds on the errors of the developing map: those of the parent are carried on, and each
+/// product adds its own.
+std::vector<double> errors_of(const std::vector<MoebiusMap>& places,
+                              const std::vector<std::array<MoebiusMap, 4>>& pairings,
+                              const topology::SpanningForest& forest) {
+  std::vector<double> errors(places.size(), 0.0);
+  for (const std::uint32_t t : forest.order) {
+    const std::uint32_t parent = forest.parent[t];
+    if (parent == topology::kNoTetrahedron) continue;
+    errors[t] = (errors[parent] + kProductRounding * norm(places[parent])) *
+                norm(pairings[parent][forest.face[t]]);
+  }
+  return errors;
+}
+
+MoebiusMap factor(const Holonomy& holonomy, topology::Letter letter) {
+  const MoebiusMap& map = holonomy.moebius[topology::generator_of(letter)];
+  return letter > 0 ? map : geometry::inverse(map);
+}
+
+MoebiusMap product_of(const Holonomy& holonomy, const topology::Word& word) {
+  MoebiusMap product;
+  for (const topology::Letter letter : word) product = product * factor(holonomy, letter);
+  return product;
+}
+
+void measure_edges(Holonomy& holonomy, const Embedding& embedding,
+                   const topology::Triangulation& triangulation,
+                   const std::vector<MoebiusMap>& places) {
+  const std::vector<double> defects = edge_defects(embedding, triangulation);
+  for (std::size_t e = 0; e < defects.size(); ++e) {
+    const double size = norm(places[triangulation.corners(e)[0].tetrahedron()]);
+    holonomy.local_defect = std::max(holonomy.local_defect, defects[e]);
+    holonomy.carried_defect =
+        std::max(holonomy.carried_defect, or_infinity(defects[e] * size * size));
+  }
+}
+
+}  // namespace
 
 Holonomy holonomy(const Embedding& embedding, const topology::Triangulation& triangulation) {
   Holonomy result;
   result.group = topology::fundamental_group(triangulation);
+  result.orientable = triangulation.is_orientable();
   const topology::Gluings& gluings = triangulation.gluings();
-  const std::vector<Matrix4> places = developing_map(embedding, gluings);
+  const auto pairings = detail::moebius_pairings(embedding, gluings);
+  const std::vector<MoebiusMap> places = developing_map(embedding, gluings);
+  const std::vector<double> errors =
+      errors_of(places, pairings, topology::spanning_forest(gluings));
   const std::size_t count = result.group.presentation.generator_count;
   result.isometries.resize(count);
   result.moebius.resize(count);
+  result.rounding.resize(count);
   for (std::size_t slot = 0; slot < result.group.face_letters.size(); ++slot) {
     const topology::Letter letter = result.group.face_letters[slot];
     if (letter <= 0) continue;
     const std::size_t t = slot / 4, f = slot % 4;
     const std::size_t other = gluings.neighbour(t, static_cast<int>(f));
     const std::size_t g = topology::generator_of(letter);
-    result.moebius[g] = geometry::to_moebius(places[t] * embedding.face_pairings[t][f] *
-                                             geometry::lorentz_inverse(places[other]));
+    const MoebiusMap& across = pairings[t][f];
+    result.moebius[g] = places[t] * across * geometry::inverse(places[other]);
     result.isometries[g] = geometry::to_matrix(result.moebius[g]);
-    result.orientable = result.orientable && !result.moebius[g].reverses;
+    const double here = norm(places[t]), there = norm(places[other]);
+    result.rounding[g] = or_infinity(norm(across) * (errors[t] * there + here * errors[other] +
+                                                     2 * kProductRounding * here * there));
   }
+  measure_edges(result, embedding, triangulation, places);
   return result;
 }
 
 Matrix4 isometry_of(const Holonomy& holonomy, const topology::Word& word) {
-  Matrix4 product = Matrix4::Identity();
-  for (const topology::Letter letter : word) {
-    const Matrix4& generator = holonomy.isometries[topology::generator_of(letter)];
-    product = geometry::reorthogonalised(
-        product * (letter > 0 ? generator : geometry::lorentz_inverse(generator)));
-  }
-  return product;
+  return geometry::to_matrix(product_of(holonomy, word));
 }
 
 std::vector<double> relator_defects(const Holonomy& holonomy) {
   std::vector<double> defects;
   for (const topology::Word& relator : holonomy.group.presentation.relators) {
-    const Matrix4 product = isometry_of(holonomy, relator);
-    defects.push_back((product - Matrix4::Identity()).cwiseAbs().maxCoeff());
+    const MoebiusMap product = product_of(holonomy, relator);
+    defects.push_back(std::isfinite(norm(product)) ? geometry::difference(product, {}) : kInfinity);
   }
   return defects;
+}
+
+std::vector<double> relator_bounds(const Holonomy& holonomy) {
+  std::vector<double> bounds;
+  for (const topology::Word& relator : holonomy.group.presentation.relators) {
+    // What is wrong in one factor is multiplied by what stands before and behind it.
+    std::vector<double> behind(relator.size() + 1);
+    MoebiusMap product;
+    behind.back() = norm(product);
+    for (std::size_t n = relator.size(); n-- > 0;) {
+      product = factor(holonomy, relator[n]) * product;
+      behind[n] = norm(product);
+    }
+    product = {};
+    double bound = holonomy.carried_defect;
+    for (std::size_t n = 0; n < relator.size(); ++n) {
+      const MoebiusMap next = factor(holonomy, relator[n]);
+      bound +=
+          norm(product) * behind[n + 1] *
+          (holonomy.rounding[topology::generator_of(relator[n])] + kProductRounding * norm(next));
+      product = product * next;
+    }
+    bounds.push_back(or_infinity(bound));
+  }
+  return bounds;
 }
 
 }  // namespace tripus::embedding

@@ -15,6 +15,13 @@ struct Holonomy {
   topology::FundamentalGroup group;
   std::vector<Matrix4> isometries;            ///< [generators] in O+(3,1)
   std::vector<geometry::MoebiusMap> moebius;  ///< [generators] in PSL(2,C), or its other half
+  /// [generators] bound on the rounding errors of the Moebius coefficients (norm of the four).
+  std::vector<double> rounding;
+  /// Each relator is the way around an edge. The largest entry of (product of the pairings around
+  /// it) - identity, in the frame of a tetrahedron at the edge, over all edges ...
+  double local_defect = 0;
+  /// ... and what that may become in the frame of tetrahedron 0, |D|^2 times as much.
+  double carried_defect = 0;
   /// Whether all of them keep orientation: exactly for orientable manifolds. Otherwise some Moebius
   /// maps are of the conjugate, and the representation is not into PSL(2,C).
   bool orientable = true;
@@ -27,7 +34,14 @@ Holonomy holonomy(const Embedding& embedding, const topology::Triangulation& tri
 /// The isometry of a word in the generators, read from left to right.
 Matrix4 isometry_of(const Holonomy& holonomy, const topology::Word& word);
 
-/// Largest entry of (isometry of the relator) - identity, for each relator.
+/// How far the relator's product of Moebius maps is from the identity, for each relator: the
+/// largest difference of coefficients, up to sign. Infinity where numbers overflow. In the frame of
+/// tetrahedron 0 this grows like the exponential of the size of the fundamental domain, though the
+/// space closes up around its edges as well as `local_defect` says: where it exceeds
+/// tolerance::kRelator, double precision cannot hold the representation.
 std::vector<double> relator_defects(const Holonomy& holonomy);
+
+/// Bounds on these, to first order, for each relator. Source: docs/theory.md (72).
+std::vector<double> relator_bounds(const Holonomy& holonomy);
 
 }  // namespace tripus::embedding

@@ -95,9 +95,9 @@ CircleEmbedding embed_by_circles(const topology::Triangulation& triangulation,
     for (int f = 0; f < 4; ++f) {
       const std::size_t other = gluings.neighbour(t, f);
       const Perm4 p = gluings.gluing(t, f);
-      const bool reverses = (orientation[t] == orientation[other]) != p.is_odd();
-      embedding.face_pairings[t][static_cast<std::size_t>(f)] = moebius_face_pairing(
-          embedding.tetrahedra[t], embedding.tetrahedra[other], p, f, reverses);
+      embedding.face_pairings[t][static_cast<std::size_t>(f)] =
+          moebius_face_pairing(embedding.tetrahedra[t], embedding.tetrahedra[other], p, f,
+                               detail::pairing_reverses(orientation, gluings, t, f));
     }
   }
   return embedding;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "embedding/detail/orientations.hpp"
 #include "embedding/detail/position_table.hpp"
 #include "geometry/moebius.hpp"
 
@@ -67,13 +68,8 @@ class Grower {
         by_depth_(options.max_depth != std::numeric_limits<std::uint32_t>::max()),
         sinh_radius_(std::sinh(options.max_radius)),
         separation_(2 * std::sinh(in_radius(embedding))),
-        positions_(separation_) {
-    pairings_.reserve(embedding.face_pairings.size());
-    for (const auto& four : embedding.face_pairings) {
-      auto& maps = pairings_.emplace_back();
-      for (std::size_t f = 0; f < 4; ++f) maps[f] = geometry::to_moebius(four[f]);
-    }
-  }
+        positions_(separation_),
+        pairings_(detail::moebius_pairings(embedding, gluings_)) {}
 
   UniversalCover grow() {
     UniversalCover cover;

@@ -100,8 +100,11 @@ Matrix4 to_matrix(const MoebiusMap& map) {
 }
 
 MoebiusMap to_moebius(const Matrix4& isometry) {
+  return to_moebius(isometry, isometry.determinant() < 0);
+}
+
+MoebiusMap to_moebius(const Matrix4& isometry, bool reverses) {
   Matrix4 matrix = isometry;
-  const bool reverses = matrix.determinant() < 0;
   if (reverses) matrix.col(1) *= -1;
   // sum_n (M sigma_n M*) C sigma_n = 2 tr(M* C) M for every C: one of the four sigmas as C makes
   // the trace at least |M| / sqrt(2).

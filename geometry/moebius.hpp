@@ -44,6 +44,9 @@ Matrix4 to_matrix(const MoebiusMap& map);
 /// The Moebius map of an isometry in O+(3,1), up to sign. Also good for a matrix that rounding has
 /// moved off the group.
 MoebiusMap to_moebius(const Matrix4& isometry);
+/// The same where it is known whether the isometry reverses orientation: far from the identity the
+/// sign of a determinant is noise.
+MoebiusMap to_moebius(const Matrix4& isometry, bool reverses);
 
 /// Where the map takes the origin, on the hyperboloid.
 Vector4 image_of_origin(const MoebiusMap& map);

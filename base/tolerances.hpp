@@ -49,13 +49,13 @@ inline constexpr double kVolumeAgreement = 1e-9;
 inline constexpr double kOrientationRounding = 0x1p-49;
 
 /// Triangles of a tube's surface that come closer than this, relative to their size, count as
-/// meeting while one of them is moved: rounding in the test itself is some 1e-15, and triangles that
-/// keep this distance do not meet whatever the last bits do.
+/// meeting while one of them is moved: rounding in the test itself is some 1e-15, and triangles
+/// that keep this distance do not meet whatever the last bits do.
 inline constexpr double kSweepClearance = 1e-9;
 
 /// Boxes that a ray misses by less than this part of its length are looked into all the same. Each
-/// coordinate of the ray spans at least a third of the others, so its parameter has an error of some
-/// ten roundings of 2^-53.
+/// coordinate of the ray spans at least a third of the others, so its parameter has an error of
+/// some ten roundings of 2^-53.
 inline constexpr double kRayMargin = 1e-12;
 
 /// A point in a hole is looked for down to this part of the size of its triangles away from them;

@@ -120,12 +120,13 @@ INSTANTIATE_TEST_SUITE_P(
 // 3-sphere, the Gieseking manifold.
 INSTANTIATE_TEST_SUITE_P(
     Unsolvable, BadInputs,
-    testing::Values(
-        BadInput{"disconnected", "cPcbbbihqcPcbbbihq", "has 2 components"},
-        BadInput{"cusp", "cPcbbbiht",
-                 "the link of vertex class 0 (vertex 0 of tetrahedron 0) is a torus; cusps"},
-        BadInput{"sphere", "bkaagj", "is a sphere, so the manifold is closed; closed manifolds are not"},
-        BadInput{"klein", "bkaaid", "is a Klein bottle"}));
+    testing::Values(BadInput{"disconnected", "cPcbbbihqcPcbbbihq", "has 2 components"},
+                    BadInput{
+                        "cusp", "cPcbbbiht",
+                        "the link of vertex class 0 (vertex 0 of tetrahedron 0) is a torus; cusps"},
+                    BadInput{"sphere", "bkaagj",
+                             "is a sphere, so the manifold is closed; closed manifolds are not"},
+                    BadInput{"klein", "bkaaid", "is a Klein bottle"}));
 
 TEST(Requirements, ACuspIsUnsupportedRatherThanInvalid) {
   EXPECT_THROW(require_solvable(Triangulation(decode_isosig("cPcbbbiht"))), Unsupported);

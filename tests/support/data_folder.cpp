@@ -2,8 +2,6 @@
 
 namespace tripus::testing {
 
-std::string data_folder() {
-  return TRIPUS_DATA_DIR;
-}
+std::string data_folder() { return TRIPUS_DATA_DIR; }
 
 }  // namespace tripus::testing

@@ -136,7 +136,8 @@ TEST(ViewerPrimitive, IsTheHalfSpaceNearTheCell) {
     EXPECT_LT(mesh.concave, 1e-5) << radius;
     EXPECT_LT(mesh.farthest, kFarthestPoint) << radius;
     for (int k = 0; k < 40; ++k) {
-      const Vector3 p = random_vector(random).normalized() * std::cbrt(uniform(random)) * kBoundingReach;
+      const Vector3 p =
+          random_vector(random).normalized() * std::cbrt(uniform(random)) * kBoundingReach;
       if (std::abs(f(p)) < 3 * error) continue;
       const bool inside =
           contains(primitive.mesh, p) == (primitive.operation == Operation::kIntersect);

@@ -35,8 +35,9 @@ inline constexpr double kFarthestPoint = 2;
 /// than the cell only the part near the cell is tessellated, and closed beyond kBoundingReach: so
 /// planes are nothing special, a far centre costs no digits, and no mesh reaches farther than
 /// kFarthestPoint, that is, behind the eye.
-///   half_space  local frame, |grad f| = 1 on its wall, the wall meeting the ball of kPrimitiveReach
-///   error       greatest distance of the mesh from the wall within kBoundingReach, > 0
+///   half_space  local frame, |grad f| = 1 on its wall, the wall meeting the ball of
+///   kPrimitiveReach error       greatest distance of the mesh from the wall within kBoundingReach,
+///   > 0
 HalfSpacePrimitive half_space_primitive(const HalfSpace& half_space, double error);
 
 /// A coarse ball that contains the unit ball and lies within kBoundingReach.

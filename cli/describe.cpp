@@ -55,6 +55,15 @@ std::string printable(std::string_view text) {
   return out;
 }
 
+std::string signature_text(const Subject& subject) {
+  constexpr std::size_t kMostShown = 2000;  // some 400 tetrahedra
+  constexpr std::size_t kBeginning = 60;
+  if (!subject.isosig) return "not computed: it would take too long";
+  if (subject.isosig->size() <= kMostShown) return *subject.isosig;
+  return fmt::format("{}... ({} characters; --json gives it whole)",
+                     subject.isosig->substr(0, kBeginning), subject.isosig->size());
+}
+
 std::string counted(std::size_t count, std::string_view one, std::string_view many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }

@@ -27,6 +27,10 @@ Subject make_subject(std::string input, std::string name, topology::Gluings glui
 /// Text from outside made fit for a terminal: control characters as \xHH, all else as it is.
 std::string printable(std::string_view text);
 
+/// The signature for people: of a large triangulation its beginning and length, --json has it
+/// whole.
+std::string signature_text(const Subject& subject);
+
 /// "1 edge class", "2 edge classes".
 std::string counted(std::size_t count, std::string_view one, std::string_view many);
 

@@ -154,9 +154,9 @@ Outcome embed_one(const EmbedCommand& command, const std::string& input) {
     circles->open() << circle_figure(embedded);
     circles->close();
   }
-  return {wants_json ? embedding_as_json(embedded) + line_end
-                     : embedding_as_text(embedded, command.output),
-          embedded.cover.end == embedding::CoverEnd::kInterrupted ? kNoAnswer : kSuccess};
+  const int status = embedded.cover.end == embedding::CoverEnd::kComplete ? kSuccess : kNoAnswer;
+  if (wants_json) return {embedding_as_json(embedded) + line_end, status};
+  return {command.common.quiet ? "" : embedding_as_text(embedded, command.output), status};
 }
 
 int run(const EmbedCommand& command) {
@@ -205,6 +205,7 @@ void add_embed(CLI::App& program, Command& chosen) {
       ->check(file_name(known_endings()));
   verb->add_flag("--json", command->common.json,
                  "one JSON object on standard output; also without -o");
+  verb->add_flag("--quiet", command->common.quiet, "no text about the cells");
   add_cell_options(*verb, *command);
   verb->add_option("--model", command->model, "of obj, ply and vtk: upper, ball (default) or klein")
       ->option_text("NAME")

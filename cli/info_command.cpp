@@ -39,7 +39,7 @@ std::string as_text(const Subject& subject) {
   const auto line = [&](std::string_view label, const std::string& value) {
     text += fmt::format("  {:<14}{}\n", label, value);
   };
-  line("signature", subject.isosig.value_or("not computed: it would take too long"));
+  line("signature", signature_text(subject));
   line("tetrahedra", std::to_string(m.tetrahedron_count()));
   std::vector<std::string> valences;
   for (std::size_t e = 0; e < m.edge_count(); ++e) valences.push_back(std::to_string(m.valence(e)));

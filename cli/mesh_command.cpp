@@ -136,7 +136,7 @@ std::string as_text(const meshing::Manifold& manifold, const Subject& subject) {
     line("no metric", message_of(manifold, subject));
     return text;
   }
-  line("signature", subject.isosig.value_or("not computed: it would take too long"));
+  line("signature", signature_text(subject));
   if (const std::string why_not = objection_to(subject.triangulation); !why_not.empty())
     line("not solvable", why_not);
   return text;

@@ -74,8 +74,7 @@ std::string as_text(const topology::Simplified& result, const Stages& stages,
   std::string text = fmt::format("{}: {}\n", printable(subject.input), message_of(result, subject));
   for (const auto& [name, count] : stages)
     text += fmt::format("  {:<14}{}\n", name, counted(count, "tetrahedron", "tetrahedra"));
-  text += fmt::format("  {:<14}{}\n", "signature",
-                      subject.isosig.value_or("not computed: it would take too long"));
+  text += fmt::format("  {:<14}{}\n", "signature", signature_text(subject));
   return text;
 }
 

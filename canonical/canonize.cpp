@@ -3,7 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include "topology/isomorphism.hpp"
+#include "topology/isosig.hpp"
+#include "topology/orientation.hpp"
+#include "topology/requirements.hpp"
+#include "topology/simplify/small_triangulations.hpp"
 
 namespace tripus::canonical {
 namespace {
@@ -11,7 +14,6 @@ namespace {
 using structure::Outcome;
 using structure::Report;
 using topology::Gluings;
-using topology::Perm4;
 using topology::Triangulation;
 
 /// docs/canonical.md (T6): |dV| <= 1/2 sum l |d theta|, and rounding.
@@ -28,36 +30,6 @@ double volume_error(const Triangulation& triangulation, const Report& report) {
 
 }  // namespace
 
-Gluings oriented(const Gluings& gluings) {
-  constexpr Perm4 kSwap = Perm4::from_images(0, 1, 3, 2);
-  const std::size_t count = gluings.tetrahedron_count();
-  topology::Isomorphism relabelling;
-  relabelling.perms.resize(count);
-  std::vector<char> seen(count);
-  std::vector<std::size_t> todo;
-  for (std::size_t t = 0; t < count; ++t)
-    relabelling.tetrahedron_images.push_back(static_cast<topology::TetrahedronIndex>(t));
-  for (std::size_t start = 0; start < count; ++start) {
-    if (seen[start]) continue;
-    seen[start] = 1;
-    todo.push_back(start);
-    while (!todo.empty()) {
-      const std::size_t t = todo.back();
-      todo.pop_back();
-      for (int f = 0; f < 4; ++f) {
-        const std::size_t other = gluings.neighbour(t, f);
-        const bool same = gluings.gluing(t, f).is_odd();
-        const Perm4 wanted = same == (relabelling.perms[t] == Perm4()) ? Perm4() : kSwap;
-        if (seen[other] && relabelling.perms[other] != wanted) return gluings;
-        if (!seen[other]) todo.push_back(other);
-        seen[other] = 1;
-        relabelling.perms[other] = wanted;
-      }
-    }
-  }
-  return topology::relabelled(gluings, relabelling);
-}
-
 std::optional<CanonicalManifold> canonize_metric(const Triangulation& triangulation,
                                                  const Report& report,
                                                  const ProtoCanonicalOptions& options) {
@@ -71,52 +43,114 @@ std::optional<CanonicalManifold> canonize_metric(const Triangulation& triangulat
       isometry_signature(decomposition, order, isometries.is_amphicheiral);
   std::string cells = describe_cells(decomposition);
   const double error = volume_error(proto.triangulation, proto.report);
-  return CanonicalManifold{std::move(proto.triangulation),
-                           std::move(proto.report),
-                           error,
-                           std::move(proto.faces),
-                           std::move(proto.path),
-                           std::move(decomposition),
-                           std::move(order),
-                           std::move(isometries),
-                           std::move(signature),
-                           std::move(cells)};
+  return CanonicalManifold{.triangulation = std::move(proto.triangulation),
+                           .report = std::move(proto.report),
+                           .volume_error = error,
+                           .faces = std::move(proto.faces),
+                           .simplified = {},
+                           .path = std::move(proto.path),
+                           .decomposition = std::move(decomposition),
+                           .order = std::move(order),
+                           .isometries = std::move(isometries),
+                           .signature = std::move(signature),
+                           .cells = std::move(cells)};
 }
 
-CanonizeAnswer canonize(const Triangulation& input, const CanonizeOptions& options) {
-  CanonizeAnswer answer;
-  structure::SolveOptions solve = options.solve;
-  solve.evidence = false;
-  const Gluings gluings = oriented(input.gluings());
-  // Vertices and edges keep their numbers only if the labels did not change.
-  const Triangulation triangulation = gluings == input.gluings() ? input : Triangulation(gluings);
-  answer.report = structure::solve(triangulation, solve);
+namespace {
+
+/// Up to so many tetrahedra the search for a triangulation with the metric shrinks by itself.
+constexpr std::size_t kFew = 5;
+
+constexpr const char* kNotCanonical =
+    "The metric was found, but no triangulation that subdivides the canonical decomposition.";
+
+/// A triangulation that carries the metric, and how it was reached.
+struct Metric {
+  Triangulation triangulation;
+  Report report;
+  std::string simplified;
   std::vector<topology::Move> path;
-  if (answer.report.outcome == Outcome::kGeometric) {
-    answer.manifold = canonize_metric(triangulation, answer.report, options.proto_canonical);
-  } else if (options.retriangulate) {
-    structure::Retriangulation found =
-        structure::retriangulate(triangulation, answer.report, solve, options.retriangulation);
-    if (found.report.outcome != Outcome::kGeometric) {
-      answer.message = found.report.message;
-      return answer;
+};
+
+class Canonizer {
+ public:
+  Canonizer(const Triangulation& input, const CanonizeOptions& options)
+      : input_(input), options_(options), solve_(options.solve) {
+    solve_.evidence = false;
+  }
+
+  CanonizeAnswer run() {
+    auto metric = find_metric();
+    if (!metric) return without_metric();
+    answer_.manifold =
+        canonize_metric(metric->triangulation, metric->report, options_.proto_canonical);
+    if (!answer_.manifold) {
+      answer_.message = kNotCanonical;
+      return std::move(answer_);
     }
-    answer.manifold = canonize_metric(Triangulation(std::move(found.gluings)), found.report,
-                                      options.proto_canonical);
-    path = std::move(found.path);
-  } else {
-    answer.message = answer.report.message;
-    return answer;
+    answer_.manifold->simplified = std::move(metric->simplified);
+    auto& whole = answer_.manifold->path;
+    whole.insert(whole.begin(), metric->path.begin(), metric->path.end());
+    answer_.message = "The canonical decomposition has " + answer_.manifold->cells + ".";
+    return std::move(answer_);
   }
-  if (!answer.manifold) {
-    answer.message =
-        "The metric was found, but no triangulation that subdivides the canonical decomposition.";
-    return answer;
+
+ private:
+  std::optional<Metric> find_metric() {
+    if (options_.retriangulate && input_.tetrahedron_count() > kFew) {
+      topology::require_solvable(input_);
+      if (auto small = simplified()) return small;
+    }
+    const Gluings gluings = topology::oriented(input_.gluings());
+    // Vertices and edges keep their numbers only if the labels did not change.
+    Triangulation triangulation = gluings == input_.gluings() ? input_ : Triangulation(gluings);
+    answer_.report = structure::solve(triangulation, solve_);
+    if (answer_.report.outcome == Outcome::kGeometric)
+      return Metric{std::move(triangulation), answer_.report, {}, {}};
+    if (!options_.retriangulate) {
+      answer_.message = answer_.report.message;
+      return std::nullopt;
+    }
+    structure::Retriangulation found = structure::retriangulate(
+        triangulation, answer_.report, solve_, options_.retriangulation);
+    if (found.report.outcome != Outcome::kGeometric) {
+      answer_.message = found.report.message;
+      answer_.advice = found.report.advice;
+      return std::nullopt;
+    }
+    return Metric{Triangulation(std::move(found.gluings)), std::move(found.report),
+                  std::move(found.simplified), std::move(found.path)};
   }
-  auto& whole = answer.manifold->path;
-  whole.insert(whole.begin(), path.begin(), path.end());
-  answer.message = "The canonical decomposition has " + answer.manifold->cells + ".";
-  return answer;
+
+  /// A smaller triangulation, if it carries the metric.
+  std::optional<Metric> simplified() {
+    for (Gluings& gluings :
+         topology::small_triangulations(input_.gluings(), 1, solve_.stop_requested)) {
+      if (gluings.tetrahedron_count() >= input_.tetrahedron_count()) return std::nullopt;
+      Triangulation triangulation(std::move(gluings));
+      answer_.report = structure::solve(triangulation, solve_);
+      if (answer_.report.outcome != Outcome::kGeometric) return std::nullopt;
+      std::string signature = topology::full_isosig(triangulation.gluings()).oriented();
+      return Metric{std::move(triangulation), answer_.report, std::move(signature), {}};
+    }
+    return std::nullopt;
+  }
+
+  CanonizeAnswer without_metric() {
+    if (options_.solve.evidence) answer_.report = structure::solve(input_, options_.solve);
+    return std::move(answer_);
+  }
+
+  const Triangulation& input_;
+  const CanonizeOptions& options_;
+  structure::SolveOptions solve_;
+  CanonizeAnswer answer_;
+};
+
+}  // namespace
+
+CanonizeAnswer canonize(const Triangulation& input, const CanonizeOptions& options) {
+  return Canonizer(input, options).run();
 }
 
 }  // namespace tripus::canonical

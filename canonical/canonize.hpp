@@ -13,8 +13,10 @@
 namespace tripus::canonical {
 
 struct CanonizeOptions {
-  structure::SolveOptions solve;  ///< of the first solve; its `evidence` is unused
-  bool retriangulate = true;      ///< where the triangulation carries no metric
+  structure::SolveOptions solve;  ///< `evidence`: that of an input for which nothing is found
+  /// Whether to simplify the triangulation first, and to look for others of the manifold where it
+  /// carries no metric.
+  bool retriangulate = true;
   structure::RetriangulateOptions retriangulation;  ///< budget and seed of that
   ProtoCanonicalOptions proto_canonical;
 };
@@ -25,7 +27,10 @@ struct CanonicalManifold {
   structure::Report report;               ///< the metric on it
   double volume_error = 0;                ///< estimate of what the volume may be off
   FaceKinds faces;                        ///< with the margins of every decision
-  std::vector<topology::Move> path;       ///< from the input, oriented, to `triangulation`
+  /// Where the path starts: the input, made `oriented`; or a simplification of it, as
+  /// decode_isosig(simplified) gives it.
+  std::string simplified;            ///< empty: the input
+  std::vector<topology::Move> path;  ///< from there to `triangulation`
   Decomposition decomposition;
   CanonicalOrder order;
   IsometryGroup isometries;
@@ -36,8 +41,12 @@ struct CanonicalManifold {
 /// What became of it: a manifold, or why not.
 struct CanonizeAnswer {
   std::optional<CanonicalManifold> manifold;
-  structure::Report report;  ///< of the solve on the input itself
-  std::string message;       ///< one sentence for a person
+  /// Of the triangulation that was solved on first: a simplification of the input, if that is
+  /// smaller and carries the metric, or else the input. Without a manifold that of the input, with
+  /// the evidence there is.
+  structure::Report report;
+  std::string message;  ///< one sentence for a person
+  structure::Advice advice = structure::Advice::kNone;  ///< where nothing was found
 };
 
 /// The canonical (Kojima) decomposition with everything that follows from it.
@@ -50,9 +59,5 @@ CanonizeAnswer canonize(const topology::Triangulation& triangulation,
 std::optional<CanonicalManifold> canonize_metric(const topology::Triangulation& triangulation,
                                                  const structure::Report& report,
                                                  const ProtoCanonicalOptions& options = {});
-
-/// The same triangulation with labels that make every gluing permutation odd; those of tetrahedron
-/// 0 stay. Unchanged if it is not orientable.
-topology::Gluings oriented(const topology::Gluings& gluings);
 
 }  // namespace tripus::canonical

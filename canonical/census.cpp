@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <thread>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -30,16 +31,26 @@ std::string boundary_of(const topology::Triangulation& triangulation) {
   return text;
 }
 
-CensusLine classify_one(const std::string& signature, const CanonizeOptions& options) {
+/// Where the metric was found on a simplification, the triangulation itself may carry it too.
+bool carries_metric(const topology::Triangulation& triangulation, const CanonizeAnswer& answer,
+                    structure::SolveOptions solve) {
+  if (answer.manifold->simplified.empty())
+    return answer.report.outcome == structure::Outcome::kGeometric;
+  solve.evidence = false;
+  return structure::solve(triangulation, solve).outcome == structure::Outcome::kGeometric;
+}
+
+CensusLine classify_one(const std::string& signature, CanonizeOptions options) {
+  options.solve.evidence = false;
   CensusLine line;
   line.triangulation = signature;
   try {
     const topology::Triangulation triangulation(topology::decode_isosig(signature));
     const CanonizeAnswer answer = canonize(triangulation, options);
-    line.own_metric = answer.report.outcome == structure::Outcome::kGeometric;
     line.resolved = answer.manifold.has_value();
     if (!line.resolved) return line;
     const CanonicalManifold& manifold = *answer.manifold;
+    line.own_metric = carries_metric(triangulation, answer, options.solve);
     line.entry.boundary = boundary_of(triangulation);
     line.entry.volume = manifold.report.volume;
     line.entry.homology = topology::to_string(topology::first_homology(triangulation));
@@ -113,7 +124,30 @@ std::vector<CensusLine> classify(const std::vector<std::string>& triangulations,
   return lines;
 }
 
-Census make_census(const std::vector<CensusLine>& lines) {
+namespace {
+
+/// "t4g3.17": by the place in a family of the same size and boundary.
+void number_manifolds(Census& census) {
+  std::map<std::string, std::size_t> count;
+  for (CensusEntry& entry : census.manifolds) {
+    const std::string family = fmt::format("t{}{}", entry.tetrahedra, entry.boundary);
+    entry.name = fmt::format("{}.{}", family, ++count[family]);
+  }
+}
+
+/// The names of the shipped census for its manifolds; any other is called by its signature.
+void name_manifolds(Census& census) {
+  std::unordered_map<std::string_view, const CensusEntry*> shipped;
+  for (const CensusEntry& entry : shipped_census().manifolds) shipped[entry.signature] = &entry;
+  for (CensusEntry& entry : census.manifolds) {
+    const auto found = shipped.find(entry.signature);
+    entry.name = found == shipped.end() ? entry.signature : found->second->name;
+  }
+}
+
+}  // namespace
+
+Census make_census(const std::vector<CensusLine>& lines, CensusNames names) {
   Census census;
   std::map<std::string, std::vector<const CensusLine*>> by_signature;
   for (const CensusLine& line : lines) {
@@ -136,33 +170,12 @@ Census make_census(const std::vector<CensusLine>& lines) {
     census.manifolds.push_back(std::move(entry));
   }
   std::ranges::sort(census.manifolds, in_order);
-  std::map<std::string, std::size_t> count;
-  for (CensusEntry& entry : census.manifolds) {
-    const std::string family = fmt::format("t{}{}", entry.tetrahedra, entry.boundary);
-    entry.name = fmt::format("{}.{}", family, ++count[family]);
+  if (names == CensusNames::kNumbered) {
+    number_manifolds(census);
+  } else {
+    name_manifolds(census);
   }
   return census;
-}
-
-const CensusEntry* Census::find(std::string_view text) const {
-  const auto found = std::ranges::find_if(manifolds, [&](const CensusEntry& entry) {
-    return entry.signature == text || entry.name == text ||
-           std::ranges::find(entry.triangulations, text) != entry.triangulations.end();
-  });
-  return found == manifolds.end() ? nullptr : &*found;
-}
-
-std::vector<const CensusEntry*> select(const Census& census, const CensusQuery& query) {
-  std::vector<const CensusEntry*> result;
-  for (const CensusEntry& entry : census.manifolds) {
-    const bool fits = entry.volume >= query.least_volume && entry.volume <= query.greatest_volume &&
-                      (query.boundary.empty() || entry.boundary == query.boundary) &&
-                      (query.homology.empty() || entry.homology == query.homology) &&
-                      (query.cells.empty() || entry.cells == query.cells) &&
-                      (query.tetrahedra == 0 || entry.tetrahedra == query.tetrahedra);
-    if (fits) result.push_back(&entry);
-  }
-  return result;
 }
 
 }  // namespace tripus::canonical

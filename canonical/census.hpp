@@ -15,7 +15,9 @@ namespace tripus::canonical {
 
 /// What a census says about a manifold.
 struct CensusEntry {
-  std::string name;            ///< "t3g2.17": tetrahedra, genera of the boundary, number
+  /// "t3g2.17" of the manifolds of the shipped census (tetrahedra, genera of the boundary, number);
+  /// the signature of any other, which claims nothing and belongs to no other manifold.
+  std::string name;
   std::size_t tetrahedra = 0;  ///< least number among `triangulations`
   std::string boundary;        ///< "g2", "g2+g3": genera of the components, ascending
   double volume = 0;
@@ -33,8 +35,8 @@ struct Census {
   std::vector<CensusEntry> manifolds;
   std::vector<std::string> unresolved;  ///< triangulations; ascending
 
-  /// By isometry signature or by the isomorphism signature of a listed triangulation, or by name;
-  /// null if there is none. Linear search.
+  /// By isometry signature or by the isomorphism signature of a listed triangulation, with or without
+  /// a sign, or by name; null if there is none. Linear search.
   const CensusEntry* find(std::string_view text) const;
 };
 
@@ -63,9 +65,17 @@ inline constexpr std::size_t kCensusBudget = 20;
 std::vector<CensusLine> classify(const std::vector<std::string>& triangulations,
                                  const ClassifyOptions& options = {});
 
-/// Sorts lines into manifolds and names them: by tetrahedra, boundary (largest genus first),
-/// volume, signature. The result does not depend on the order of the lines.
-Census make_census(const std::vector<CensusLine>& lines);
+enum class CensusNames {
+  kShipped,   ///< those of the shipped census; other manifolds are called by their signatures
+  kNumbered,  ///< numbered anew: how the shipped census, which is complete, got its names
+};
+
+/// Sorts lines into manifolds: by tetrahedra, boundary (largest genus first), volume, signature;
+/// and names them. The result does not depend on the order of the lines.
+Census make_census(const std::vector<CensusLine>& lines, CensusNames names = CensusNames::kShipped);
+
+/// Whether a text has the form of a shipped name, "t3g2.17".
+bool is_census_name(std::string_view text);
 
 /// One line of the journal that makes a census resumable, without the line end.
 std::string to_journal(const CensusLine& line);
@@ -80,8 +90,8 @@ struct JournalText {
 /// or if there is none but a torn one: it is then some other file.
 JournalText parse_journal(std::string_view text);
 
-/// The table: comments, a header line, one manifold a line, then nothing. Unresolved
-/// triangulations are only counted.
+/// The table: a comment with the counts, a header line, one manifold a line; then a comment for each
+/// unresolved triangulation, "# unresolved cPcbbbihq".
 std::string to_tsv(const Census& census);
 /// Line ends may be those of any system. Throws InvalidInput, naming the line.
 Census parse_tsv(std::string_view text);
@@ -94,15 +104,25 @@ Census read_database(const std::string& path);
 /// The census that comes with the program: all with up to four tetrahedra.
 const Census& shipped_census();
 
-/// A choice of manifolds; what is empty or not set does not restrict.
+/// A choice of manifolds; what is empty or not set does not restrict. Spelling is free.
 struct CensusQuery {
   double least_volume = 0;
   double greatest_volume = std::numeric_limits<double>::infinity();
-  std::string boundary;  ///< "g2"
-  std::string homology;  ///< "2 Z"
-  std::string cells;     ///< "4 tetrahedra"
-  std::size_t tetrahedra = 0;
+  std::string boundary;  ///< see parse_boundary
+  std::string homology;  ///< see topology::parse_abelian_group
+  std::string cells;     ///< "4 tetrahedra", "pyramid + 2 tetrahedra"
+  std::optional<std::size_t> tetrahedra;
 };
+/// Throws InvalidInput for a part of the query that cannot be read, and for an empty range of volumes.
 std::vector<const CensusEntry*> select(const Census& census, const CensusQuery& query);
+
+/// "g2+g3" from "g3 + g2", "3,2", "genus 2 + genus 3". Throws InvalidInput.
+std::string parse_boundary(std::string_view text);
+
+/// Throws InvalidInput if a text does not describe cells: "2 tetrahedra + 1 pyramid".
+void require_cells(std::string_view text);
+
+/// What is in a census, in a sentence without full stop: numbers of tetrahedra, boundaries, ...
+std::string describe(const Census& census);
 
 }  // namespace tripus::canonical

@@ -17,6 +17,9 @@ constexpr std::string_view kColumns =
     "name\ttetrahedra\tboundary\tvolume\thomology\tcells\tkeeping\treversing\tsignature\t"
     "triangulations";
 
+/// What a line of an unresolved triangulation begins with: a comment for other programs.
+constexpr std::string_view kUnresolved = "# unresolved ";
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (;;) {
@@ -120,6 +123,8 @@ std::string to_tsv(const Census& census) {
     text += fmt::format("{}\t{}\t{}\t{}\n", entry.name, entry.tetrahedra, facts(entry),
                         fmt::join(entry.triangulations, " "));
   }
+  for (const std::string& triangulation : census.unresolved)
+    text += fmt::format("{}{}\n", kUnresolved, triangulation);
   return text;
 }
 
@@ -130,6 +135,7 @@ Census parse_tsv(std::string_view text) {
   for (std::string_view line : split(text, '\n')) {
     ++number;
     if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.starts_with(kUnresolved)) census.unresolved.emplace_back(line.substr(kUnresolved.size()));
     if (line.empty() || line.front() == '#') continue;
     if (!header && line != kColumns) {
       throw InvalidInput(

@@ -7,20 +7,32 @@
 #include <fmt/ranges.h>
 
 #include "topology/homology.hpp"
-#include "topology/isomorphism.hpp"
+#include "topology/moves/common_triangulation.hpp"
 #include "topology/requirements.hpp"
+#include "topology/simplify/small_triangulations.hpp"
 
 namespace tripus::canonical {
 namespace {
 
 using topology::Triangulation;
 
-std::vector<int> genera(const Triangulation& triangulation) {
-  std::vector<int> result;
-  for (std::size_t v = 0; v < triangulation.vertex_count(); ++v)
-    result.push_back(triangulation.link(v).genus());
+/// The boundary components: orientable ones by genus, others by Euler characteristic.
+std::vector<std::string> boundary_components(const Triangulation& triangulation) {
+  std::vector<std::string> result;
+  for (std::size_t v = 0; v < triangulation.vertex_count(); ++v) {
+    const topology::VertexLink& link = triangulation.link(v);
+    if (link.euler_characteristic == 2) continue;  // filled in
+    result.push_back(link.orientable ? fmt::format("genus {}{}", link.genus(),
+                                                   link.genus() == 1 ? " (a cusp)" : "")
+                                     : fmt::format("non-orientable of Euler characteristic {}",
+                                                   link.euler_characteristic));
+  }
   std::ranges::sort(result);
   return result;
+}
+
+std::string boundary_text(const std::vector<std::string>& components) {
+  return components.empty() ? "none" : fmt::format("{}", fmt::join(components, " + "));
 }
 
 Comparison different(std::string by, std::string message) {
@@ -33,9 +45,13 @@ Comparison different(std::string by, std::string message) {
 
 /// By what needs no geometry.
 std::optional<Comparison> compare_topology(const Triangulation& a, const Triangulation& b) {
-  if (const auto x = genera(a), y = genera(b); x != y) {
-    return different("boundary", fmt::format("the boundary components have genera {} and {}.",
-                                             fmt::join(x, ", "), fmt::join(y, ", ")));
+  if (a.component_count() != b.component_count()) {
+    return different("components", fmt::format("they have {} and {} components.",
+                                               a.component_count(), b.component_count()));
+  }
+  if (const auto x = boundary_components(a), y = boundary_components(b); x != y) {
+    return different("boundary", fmt::format("the boundary of one is {}, that of the other {}.",
+                                             boundary_text(x), boundary_text(y)));
   }
   if (a.is_orientable() != b.is_orientable())
     return different("orientability", "one is orientable, the other is not.");
@@ -43,6 +59,22 @@ std::optional<Comparison> compare_topology(const Triangulation& a, const Triangu
   const std::string y = to_string(topology::first_homology(b));
   if (x != y) return different("homology", fmt::format("the first homology is {} and {}.", x, y));
   return std::nullopt;
+}
+
+void set_orientations(Comparison& result, bool keeps, bool reverses, bool amphicheiral) {
+  result.keeps_orientation = keeps || amphicheiral;
+  result.reverses_orientation = reverses || amphicheiral;
+  if (amphicheiral) result.orientations_known = true;
+  if (result.orientations_known) return;
+  result.keeps_orientation = result.reverses_orientation = false;
+}
+
+std::string_view how_oriented(const Comparison& result, bool is_orientable) {
+  if (!is_orientable) return "";
+  if (!result.orientations_known)
+    return " (orientation not known: a signature without + or - at its end does not tell)";
+  if (result.keeps_orientation && result.reverses_orientation) return ", with either orientation";
+  return result.keeps_orientation ? ", keeping the given orientations" : ", as mirror images";
 }
 
 void compare_manifolds(Comparison& result) {
@@ -73,19 +105,38 @@ void compare_manifolds(Comparison& result) {
   }
   result.verdict = Verdict::kHomeomorphic;
   result.isometry = as_cell_map(a.decomposition, b.decomposition, isomorphism(a.order, b.order));
-  std::string_view how;
   if (a.decomposition.is_orientable()) {
     const bool keeps = a.decomposition.is_negative(a.order.flags[0]) ==
                        b.decomposition.is_negative(b.order.flags[0]);
-    result.keeps_orientation = keeps || a.isometries.is_amphicheiral;
-    result.reverses_orientation = !keeps || a.isometries.is_amphicheiral;
-    how = result.keeps_orientation && result.reverses_orientation
-              ? ", with either orientation"
-              : (keeps ? ", keeping the given orientations" : ", as mirror images");
+    set_orientations(result, keeps, !keeps, a.isometries.is_amphicheiral);
   }
   result.message = fmt::format(
       "Homeomorphic{}: an isometry carries the {} of the canonical decompositions to each other.",
-      how, a.cells);
+      how_oriented(result, a.decomposition.is_orientable()), a.cells);
+}
+
+/// Up to so many tetrahedra a common triangulation is searched for.
+constexpr std::size_t kMostSearched = 40;
+
+/// By moves that lead from both triangulations to a third, where geometry did not decide.
+void compare_triangulations(Comparison& result, const Triangulation& a, const Triangulation& b,
+                            const CanonizeOptions& options) {
+  topology::CommonTriangulationOptions search;
+  search.stop_requested = options.solve.stop_requested;
+  // Every step looks at all neighbours of a triangulation: too much for large ones.
+  if (std::max(a.tetrahedron_count(), b.tetrahedron_count()) > kMostSearched) search.budget = 0;
+  const auto start = [&](const Triangulation& m) {
+    auto small = topology::small_triangulations(m.gluings(), 1, search.stop_requested);
+    return small.empty() ? m.gluings() : std::move(small.front());
+  };
+  const auto common = topology::common_triangulation(start(a), start(b), search);
+  if (!common) return;
+  result.verdict = Verdict::kHomeomorphic;
+  result.decided_by = "triangulation";
+  const bool both = common->keeps_orientation && common->reverses_orientation;
+  set_orientations(result, common->keeps_orientation, common->reverses_orientation, both);
+  result.message = fmt::format("Homeomorphic{}: moves lead from both to the triangulation {}.",
+                               how_oriented(result, a.is_orientable()), common->isosig);
 }
 
 }  // namespace
@@ -103,29 +154,30 @@ std::string_view to_string(Verdict verdict) {
 }
 
 Comparison compare(const Triangulation& first, const Triangulation& second,
-                   const CanonizeOptions& options) {
+                   const CanonizeOptions& options, Orientations orientations) {
+  if (auto decided = compare_topology(first, second)) return *decided;
   topology::require_solvable(first);
   topology::require_solvable(second);
-  if (auto decided = compare_topology(first, second)) return *decided;
   Comparison result;
-  CanonizeAnswer a = canonize(first, options), b = canonize(second, options);
+  result.orientations_known =
+      orientations == Orientations::kKnown || !first.is_orientable() || !second.is_orientable();
+  CanonizeOptions without_evidence = options;
+  without_evidence.solve.evidence = false;
+  CanonizeAnswer a = canonize(first, without_evidence), b = canonize(second, without_evidence);
   result.first = std::move(a.manifold);
   result.second = std::move(b.manifold);
   if (result.first && result.second) {
     compare_manifolds(result);
     return result;
   }
-  if (topology::is_isomorphic(first.gluings(), second.gluings())) {
-    result.verdict = Verdict::kHomeomorphic;
-    result.decided_by = "triangulation";
-    result.message = "Homeomorphic: the triangulations are the same but for their labels.";
-    return result;
-  }
+  compare_triangulations(result, first, second, options);
+  if (result.verdict == Verdict::kHomeomorphic) return result;
   result.message = fmt::format("Unresolved: no canonical decomposition of the {}. {}",
                                result.first    ? "second"
                                : result.second ? "first"
                                                : "two",
                                result.first ? b.message : a.message);
+  result.advice = result.first ? b.advice : a.advice;
   return result;
 }
 

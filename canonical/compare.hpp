@@ -18,22 +18,32 @@ struct Comparison {
   /// "triangulation"; empty if nothing did.
   std::string decided_by;
   std::string message;  ///< one sentence for a person
+  structure::Advice advice = structure::Advice::kNone;  ///< where nothing was found
   /// The isometry as a map of the cells of the first manifold to those of the second.
   std::optional<CellMap> isometry;
   /// Whether one keeps the orientations that the labels 0123 of tetrahedron 0 give, and whether one
   /// reverses them. Both false where there are no orientations, or nothing was found.
   bool keeps_orientation = false;
   bool reverses_orientation = false;
+  /// False if the two above rest on an orientation that is not known: see Orientations.
+  bool orientations_known = true;
   /// The two manifolds as far as they had to be computed.
   std::optional<CanonicalManifold> first, second;
 };
 
-/// Invariants are compared from the cheapest on: the genera of the boundary components,
-/// orientability, first homology, volume, canonical decomposition.
+/// Whether the labels of both triangulations mean orientations. A signature without a sign says
+/// nothing about them; an isometry of chiral manifolds then may keep or reverse them.
+enum class Orientations { kKnown, kNotKnown };
+
+/// Invariants are compared from the cheapest on: the boundary components (what is not a sphere among
+/// the vertex links), orientability, first homology, volume, canonical decomposition. Where that of
+/// one or both was not found, a triangulation is looked for that moves reach from both.
 /// "Different" by volume or by decomposition and "homeomorphic" by decomposition rest on
 /// floating-point metrics and on tilt signs with the margins of FaceKinds.
-/// Throws InvalidInput for triangulations that structure::solve refuses.
+/// Throws InvalidInput for triangulations that structure::solve refuses, unless the boundary,
+/// orientability or homology decides.
 Comparison compare(const topology::Triangulation& first, const topology::Triangulation& second,
-                   const CanonizeOptions& options = {});
+                   const CanonizeOptions& options = {},
+                   Orientations orientations = Orientations::kKnown);
 
 }  // namespace tripus::canonical

@@ -251,6 +251,21 @@ CellType cell_type(const Decomposition& decomposition, std::size_t cell) {
   return type;
 }
 
+bool is_cell_type_name(std::string_view text) {
+  for (const NamedType& named : named_types())
+    if (named.name == text) return true;
+  constexpr std::string_view kPolyhedron = "polyhedron ";
+  if (!text.starts_with(kPolyhedron)) return false;
+  text.remove_prefix(kPolyhedron.size());
+  return text.find_first_not_of("0123456789.") == std::string_view::npos && !text.empty();
+}
+
+std::string known_cell_names() {
+  std::string names;
+  for (const NamedType& named : named_types()) names += std::string(named.name) + ", ";
+  return names + "polyhedron 5.5.4.3.3 (the sizes of its faces)";
+}
+
 std::string describe_cells(const Decomposition& decomposition) {
   // Tetrahedra first, then by number of vertices.
   std::map<std::pair<std::size_t, std::string>, std::size_t> counts;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "canonical/tilts.hpp"
@@ -63,6 +64,11 @@ struct CellType {
   friend bool operator==(const CellType&, const CellType&) = default;
 };
 CellType cell_type(const Decomposition& decomposition, std::size_t cell);
+
+/// Whether a text may be CellType::name.
+bool is_cell_type_name(std::string_view text);
+/// "tetrahedron, pyramid, ..., polyhedron 5.5.4": for messages.
+std::string known_cell_names();
 
 /// "4 tetrahedra", "1 octahedron", "2 tetrahedra + 1 pyramid": by name.
 std::string describe_cells(const Decomposition& decomposition);

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "canonical/group_name.hpp"
+
 namespace tripus::canonical {
 namespace {
 
@@ -87,6 +89,21 @@ void close(const std::vector<std::vector<FlagIndex>>& generators, FlagIndex base
   }
 }
 
+/// Beyond so many elements the table of a group takes too long to make.
+constexpr std::size_t kMostNamed = 1000;
+
+/// Element k carries flags[0] of the order to starts[k].
+GroupTable group_table(const Decomposition& decomposition, const CanonicalOrder& order) {
+  std::vector<std::uint32_t> number(decomposition.flag_count());
+  for (std::uint32_t k = 0; k < order.starts.size(); ++k) number[order.starts[k]] = k;
+  GroupTable table{order.starts.size(), {}};
+  for (const FlagIndex start : order.starts) {
+    const auto image = automorphism(decomposition, order, start);
+    for (const FlagIndex other : order.starts) table.products.push_back(number[image[other]]);
+  }
+  return table;
+}
+
 }  // namespace
 
 CanonicalOrder canonical_order(const Decomposition& decomposition) {
@@ -127,6 +144,11 @@ IsometryGroup isometry_group(const Decomposition& decomposition, const Canonical
           decomposition.boundary_component(group.generators.back()[flag]);
     }
     group.generators_on_boundary.push_back(std::move(on_boundary));
+  }
+  if (group.order <= kMostNamed) {
+    const GroupTable table = group_table(decomposition, order);
+    group.name = group_name(table);
+    group.element_orders = element_orders(table);
   }
   return group;
 }

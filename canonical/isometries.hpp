@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "canonical/decomposition.hpp"
@@ -30,6 +32,8 @@ struct IsometryGroup {
   /// Isometries that keep the orientation; 0 if the manifold has none.
   std::size_t orientation_preserving = 0;
   bool is_amphicheiral = false;  ///< orientable, and some isometry reverses the orientation
+  std::string name;              ///< see group_name; empty for groups of more than 1000 elements
+  std::map<std::size_t, std::size_t> element_orders;  ///< order to number of elements; likewise
   /// Generators as maps of flags [F], the identity never among them: each is outside of the group
   /// that those before it generate.
   std::vector<std::vector<FlagIndex>> generators;

@@ -2,6 +2,9 @@
 
 #include <new>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "cli/arguments.hpp"
 #include "cli/batch.hpp"
 #include "cli/json.hpp"
@@ -51,6 +54,8 @@ int answer_one(const CommonOptions& options,
     outcome = {std::move(failure.text), status_of(error)};
     message = fmt::format("tripus: {}\n", failure.message);
   }
+  if (!options.json && !options.quiet)
+    for (const std::string& note : outcome.notes) message += fmt::format("tripus: note: {}\n", note);
   write_message(message);
   write_output(outcome.text);
   if (options.json) write_output("\n");
@@ -91,9 +96,13 @@ int answer_lines(const CommonOptions& options,
   return run_batch({options.batch, options.threads, options.quiet},
                    [&](const topology::BatchLine& line) -> Answer {
                      try {
-                       std::string answered = answer(line).text;
+                       Outcome outcome = answer(line);
+                       std::string& answered = outcome.text;
                        if (!answered.empty() && answered.back() == '\n') answered.pop_back();
-                       return {std::move(answered), {}};
+                       if (options.json || options.quiet || outcome.notes.empty())
+                         return {std::move(answered), {}};
+                       return {std::move(answered),
+                               fmt::format("note: {}", fmt::join(outcome.notes, "; "))};
                      } catch (const std::exception& error) {
                        return error_answer(line.text, options.json, error);
                      }

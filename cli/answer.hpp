@@ -3,6 +3,7 @@
 #include <exception>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "cli/batch.hpp"
 #include "cli/commands.hpp"
@@ -14,6 +15,7 @@ namespace tripus::cli {
 struct Outcome {
   std::string text;  ///< text for people ends with a line end, JSON does not
   int status = kSuccess;
+  std::vector<std::string> notes = {};  ///< for standard error; JSON has them in the text
 };
 
 /// Answers the one INPUT, or every line of the batch, and writes the answers. An exception that

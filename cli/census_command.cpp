@@ -1,5 +1,6 @@
 // tripus census: makes tables of manifolds, and looks things up in them.
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -11,7 +12,10 @@
 #include <fmt/format.h>
 
 #include "canonical/census.hpp"
+#include "cli/answer.hpp"
+#include "cli/arguments.hpp"
 #include "cli/canonize_options.hpp"
+#include "cli/census_file.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
@@ -23,6 +27,8 @@
 #include "cli/output_file.hpp"
 #include "cli/progress.hpp"
 #include "topology/formats/formats.hpp"
+#include "topology/homology.hpp"
+#include "topology/isosig.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -31,11 +37,13 @@ using canonical::Census;
 using canonical::CensusLine;
 
 struct CensusCommand {
+  std::vector<std::string> names;  ///< manifolds to look up
   std::vector<std::string> lists;
   std::string journal, tsv, database, in;
   canonical::ClassifyOptions classify;
   canonical::CensusQuery query;
   std::string volume;
+  bool has_boundary = false, has_homology = false, has_cells = false;  ///< also if empty
   bool json = false, quiet = false;
 };
 
@@ -80,11 +88,29 @@ class Journal {
   std::ofstream out_;
 };
 
-std::vector<std::string> read_lists(const std::vector<std::string>& paths) {
-  std::vector<std::string> result;
+/// What the lists name.
+struct Inputs {
+  std::vector<std::string> triangulations;  ///< by isomorphism signature
+  std::size_t refused = 0;
+};
+
+/// Every line is an INPUT, as for the other batches. What cannot be read is named, and the rest goes
+/// on.
+Inputs read_lists(const std::vector<std::string>& paths) {
+  Inputs inputs;
   for (const std::string& path : paths)
-    for (auto& line : topology::read_batch(read_file(path))) result.push_back(std::move(line.text));
-  return result;
+    for (const auto& line : topology::read_batch(read_file(path))) {
+      try {
+        if (line.text == "-") throw InvalidInput(kNoStandardInput);
+        const topology::NamedGluings loaded = load_manifold_input(line.text);
+        inputs.triangulations.push_back(topology::isosig(loaded.gluings));
+      } catch (const InvalidInput& error) {
+        ++inputs.refused;
+        write_message(fmt::format("tripus: {}: line {}: {}\n", printable(path), line.line_number,
+                                  error.what()));
+      }
+    }
+  return inputs;
 }
 
 void write_text(const std::string& path, const std::string& text) {
@@ -118,7 +144,14 @@ std::string journal_of(const CensusCommand& command) {
 
 int make(CensusCommand& command) {
   require_outputs(command);
-  const std::vector<std::string> list = read_lists(command.lists);
+  const Inputs inputs = read_lists(command.lists);
+  const std::vector<std::string>& list = inputs.triangulations;
+  if (list.empty()) {
+    throw InvalidInput(inputs.refused == 0
+                           ? "the list is empty: there is nothing to make a census of"
+                           : fmt::format("none of the {} could be read: no census was made",
+                                         counted(inputs.refused, "line", "lines")));
+  }
   const std::string path = journal_of(command);
   std::optional<Journal> journal;
   if (!path.empty()) journal.emplace(path);
@@ -150,7 +183,7 @@ int make(CensusCommand& command) {
                               total, path.empty() ? "" : "; the same command goes on from there"));
     return kNoAnswer;
   }
-  std::size_t own = 0, moved = 0, refused = 0;
+  std::size_t own = 0, moved = 0, refused = inputs.refused;
   for (const CensusLine& line : lines) {
     own += line.resolved && line.own_metric;
     moved += line.resolved && !line.own_metric;
@@ -159,27 +192,20 @@ int make(CensusCommand& command) {
       write_message(fmt::format("tripus: {}: {}\n", printable(line.triangulation), line.reason));
   }
   const Census census = canonical::make_census(lines);
+  if (census.manifolds.empty() && census.unresolved.empty())
+    throw InvalidInput(fmt::format("all of the {} were refused: no census was made",
+                                   counted(total + inputs.refused, "triangulation",
+                                           "triangulations")));
   write_census(command, census);
   if (!path.empty() && command.journal.empty()) std::filesystem::remove(path);
   const std::string summary = fmt::format(
       "{} triangulations: {} manifolds; {} carry their metric, {} after moves, {} unresolved, {} "
       "refused{}\n",
-      total, census.manifolds.size(), own, moved, census.unresolved.size(), refused,
+      total + inputs.refused, census.manifolds.size(), own, moved, census.unresolved.size(), refused,
       resumed == 0 ? "" : fmt::format(" ({} known from an earlier run)", resumed));
   write_message(command.quiet ? "" : summary);
   if (command.tsv.empty() && command.database.empty()) write_text("-", canonical::to_tsv(census));
   return kSuccess;
-}
-
-/// Recognised by content: SQLite files begin with their name.
-Census load_census(const std::string& path) {
-  const std::string text = read_file(path);
-  if (text.starts_with("SQLite format 3")) return canonical::read_database(path);
-  try {
-    return canonical::parse_tsv(text);
-  } catch (const InvalidInput& error) {
-    throw InvalidInput(tripus::quoted(path) + ": " + error.what());
-  }
 }
 
 /// "6.4:7" or "6.4:" or ":7".
@@ -188,7 +214,7 @@ void parse_volumes(const std::string& text, canonical::CensusQuery& query) {
   const auto bound = [&](std::string_view part, double& value) {
     if (part.empty()) return;
     const auto number = parse_number(part);
-    if (!number)
+    if (!number || std::isnan(*number))
       throw InvalidInput("--volume " + tripus::quoted(text) + ": write FROM:TO, such as 6.4:7");
     value = *number;
   };
@@ -196,6 +222,9 @@ void parse_volumes(const std::string& text, canonical::CensusQuery& query) {
     throw InvalidInput("--volume " + tripus::quoted(text) + ": write FROM:TO, such as 6.4:7");
   bound(std::string_view(text).substr(0, colon), query.least_volume);
   bound(std::string_view(text).substr(colon + 1), query.greatest_volume);
+  if (!(query.least_volume <= query.greatest_volume) || std::isinf(query.least_volume))
+    throw InvalidInput("--volume " + tripus::quoted(text) +
+                       ": no volume is in this range; write FROM:TO with FROM no larger than TO");
 }
 
 /// What was found as a census of its own; with what is unresolved if nothing was left out.
@@ -206,12 +235,52 @@ Census chosen_part(const Census& census, const std::vector<const canonical::Cens
   return part;
 }
 
-int look_up(CensusCommand& command) {
+/// The manifolds with these names, signatures or triangulations.
+/// Throws InvalidInput for one that is not there.
+std::vector<const canonical::CensusEntry*> find_names(const CensusCommand& command,
+                                                      const Census& census) {
+  std::vector<const canonical::CensusEntry*> found;
+  for (const std::string& name : command.names) {
+    const canonical::CensusEntry* entry = census.find(name);
+    if (entry == nullptr && !canonical::is_census_name(name))
+      entry = census.find(topology::isosig(load_manifold_input(name).gluings));
+    if (entry == nullptr) {
+      throw InvalidInput(fmt::format("{} is not in the census; tripus identify looks for the manifold "
+                                     "and not the triangulation",
+                                     tripus::quoted(name)));
+    }
+    found.push_back(entry);
+  }
+  return found;
+}
+
+/// What --boundary and the like ask for, each refused by its name if it is nothing.
+std::vector<const canonical::CensusEntry*> select(CensusCommand& command, const Census& census) {
   if (!command.volume.empty()) parse_volumes(command.volume, command.query);
-  std::optional<Census> loaded;
-  if (!command.in.empty()) loaded = load_census(command.in);
-  const Census& census = loaded ? *loaded : canonical::shipped_census();
-  const auto found = canonical::select(census, command.query);
+  const auto named = [](const char* option, auto&& part) {
+    try {
+      part();
+    } catch (const InvalidInput& error) {
+      throw InvalidInput(fmt::format("{}: {}", option, error.what()));
+    }
+  };
+  const canonical::CensusQuery& query = command.query;
+  if (command.has_boundary) named("--boundary", [&] { canonical::parse_boundary(query.boundary); });
+  if (command.has_homology)
+    named("--homology", [&] { topology::parse_abelian_group(query.homology); });
+  if (command.has_cells) named("--cells", [&] { canonical::require_cells(query.cells); });
+  return canonical::select(census, query);
+}
+
+int look_up(CensusCommand& command) {
+  const ChosenCensus chosen(command.in);
+  const Census& census = chosen.get();
+  const auto found =
+      command.names.empty() ? select(command, census) : find_names(command, census);
+  if (found.empty()) {
+    write_message(fmt::format("tripus: nothing found: {}\n", canonical::describe(census)));
+    return kNoAnswer;
+  }
   if (!command.database.empty() || !command.tsv.empty()) {
     write_census(command, chosen_part(census, found));
     return kSuccess;
@@ -230,25 +299,33 @@ int look_up(CensusCommand& command) {
 }
 
 void add_query_options(CLI::App& verb, CensusCommand& command) {
+  CLI::Option* names =
+      verb.add_option("NAME", command.names,
+                      "manifolds to look up: a name (t3g2.13), a signature, a triangulation")
+          ->option_text(" ")
+          ->transform(unshield());
   verb.add_option("--in", command.in, "census to look in, TSV or SQLite (default: the shipped one)")
       ->option_text("FILE");
   verb.add_option("--volume", command.volume, "only volumes in this range")->option_text("FROM:TO");
-  verb.add_option("--boundary", command.query.boundary, "only this boundary, such as g2")
+  verb.add_option("--boundary", command.query.boundary, "only this boundary, such as g2 or g2+g3")
       ->option_text("GENERA");
-  verb.add_option("--homology", command.query.homology, "only this H1, such as \"2 Z + Z_3\"")
+  verb.add_option("--homology", command.query.homology, "only this H1, such as 2Z+Z_3")
       ->option_text("GROUP");
-  verb.add_option("--cells", command.query.cells, "only these cells, such as \"1 octahedron\"")
+  verb.add_option("--cells", command.query.cells,
+                  "only these cells of the canonical decomposition, such as \"1 octahedron\"")
       ->option_text("CELLS");
   verb.add_option("--tetrahedra", command.query.tetrahedra, "only manifolds of N tetrahedra")
       ->option_text("N")
       ->check(whole_number(std::numeric_limits<int>::max()));
+  for (const char* query : {"--volume", "--boundary", "--homology", "--cells", "--tetrahedra"})
+    verb.get_option(query)->excludes(names);
   verb.add_flag("--json", command.json, "one JSON object for each manifold, one a line");
 }
 
 void add_making_options(CLI::App& verb, CensusCommand& command) {
   verb.add_option("--from", command.lists,
-                  "make a census: classify the triangulations of this list,\n"
-                  "one signature a line; may be repeated")
+                  "make a census: classify the triangulations of this list, one INPUT\n"
+                  "a line; may be repeated")
       ->option_text("LIST")
       ->allow_extra_args(false);
   verb.add_option("--tsv", command.tsv, "write it, or what was found, as a table with tabs")
@@ -268,9 +345,16 @@ void add_making_options(CLI::App& verb, CensusCommand& command) {
   CLI::Option* from = verb.get_option("--from");
   verb.get_option("--journal")->needs(from);
   for (const char* query :
-       {"--in", "--volume", "--boundary", "--homology", "--cells", "--tetrahedra"})
+       {"NAME", "--in", "--volume", "--boundary", "--homology", "--cells", "--tetrahedra"})
     verb.get_option(query)->excludes(from);
 }
+
+constexpr const char* kCensusHelp =
+    "Without --from it looks in a census. Manifolds of the shipped census keep their names in any\n"
+    "other; what is not in it is called by its signature. All names are INPUTs.\n"
+    "\n"
+    "Exit status: 0 found, or made; 1 nothing was found, or interrupted; 2 bad usage or bad input,\n"
+    "3 a failure of the program itself.";
 
 }  // namespace
 
@@ -281,8 +365,11 @@ void add_census(CLI::App& program, Command& chosen) {
   command->classify.canonize.retriangulation.budget = canonical::kCensusBudget;
   add_query_options(*verb, *command);
   add_making_options(*verb, *command);
-  verb->footer(kCanonicalStatusHelp);
-  verb->final_callback([command, &chosen] {
+  verb->footer(kCensusHelp);
+  verb->final_callback([command, verb, &chosen] {
+    command->has_boundary = verb->get_option("--boundary")->count() > 0;
+    command->has_homology = verb->get_option("--homology")->count() > 0;
+    command->has_cells = verb->get_option("--cells")->count() > 0;
     chosen = [command] { return command->lists.empty() ? look_up(*command) : make(*command); };
   });
 }

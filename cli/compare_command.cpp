@@ -12,7 +12,7 @@
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/manifold_text.hpp"
-#include "cli/output.hpp"
+#include "cli/remedies.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -51,11 +51,18 @@ std::string as_json(const CompareCommand& command, const Comparison& comparison)
   } else {
     append(out, "null");
   }
+  // null: there is an isometry, and nothing is known of orientations.
+  const bool unknown = !comparison.orientations_known;
   fmt::format_to(std::back_inserter(out),
                  ", \"keeps_orientation\": {}, \"reverses_orientation\": {}",
-                 comparison.keeps_orientation, comparison.reverses_orientation);
+                 unknown ? "null" : comparison.keeps_orientation ? "true" : "false",
+                 unknown ? "null" : comparison.reverses_orientation ? "true" : "false");
   append_side(out, "first", command.common.input, comparison.first);
   append_side(out, "second", command.second, comparison.second);
+  if (comparison.advice != structure::Advice::kNone) {
+    append(out, ", \"advice\": ");
+    append_string(out, advice_text(comparison.advice));
+  }
   append(out, ", \"message\": ");
   append_string(out, comparison.message);
   out.push_back('}');
@@ -64,6 +71,8 @@ std::string as_json(const CompareCommand& command, const Comparison& comparison)
 
 std::string as_text(const Comparison& comparison) {
   std::string text = comparison.message + "\n";
+  if (comparison.advice != structure::Advice::kNone)
+    text += fmt::format("  {}\n", advice_text(comparison.advice));
   if (!comparison.decided_by.empty())
     text += fmt::format("  {:<14}{}\n", "decided by", comparison.decided_by);
   if (comparison.isometry)
@@ -71,18 +80,41 @@ std::string as_text(const Comparison& comparison) {
   return text;
 }
 
+/// What cannot be compared by a metric is named by its input.
+void require_metric(const Subject& subject) {
+  const std::string source = subject.input == "-" ? "standard input" : quoted(subject.input);
+  const std::string why_not = objection_to(subject.triangulation);
+  if (!why_not.empty()) throw Unsupported(source + ": " + why_not);
+}
+
+Comparison compare_subjects(const Subject& first, const Subject& second,
+                            const canonical::CanonizeOptions& options) {
+  const bool known = first.orientation_known && second.orientation_known;
+  try {
+    return canonical::compare(
+        first.triangulation, second.triangulation, options,
+        known ? canonical::Orientations::kKnown : canonical::Orientations::kNotKnown);
+  } catch (const InvalidInput&) {
+    require_metric(first);
+    require_metric(second);
+    throw;
+  }
+}
+
 Outcome compare_two(const CompareCommand& command) {
   if (command.common.input == "-" && command.second == "-")
     throw InvalidInput("the two manifolds cannot both come from standard input");
-  const Subject first = load_solvable_subject(command.common.input);
-  const Subject second = load_solvable_subject(command.second);
+  const Subject first = load_manifold_subject(command.common.input);
+  const Subject second = load_manifold_subject(command.second);
   catch_interrupts();
   canonical::CanonizeOptions options = command.canonize;
   options.solve.stop_requested = &interrupt_requested();
   const Comparison comparison =
-      canonical::compare(first.triangulation, second.triangulation, options);
+      compare_subjects(first, second, options);
+  std::vector<std::string> notes = first.notes;
+  notes.insert(notes.end(), second.notes.begin(), second.notes.end());
   return {command.common.json ? as_json(command, comparison) : as_text(comparison),
-          comparison.verdict == Verdict::kHomeomorphic ? kSuccess : kNoAnswer};
+          comparison.verdict == Verdict::kHomeomorphic ? kSuccess : kNoAnswer, std::move(notes)};
 }
 
 }  // namespace

@@ -7,10 +7,12 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <unordered_set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "canonical/canonize.hpp"
 #include "cli/answer.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
@@ -39,9 +41,13 @@ struct CoverCommand {
   int cyclic = 0, degree = 0;  ///< one of them is given
   std::optional<std::string> cyclic_class;
   int limit = 0;  ///< 0: none
+  bool orientable = false;
+  bool distinct = false;
   std::string output;
 
-  std::size_t sheets() const { return static_cast<std::size_t>(cyclic > 0 ? cyclic : degree); }
+  std::size_t sheets() const {
+    return static_cast<std::size_t>(orientable ? 2 : cyclic > 0 ? cyclic : degree);
+  }
 };
 
 /// Where covers go: lines to standard output or to a file, or a file each to a folder as well.
@@ -111,6 +117,42 @@ std::vector<std::int64_t> parse_class(const std::string& text) {
   }
 }
 
+/// Which subgroup: how faces of the base, whose loops generate the group, permute the sheets.
+void append_permutations(JsonText& out, const Cover& cover) {
+  if (cover.permutations.empty()) return;
+  append(out, ", \"permutations\": ");
+  append_array(out, cover.permutations, [](JsonText& to, const topology::SheetPermutation& each) {
+    fmt::format_to(std::back_inserter(to),
+                   "{{\"tetrahedron\": {}, \"face\": {}, \"images\": [{}]}}", each.tetrahedron,
+                   each.face, fmt::join(each.images, ", "));
+  });
+}
+
+/// "(0 1 2)(3 4)"; "()" if nothing moves.
+std::string cycles(const std::vector<std::uint32_t>& images) {
+  std::string text;
+  std::vector<char> seen(images.size());
+  for (std::uint32_t first = 0; first < images.size(); ++first) {
+    if (seen[first] || images[first] == first) continue;
+    std::vector<std::uint32_t> cycle;
+    for (std::uint32_t sheet = first; !seen[sheet]; sheet = images[sheet]) {
+      seen[sheet] = 1;
+      cycle.push_back(sheet);
+    }
+    text += fmt::format("({})", fmt::join(cycle, " "));
+  }
+  return text.empty() ? "()" : text;
+}
+
+/// "; sheets by faces 0.2: (0 1), 1.3: ()"
+std::string permutations_text(const Cover& cover) {
+  constexpr std::size_t kShown = 6;
+  std::vector<std::string> parts;
+  for (const topology::SheetPermutation& each : cover.permutations)
+    parts.push_back(fmt::format("{}.{} {}", each.tetrahedron, each.face, cycles(each.images)));
+  return parts.empty() ? "" : fmt::format("; sheets by faces: {}", shortened(parts, kShown));
+}
+
 std::string as_json(const Subject& subject, const Cover& cover, std::size_t number) {
   const topology::Triangulation& m = subject.triangulation;
   JsonText out;
@@ -120,7 +162,9 @@ std::string as_json(const Subject& subject, const Cover& cover, std::size_t numb
                  number, cover.degree, cover.deck_group_order, cover.is_regular());
   if (!cover.cyclic_class.empty())
     fmt::format_to(to, ", \"class\": [{}]", fmt::join(cover.cyclic_class, ", "));
+  append_permutations(out, cover);
   append_subject(out, subject);
+  append_oriented(out, subject);
   append_vertices(out, m);
   append(out, ", \"H1\": ");
   append_string(out, topology::to_string(topology::first_homology(m)));
@@ -134,11 +178,12 @@ std::string as_json(const Subject& subject, const Cover& cover, std::size_t numb
 std::string as_text(const Subject& subject, const Cover& cover, std::size_t number) {
   const topology::Triangulation& m = subject.triangulation;
   std::string text = subject.isosig
-                         ? *subject.isosig + "  # "
+                         ? *subject.best_signature() + "  # "
                          : fmt::format("# cover {}, whose signature would take too long: ", number);
   text += fmt::format("{}; H1 {}", one_line(m), topology::to_string(topology::first_homology(m)));
   if (cover.cyclic_class.empty()) {
     text += cover.is_regular() ? "; regular" : "";
+    text += permutations_text(cover);
   } else {
     text += fmt::format("; class {}", fmt::join(cover.cyclic_class, ","));
   }
@@ -153,6 +198,26 @@ std::string no_cover(const CoverCommand& command, const topology::Triangulation&
                      command.cyclic);
 }
 
+/// Tells manifolds apart: by their isometry signatures, or, where there is none, by the signatures
+/// of their triangulations.
+class DistinctManifolds {
+ public:
+  /// Whether the manifold is none of those before, as far as can be told.
+  bool add(const Subject& subject) {
+    if (!subject.isosig) return true;
+    if (!triangulations_.insert(*subject.isosig).second) return false;
+    canonical::CanonizeOptions options;
+    options.solve.stop_requested = &interrupt_requested();
+    options.solve.evidence = false;
+    if (!objection_to(subject.triangulation).empty()) return true;
+    const auto answer = canonical::canonize(subject.triangulation, options);
+    return !answer.manifold || manifolds_.insert(answer.manifold->signature.unoriented).second;
+  }
+
+ private:
+  std::unordered_set<std::string> triangulations_, manifolds_;
+};
+
 /// Writes the covers of one INPUT; the exit status it deserves.
 int write_covers(const CoverCommand& command, const std::string& input, Sink& sink,
                  Progress& progress) {
@@ -163,20 +228,26 @@ int write_covers(const CoverCommand& command, const std::string& input, Sink& si
     throw InvalidInput(fmt::format(
         "degree {}: the cover would have {} tetrahedra; at most {} are made here", command.sheets(),
         command.sheets() * base.tetrahedron_count(), kMostTetrahedra));
-  std::size_t number = 0;
+  std::size_t number = 0, written = 0;
+  DistinctManifolds distinct;
   const auto visit = [&](const Cover& cover) {
     ++number;
-    const Subject subject = make_subject(input, loaded.name, cover.gluings);
+    const Subject subject = make_subject(
+        input, {loaded.name, cover.gluings, loaded.orientation_known, loaded.notes});
+    if (command.distinct && !distinct.add(subject)) return !interrupt_requested();
+    ++written;
     sink.add(
         command.common.json ? as_json(subject, cover, number) : as_text(subject, cover, number),
         {fmt::format("{}, degree {}, cover {}", loaded.name.empty() ? input : loaded.name,
                      cover.degree, number),
          cover.gluings});
     if (progress.due()) progress.show(fmt::format("{} covers", sink.count()));
-    return number != static_cast<std::size_t>(command.limit) && !interrupt_requested();
+    return written != static_cast<std::size_t>(command.limit) && !interrupt_requested();
   };
   const std::atomic<bool>* stop = &interrupt_requested();
-  if (command.cyclic_class) {
+  if (command.orientable) {
+    visit(topology::orientable_double_cover(base));
+  } else if (command.cyclic_class) {
     visit(topology::cyclic_cover_of_class(base, command.sheets(),
                                           parse_class(*command.cyclic_class)));
   } else if (command.cyclic > 0) {
@@ -184,6 +255,13 @@ int write_covers(const CoverCommand& command, const std::string& input, Sink& si
   } else {
     topology::for_each_cover(base, command.sheets(), visit, stop);
   }
+  for (const std::string& note : command.common.json || command.common.quiet
+                                     ? std::vector<std::string>()
+                                     : loaded.notes)
+    write_message(fmt::format("tripus: note: {}: {}\n", printable(input), note));
+  if (written < number && !command.common.quiet)
+    write_message(fmt::format("tripus: {}: {} left out: the same manifolds as others\n",
+                              printable(input), counted(number - written, "cover", "covers")));
   if (number > 0 || interrupt_requested()) return kSuccess;
   write_message(fmt::format("tripus: {}: {}\n", printable(input), no_cover(command, base)));
   return kNoAnswer;
@@ -224,7 +302,10 @@ constexpr const char* kFooter =
     "\nEach line is a signature and, after #, what it is, so that the covers can be piped:\n"
     "  tripus cover cPcbbbihq --degree 3 | tripus solve --batch - --json\n"
     "Tetrahedron t of INPUT, with T tetrahedra, is number t + T k on sheet k in the table that\n"
-    "--json and -o FOLDER/ write. Two covers may be the same manifold.\n"
+    "--json and -o FOLDER/ write. Two covers may be the same manifold: see --distinct.\n"
+    "Signatures have a sign, which keeps the orientation, if INPUT does. Covers of a degree are told by\n"
+    "how loops through faces (tetrahedron.face) permute the sheets; the subgroup is that of the loops\n"
+    "which lead from sheet 0 back to it.\n"
     "\nExit status: 0 done, 1 there is no such cover or interrupted, 2 bad usage or bad input,\n"
     "3 a failure of the program itself.";
 
@@ -246,6 +327,15 @@ void add_cover(CLI::App& program, Command& chosen) {
                      ->option_text("N")
                      ->check(whole_number(kMost));
   cyclic->excludes(degree);
+  verb->add_flag("--orientable", command->orientable,
+                 "the orientable cover with two sheets of a non-orientable manifold")
+      ->option_text(" ")
+      ->excludes(cyclic)
+      ->excludes(degree);
+  verb->add_flag("--distinct", command->distinct,
+                 "leave out covers that are homeomorphic to one before (mirror images\n"
+                 "count as one); where there is no metric: that have the same triangulation")
+      ->option_text(" ");
   verb->add_option("--class", command->cyclic_class,
                    "only the cyclic cover of this class: its values modulo N on the\n"
                    "summands of H1, in the order in which `tripus info` prints them")
@@ -263,8 +353,8 @@ void add_cover(CLI::App& program, Command& chosen) {
   verb->add_flag("--json", command->common.json, "one JSON object for each cover, one a line");
   verb->footer(std::string(kInputHelp) + kFooter);
   verb->final_callback([command, cyclic, degree, &chosen] {
-    if (cyclic->count() + degree->count() == 0)
-      throw CLI::RequiredError("--cyclic N or --degree N");
+    if (cyclic->count() + degree->count() == 0 && !command->orientable)
+      throw CLI::RequiredError("--cyclic N or --degree N or --orientable");
     chosen = [command] { return run(*command); };
   });
 }

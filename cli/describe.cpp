@@ -6,8 +6,8 @@
 #include <fmt/ranges.h>
 
 #include "cli/input.hpp"
+#include "cli/remedies.hpp"
 #include "topology/isosig.hpp"
-#include "topology/requirements.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -17,25 +17,43 @@ constexpr std::size_t kSignatureWorkLimit = 20'000'000;
 
 }  // namespace
 
-Subject make_subject(std::string input, std::string name, topology::Gluings gluings) {
-  topology::Triangulation triangulation(std::move(gluings));
-  auto isosig = topology::isosig(triangulation.gluings(), kSignatureWorkLimit);
-  return {std::move(input), std::move(name), std::move(triangulation), std::move(isosig)};
+Subject make_subject(std::string input, topology::NamedGluings loaded) {
+  Subject subject{.input = std::move(input),
+                  .name = std::move(loaded.name),
+                  .triangulation = topology::Triangulation(std::move(loaded.gluings)),
+                  .isosig = {}};
+  subject.orientation_known = loaded.orientation_known;
+  subject.notes = std::move(loaded.notes);
+  auto signature = topology::full_isosig(subject.triangulation.gluings(), kSignatureWorkLimit);
+  if (!signature) return subject;
+  // Where the mirror image is the same triangulation there is nothing to know.
+  if (signature->is_amphicheiral) subject.orientation_known = true;
+  if (subject.orientation_known && signature->sign != 0)
+    subject.oriented_isosig = signature->oriented();
+  subject.isosig = std::move(signature->isosig);
+  return subject;
 }
 
-Subject load_subject(const std::string& input) {
-  topology::NamedGluings loaded = load_input(input);
-  return make_subject(input, std::move(loaded.name), std::move(loaded.gluings));
+Subject make_subject(const Subject& subject, topology::Gluings gluings) {
+  return make_subject(subject.input, {.name = subject.name,
+                                      .gluings = std::move(gluings),
+                                      .orientation_known = subject.orientation_known,
+                                      .notes = subject.notes});
+}
+
+Subject load_subject(const std::string& input) { return make_subject(input, load_input(input)); }
+
+Subject load_manifold_subject(const std::string& input) {
+  return make_subject(input, load_manifold_input(input));
 }
 
 Subject load_solvable_subject(const std::string& input) {
-  topology::NamedGluings loaded = load_solvable_input(input);
-  return make_subject(input, std::move(loaded.name), std::move(loaded.gluings));
+  return make_subject(input, load_solvable_input(input));
 }
 
 std::string objection_to(const topology::Triangulation& triangulation) {
   try {
-    topology::require_solvable(triangulation);
+    require_solvable(triangulation);
     return {};
   } catch (const InvalidInput& error) {
     return error.what();
@@ -55,13 +73,13 @@ std::string printable(std::string_view text) {
   return out;
 }
 
-std::string signature_text(const Subject& subject) {
+std::string signature_text(const std::optional<std::string>& isosig) {
   constexpr std::size_t kMostShown = 2000;  // some 400 tetrahedra
   constexpr std::size_t kBeginning = 60;
-  if (!subject.isosig) return "not computed: it would take too long";
-  if (subject.isosig->size() <= kMostShown) return *subject.isosig;
-  return fmt::format("{}... ({} characters; --json gives it whole)",
-                     subject.isosig->substr(0, kBeginning), subject.isosig->size());
+  if (!isosig) return "not computed: it would take too long";
+  if (isosig->size() <= kMostShown) return *isosig;
+  return fmt::format("{}... ({} characters; --json gives it whole)", isosig->substr(0, kBeginning),
+                     isosig->size());
 }
 
 std::string counted(std::size_t count, std::string_view one, std::string_view many) {
@@ -93,6 +111,19 @@ void append_subject(JsonText& out, const Subject& subject) {
   for (std::size_t e = 0; e < m.edge_count(); ++e)
     fmt::format_to(to, "{}{}", e == 0 ? "" : ", ", m.valence(e));
   out.push_back(']');
+  if (subject.notes.empty()) return;
+  append(out, ", \"notes\": ");
+  append_array(out, subject.notes,
+               [](JsonText& text, const std::string& note) { append_string(text, note); });
+}
+
+void append_oriented(JsonText& out, const Subject& subject) {
+  append(out, ", \"oriented_isosig\": ");
+  if (subject.oriented_isosig) {
+    append_string(out, *subject.oriented_isosig);
+  } else {
+    append(out, "null");
+  }
 }
 
 void append_vertices(JsonText& out, const topology::Triangulation& m) {

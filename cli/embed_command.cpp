@@ -13,13 +13,13 @@
 #include "cli/embedding_text.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/metric.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output_file.hpp"
 #include "cli/report_text.hpp"
 #include "embedding/developing_map.hpp"
 #include "embedding/export/circle_svg.hpp"
 #include "embedding/export/mesh_formats.hpp"
-#include "structure/solve.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -32,6 +32,7 @@ struct EmbedCommand {
   int depth = -1;         ///< -1: not given
   double radius = 0;      ///< 0: not given
   std::string model = "ball";
+  MetricSearch search;
   double error = embedding::TessellationOptions{}.error;
 };
 
@@ -134,17 +135,18 @@ Outcome embed_one(const EmbedCommand& command, const std::string& input) {
         fmt::format("-o and --circles would both write {}; give one of them another name",
                     quoted(command.circles)));
   }
-  const Subject subject = load_solvable_subject(input);
+  Subject loaded = load_solvable_subject(input);
   catch_interrupts();
-  structure::SolveOptions solve;
-  solve.stop_requested = &interrupt_requested();
-  structure::Report report = structure::solve(subject.triangulation, solve);
+  const Solved solved = find_metric(std::move(loaded), {}, command.search);
+  const Subject& subject = solved.subject;
+  const structure::Report& report = solved.report;
   const bool wants_json = command.common.json || command.output.empty();
   const char* const line_end = command.common.json ? "" : "\n";  // --json adds it by itself
-  if (report.outcome != structure::Outcome::kGeometric) {
-    return {wants_json ? report_as_json(subject, report) + line_end
-                       : report_as_text(subject, report) + "  nothing was embedded\n",
-            kNoAnswer};
+  if (!solved.is_geometric()) {
+    return {wants_json
+                ? report_as_json(subject, report, solved.search()) + line_end
+                : report_as_text(subject, report, solved.search()) + "  nothing was embedded\n",
+            kNoAnswer, subject.notes};
   }
   embedding::Embedding placed = embedding::embed(subject.triangulation, report.edge_lengths);
   embedding::UniversalCover cover = cells_of(command, subject, placed);
@@ -155,8 +157,9 @@ Outcome embed_one(const EmbedCommand& command, const std::string& input) {
     circles->close();
   }
   const int status = embedded.cover.end == embedding::CoverEnd::kComplete ? kSuccess : kNoAnswer;
-  if (wants_json) return {embedding_as_json(embedded) + line_end, status};
-  return {command.common.quiet ? "" : embedding_as_text(embedded, command.output), status};
+  if (wants_json) return {embedding_as_json(embedded) + line_end, status, subject.notes};
+  return {command.common.quiet ? "" : embedding_as_text(embedded, command.output), status,
+          subject.notes};
 }
 
 int run(const EmbedCommand& command) {
@@ -207,6 +210,7 @@ void add_embed(CLI::App& program, Command& chosen) {
                  "one JSON object on standard output; also without -o");
   verb->add_flag("--quiet", command->common.quiet, "no text about the cells");
   add_cell_options(*verb, *command);
+  add_metric_search(*verb, command->search);
   verb->add_option("--model", command->model, "of obj, ply and vtk: upper, ball (default) or klein")
       ->option_text("NAME")
       ->check(CLI::IsMember({"upper", "ball", "klein"}));

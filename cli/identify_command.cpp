@@ -1,41 +1,43 @@
-// tripus identify: the name of a manifold in the census.
+// tripus identify: the name of a manifold in a census.
 #include <fmt/format.h>
 
-#include "canonical/census.hpp"
+#include "canonical/identify.hpp"
+#include "cli/arguments.hpp"
 #include "cli/canonize_options.hpp"
+#include "cli/census_file.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
+#include "cli/help.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/manifold_text.hpp"
+#include "cli/remedies.hpp"
 
 namespace tripus::cli {
 namespace {
 
-using canonical::CensusEntry;
+using canonical::Census;
+using canonical::Identification;
+using canonical::IdentifiedBy;
 
-/// What was found out, and how.
-struct Identified {
-  const CensusEntry* entry = nullptr;
-  std::string_view how;  ///< "triangulation": it is listed; "decomposition": by its signature
-  std::string message;
+struct IdentifyCommand : CanonicalCommand {
+  std::string in;  ///< a census to look in instead of the shipped one
 };
 
-Identified identify(const Subject& subject, const canonical::CanonizeOptions& options) {
-  const canonical::Census& census = canonical::shipped_census();
-  if (subject.isosig) {
-    if (const CensusEntry* entry = census.find(*subject.isosig))
-      return {entry, "triangulation", fmt::format("It is {}.", entry->name)};
-  }
-  const auto answer = canonical::canonize(subject.triangulation, options);
-  if (!answer.manifold) return {nullptr, {}, "Unresolved: " + answer.message};
-  if (const CensusEntry* entry = census.find(answer.manifold->signature.unoriented))
-    return {entry, "decomposition", fmt::format("It is {}.", entry->name)};
-  return {nullptr, "decomposition",
-          fmt::format("It is not in the census, which ends with four tetrahedra: its signature is "
-                      "{}, its volume {:.15g}.",
-                      answer.manifold->signature.unoriented, answer.manifold->report.volume)};
+std::string message_of(const Identification& found, const IdentifyCommand& command,
+                       const Census& census) {
+  if (found.entry != nullptr) return fmt::format("It is {}.", found.entry->name);
+  if (found.by == IdentifiedBy::kNothing) return "Unresolved: " + found.answer->message;
+  const canonical::CanonicalManifold& manifold = *found.answer->manifold;
+  return fmt::format("It is not in the census {}: its signature is {}, its volume {:.15g}.",
+                     command.in.empty()
+                         ? "that comes with the program, which ends with four tetrahedra"
+                         : fmt::format("{} of {} manifolds", tripus::quoted(command.in),
+                                       census.manifolds.size()),
+                     manifold.signature.unoriented, manifold.report.volume);
 }
 
-std::string as_json(const Subject& subject, const Identified& found) {
+std::string as_json(const Subject& subject, const Identification& found,
+                    const std::string& message) {
   JsonText out;
   append_header(out, subject.input);
   append_subject(out, subject);
@@ -46,30 +48,54 @@ std::string as_json(const Subject& subject, const Identified& found) {
     append(out, "null");
   }
   append(out, ", \"identified_by\": ");
-  if (found.how.empty()) {
+  if (found.by == IdentifiedBy::kNothing) {
     append(out, "null");
   } else {
-    append_string(out, found.how);
+    append_string(out, canonical::to_string(found.by));
   }
   append(out, ", \"message\": ");
-  append_string(out, found.message);
+  append_string(out, message);
   out.push_back('}');
   return fmt::to_string(out);
 }
 
-Outcome identify_one(const CanonicalCommand& command, const Subject& subject) {
-  const Identified found = identify(subject, command.canonize);
-  std::string text = fmt::format("{}: {}\n", printable(subject.input), found.message);
+Outcome identify_one(const IdentifyCommand& command, const Census& census,
+                     const std::string& input) {
+  const Subject subject = load_solvable_subject(input);
+  catch_interrupts();
+  const Identification found =
+      canonical::identify(subject.triangulation, census, command.canonize);
+  const std::string message = message_of(found, command, census);
+  std::string text = fmt::format("{}: {}\n", printable(subject.input), message);
   if (found.entry != nullptr) text += "  " + entry_as_text(*found.entry);
-  return {command.common.json ? as_json(subject, found) : text,
-          found.entry != nullptr ? kSuccess : kNoAnswer};
+  if (found.entry == nullptr && found.answer &&
+      found.answer->advice != structure::Advice::kNone)
+    text += fmt::format("  {}\n", advice_text(found.answer->advice));
+  return {command.common.json ? as_json(subject, found, message) : text,
+          found.entry != nullptr ? kSuccess : kNoAnswer, subject.notes};
 }
 
 }  // namespace
 
 void add_identify(CLI::App& program, Command& chosen) {
-  add_canonical_verb(program, "identify", "the name of a manifold in the census", chosen,
-                     identify_one);
+  CLI::App* verb = program.add_subcommand("identify", "the name of a manifold in the census");
+  auto command = std::make_shared<IdentifyCommand>();
+  command->canonize.solve.stop_requested = &interrupt_requested();
+  command->canonize.solve.evidence = false;
+  add_common_options(*verb, command->common);
+  add_canonize_options(*verb, command->canonize);
+  verb->add_option("--in", command->in,
+                   "census to look in, TSV or SQLite (default: the shipped one)")
+      ->option_text("FILE");
+  verb->footer(std::string(kInputHelp) + "\n" + kCanonicalStatusHelp);
+  verb->final_callback([command, &chosen] {
+    chosen = [command] {
+      const ChosenCensus census(command->in);
+      return answer_inputs(command->common, [&](const std::string& input) {
+        return identify_one(*command, census.get(), input);
+      });
+    };
+  });
 }
 
 }  // namespace tripus::cli

@@ -15,6 +15,7 @@ std::string as_json(const Subject& subject) {
   JsonText out;
   append_header(out, subject.input);
   append_subject(out, subject);
+  append_oriented(out, subject);
   fmt::format_to(std::back_inserter(out), ", \"vertex_count\": {}, \"component_count\": {}",
                  m.vertex_count(), m.component_count());
   append_vertices(out, m);
@@ -39,7 +40,8 @@ std::string as_text(const Subject& subject) {
   const auto line = [&](std::string_view label, const std::string& value) {
     text += fmt::format("  {:<14}{}\n", label, value);
   };
-  line("signature", signature_text(subject));
+  line("signature", signature_text(subject.isosig));
+  if (subject.oriented_isosig) line("oriented", signature_text(subject.oriented_isosig));
   line("tetrahedra", std::to_string(m.tetrahedron_count()));
   std::vector<std::string> valences;
   for (std::size_t e = 0; e < m.edge_count(); ++e) valences.push_back(std::to_string(m.valence(e)));
@@ -74,7 +76,7 @@ void add_info(CLI::App& program, Command& chosen) {
     chosen = [options] {
       return answer_inputs(*options, [options](const std::string& input) {
         const Subject subject = load_subject(input);
-        return Outcome{options->json ? as_json(subject) : as_text(subject), kSuccess};
+        return Outcome{options->json ? as_json(subject) : as_text(subject), kSuccess, subject.notes};
       });
     };
   });

@@ -10,10 +10,13 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "canonical/census.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/prepared.hpp"
+#include "cli/remedies.hpp"
 #include "meshing/manifold.hpp"
+#include "topology/formats/foreign_names.hpp"
 #include "topology/isosig.hpp"
-#include "topology/requirements.hpp"
 #include "topology/triangulation.hpp"
 
 namespace tripus::cli {
@@ -31,19 +34,72 @@ auto blame(const std::string& source, Work&& work) {
   }
 }
 
+/// A manifold of the shipped census by its name. Its triangulation says nothing about orientation.
+std::optional<topology::NamedGluings> find_in_census(const std::string& name) {
+  if (!canonical::is_census_name(name)) return std::nullopt;
+  const canonical::CensusEntry* entry = canonical::shipped_census().find(name);
+  if (entry == nullptr)
+    throw InvalidInput("there is no " + name + " in the shipped census; see tripus census --help");
+  return topology::NamedGluings{name, topology::decode_isosig(entry->triangulations.front()),
+                                false};
+}
+
+/// A signature; what is none but a name of another program is refused by that name.
+topology::NamedGluings read_signature(const std::string& text) {
+  try {
+    return {{}, topology::decode_isosig(text), topology::isosig_sign(text) != 0};
+  } catch (const InvalidInput&) {
+    if (const auto foreign = topology::foreign_name(text)) throw InvalidInput(*foreign);
+    throw;
+  }
+}
+
+/// What a text is if it is the whole of an input, or a line of a file: a name or a signature.
+std::optional<topology::NamedGluings> read_word(const std::string& text) {
+  if (auto named = find_in_census(text)) return named;
+  if (topology::looks_like_isosig(text)) return read_signature(text);
+  if (const auto foreign = topology::foreign_name(text)) throw InvalidInput(*foreign);
+  return std::nullopt;
+}
+
+/// A drawing of a graph in space, which has the JSON keys of one and no gluings.
+bool is_drawing(const std::string& text) {
+  const auto has = [&](const char* key) { return text.find(key) != std::string::npos; };
+  return has("\"vertices\"") && has("\"edges\"") && !has("\"gluings\"");
+}
+
+/// The first line of a text for a message, if it is one for people: no bytes of a binary file.
+std::string beginning_of(const std::string& text) {
+  std::string line = text.substr(0, text.find('\n')).substr(0, 64);
+  while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
+  for (const char c : line)
+    if ((static_cast<unsigned char>(c) < 0x20 && c != '\t') || static_cast<unsigned char>(c) >= 0x7f)
+      return {};
+  return line.empty() ? "" : ", starting with " + tripus::quoted(line);
+}
+
 /// The one triangulation in a text; a list of several belongs to --batch.
 topology::NamedGluings read_single(const std::string& text, const std::string& source) {
   return blame(source, [&] {
     const topology::TextFormat format = topology::detect_format(text);
+    if (format == topology::TextFormat::kJson && is_drawing(text))
+      throw InvalidInput(
+          "it is a drawing of a graph in space: tripus tube DRAWING -o surface.off makes the surface "
+          "of its complement, which is an INPUT");
     if (format != topology::TextFormat::kUnknown && format != topology::TextFormat::kIsosig)
       return topology::read_triangulation(text);
     const auto lines = topology::read_batch(text);
-    if (lines.size() == 1 && topology::looks_like_isosig(lines.front().text))
-      return topology::read_triangulation(lines.front().text);
+    if (lines.size() == 1) {
+      if (auto word = read_word(lines.front().text)) {
+        if (word->name.empty()) word->name = lines.front().text;
+        return *std::move(word);
+      }
+    }
     if (lines.size() > 1 && topology::looks_like_isosig(lines.front().text)) {
       throw InvalidInput("it holds " + std::to_string(lines.size()) +
                          " inputs; give it to --batch to run them all");
     }
+    if (format == topology::TextFormat::kUnknown && !lines.empty()) throw unrecognised(text);
     return topology::read_triangulation(text);
   });
 }
@@ -59,7 +115,7 @@ std::optional<meshing::MeshFile> read_as_mesh(const std::string& content,
 }
 
 /// Which manifolds an INPUT may be.
-enum class Wanted { kAny, kWithMetric };
+enum class Wanted { kAny, kManifold, kWithMetric };
 
 topology::NamedGluings solid_of(meshing::MeshFile file, Wanted wanted, const std::string& source) {
   return blame(source, [&]() -> topology::NamedGluings {
@@ -87,7 +143,7 @@ std::string read_all(std::istream& in, const std::string& source) {
   return content;
 }
 
-topology::NamedGluings load(const std::string& input, Wanted wanted) {
+topology::NamedGluings load_as_given(const std::string& input, Wanted wanted) {
   if (input.empty()) throw InvalidInput("the input is empty; give a signature or a file");
   std::error_code status;
   if (input == "-" || std::filesystem::exists(input, status)) {
@@ -96,12 +152,29 @@ topology::NamedGluings load(const std::string& input, Wanted wanted) {
       return solid_of(*std::move(mesh), wanted, source_of(input));
     return read_single(content, source_of(input));
   }
-  if (topology::looks_like_isosig(input)) return {{}, topology::decode_isosig(input)};
+  if (auto word = read_word(input)) return *std::move(word);
   throw InvalidInput(quoted(input) +
-                     " is neither a file nor an isomorphism signature (letters, digits, + and -)");
+                     " is neither a file nor an isomorphism signature (letters, digits, + and -) nor "
+                     "a name of the census");
+}
+
+topology::NamedGluings load(const std::string& input, Wanted wanted) {
+  topology::NamedGluings loaded = load_as_given(input, wanted);
+  blame(source_of(input), [&] {
+    make_ideal(loaded, wanted == Wanted::kAny ? topology::FiniteVertices::kKeep
+                                              : topology::FiniteVertices::kRemove);
+  });
+  return loaded;
 }
 
 }  // namespace
+
+InvalidInput unrecognised(const std::string& content) {
+  return InvalidInput(
+      "unrecognised input" + beginning_of(content) +
+      "; looked for a signature, a name of the census, a gluing table (JSON, Regina, SnapPea), a "
+      "surface (OFF, OBJ, STL, PLY) and a tetrahedral mesh (Medit, VTK, TetGen)");
+}
 
 std::string read_file(const std::string& path) {
   if (path == "-") return read_all(std::cin, "standard input");
@@ -116,16 +189,26 @@ std::string read_file(const std::string& path) {
 
 topology::NamedGluings load_input(const std::string& input) { return load(input, Wanted::kAny); }
 
+topology::NamedGluings load_manifold_input(const std::string& input) {
+  return load(input, Wanted::kManifold);
+}
+
+topology::NamedGluings load_unconed_input(const std::string& input) {
+  return load_as_given(input, Wanted::kAny);
+}
+
 topology::NamedGluings load_solvable_input(const std::string& input) {
   topology::NamedGluings loaded = load(input, Wanted::kWithMetric);
-  blame(source_of(input),
-        [&] { topology::require_solvable(topology::Triangulation(loaded.gluings)); });
+  blame(source_of(input), [&] { require_solvable(topology::Triangulation(loaded.gluings)); });
   return loaded;
 }
 
 std::optional<meshing::MeshFile> load_mesh(const std::string& input) {
   if (input.empty()) throw InvalidInput("the input is empty; give a file");
-  return read_as_mesh(read_file(input), input);
+  const std::string content = read_file(input);
+  auto mesh = read_as_mesh(content, input);
+  if (!mesh) (void)read_single(content, source_of(input));  // what is no triangulation either
+  return mesh;
 }
 
 }  // namespace tripus::cli

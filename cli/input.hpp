@@ -5,24 +5,33 @@
 #include <string>
 #include <string_view>
 
+#include "base/error.hpp"
 #include "meshing/formats/read_mesh.hpp"
 #include "topology/formats/formats.hpp"
 
 namespace tripus::cli {
 
-/// Reads an INPUT as typed: a file, `-` for standard input, or an isomorphism signature. A surface
+/// Reads an INPUT as typed: a file, `-` for standard input, an isomorphism signature with or without
+/// a sign, or a name of the shipped census. A boundary is coned off, with a note. A surface
 /// or a tetrahedral mesh becomes a small ideal triangulation of its solid (meshing::manifold_of);
 /// of a ball, which has no boundary left when it is filled in, a triangulation with a finite
 /// vertex. Throws InvalidInput if it is none of them or its content cannot be read;
 /// meshing::Stopped if interrupted.
 topology::NamedGluings load_input(const std::string& input);
-/// The same for what needs a metric. Throws also, naming the input, what
+/// The same with open faces left open.
+topology::NamedGluings load_unconed_input(const std::string& input);
+/// The same as a manifold, without finite vertices, be there a metric or not.
+topology::NamedGluings load_manifold_input(const std::string& input);
+/// The same for what needs a metric: finite vertices are removed, with a note. Throws also, naming the input, what
 /// topology::require_solvable throws, and InvalidInput for a ball.
 topology::NamedGluings load_solvable_input(const std::string& input);
 
 /// The surface or tetrahedral mesh in a file, or in standard input for `-`; nothing if the content
-/// has no mesh format. Throws InvalidInput if the content cannot be read.
+/// is a triangulation. Throws InvalidInput if the content cannot be read, or is neither.
 std::optional<meshing::MeshFile> load_mesh(const std::string& input);
+
+/// What to throw for a content in which nothing was recognised: says what was looked for.
+InvalidInput unrecognised(const std::string& content);
 
 /// The whole of a file, or of standard input for `-`.
 /// Throws InvalidInput, naming the file and the system's reason.

@@ -31,7 +31,7 @@ Examples:
   tripus solve cPcbbbihq --json             the same as one JSON object
   tripus solve --batch list.txt --json      one INPUT a line, one JSON object a line
   tripus solve cPcbbbihq --method flow:curvature/rk4 --initial 1 --history run.csv
-  tripus solve --help                       the options of a verb
+  tripus help solve                         the options of a verb, as tripus solve --help
 )";
 
 /// --json may stand anywhere on a command line that could not be parsed.
@@ -87,11 +87,29 @@ void add_verbs(CLI::App& program, Command& command) {
   add_view(program, command);
   add_tube(program, command);
   add_methods(program, command);
+  program.add_subcommand("help", "the options of a verb: tripus help VERB");
   for (CLI::App* verb : program.get_subcommands(nullptr)) verb->group("Verbs");
   program.footer(std::string(kInputHelp) + kExamples + "\n" + kExitStatusHelp);
 }
 
-int run(const std::vector<std::string>& arguments) {
+/// Throws ExtrasError for `tripus help banana`.
+void require_verb_to_help(const CLI::App& program, const std::vector<std::string>& given) {
+  if (given.size() < 2 || given.front() != "help" || given[1].starts_with("-")) return;
+  for (const CLI::App* verb : program.get_subcommands(nullptr))
+    if (verb->get_name() == given[1]) return;
+  throw CLI::ExtrasError({given[1]});
+}
+
+/// `tripus help VERB` is `tripus VERB --help`, and `tripus help` is `tripus --help`.
+std::vector<std::string> without_help_verb(std::vector<std::string> arguments) {
+  if (arguments.empty() || arguments.front() != "help") return arguments;
+  arguments.erase(arguments.begin());
+  arguments.emplace_back("--help");
+  return arguments;
+}
+
+int run(const std::vector<std::string>& given) {
+  const std::vector<std::string> arguments = without_help_verb(given);
   CLI::App program{kDescription, "tripus"};
   Command command;
   add_verbs(program, command);
@@ -100,6 +118,7 @@ int run(const std::vector<std::string>& arguments) {
     return kBadInput;
   }
   try {
+    require_verb_to_help(program, given);
     auto reversed = shield_signatures(arguments);
     std::ranges::reverse(reversed);
     program.parse(std::move(reversed));

@@ -46,8 +46,19 @@ void append_isometries(JsonText& out, const CanonicalManifold& manifold) {
   const canonical::IsometryGroup& group = manifold.isometries;
   fmt::format_to(std::back_inserter(out),
                  ", \"isometry_group\": {{\"order\": {}, \"orientation_preserving\": {}, "
-                 "\"amphicheiral\": {}, \"generators\": [",
+                 "\"amphicheiral\": {}, ",
                  group.order, group.orientation_preserving, group.is_amphicheiral);
+  if (!group.name.empty()) {
+    append(out, "\"name\": ");
+    append_string(out, group.name);
+    append(out, ", \"element_orders\": {");
+    for (bool first = true; const auto& [order, count] : group.element_orders) {
+      fmt::format_to(std::back_inserter(out), "{}\"{}\": {}", first ? "" : ", ", order, count);
+      first = false;
+    }
+    append(out, "}, ");
+  }
+  append(out, "\"generators\": [");
   for (std::size_t k = 0; k < group.generators.size(); ++k) {
     append(out, k == 0 ? "{\"map\": " : ", {\"map\": ");
     append_cell_map(out, canonical::as_cell_map(manifold.decomposition, manifold.decomposition,
@@ -57,6 +68,18 @@ void append_isometries(JsonText& out, const CanonicalManifold& manifold) {
     out.push_back('}');
   }
   append(out, "]}");
+}
+
+/// "dihedral of order 6; 1 element of order 1, 3 of order 2, 2 of order 3"
+std::string group_text(const canonical::IsometryGroup& group) {
+  std::vector<std::string> parts;
+  for (const auto& [order, count] : group.element_orders) {
+    if (order > 1)
+      parts.push_back(fmt::format(
+          "{}{} of order {}", count,
+          parts.empty() ? (count == 1 ? " element" : " elements") : "", order));
+  }
+  return parts.empty() ? group.name : fmt::format("{}; {}", group.name, fmt::join(parts, ", "));
 }
 
 /// The sign of the orientation in the words of a person.
@@ -103,7 +126,9 @@ void append_manifold(JsonText& out, const CanonicalManifold& manifold) {
     append(out, "null");
   }
   out.push_back('}');
-  append_text_key(out, "triangulation", topology::isosig(manifold.triangulation.gluings()));
+  append_text_key(out, "triangulation",
+                  topology::full_isosig(manifold.triangulation.gluings()).isosig);
+  if (!manifold.simplified.empty()) append_text_key(out, "simplified", manifold.simplified);
   append(out, ", \"path\": ");
   append_array(out, manifold.path, [](JsonText& to, const topology::Move& move) {
     append_string(to, topology::to_string(move));
@@ -127,6 +152,7 @@ std::string manifold_as_text(const CanonicalManifold& manifold) {
                          group.orientation_preserving, group.order - group.orientation_preserving,
                          chirality(manifold))
            : fmt::format("{} (non-orientable)", group.order));
+  if (!group.name.empty()) line("group", group_text(group));
   for (const auto& generator : group.generators) {
     line("generator", cell_map_as_text(canonical::as_cell_map(manifold.decomposition,
                                                               manifold.decomposition, generator)));
@@ -135,6 +161,7 @@ std::string manifold_as_text(const CanonicalManifold& manifold) {
                         ? fmt::format("0 to within {:.1g} in 50 digits, or at least {:.3g} in size",
                                       manifold.faces.largest_zero, manifold.faces.margin)
                         : fmt::format("at least {:.3g} in size", manifold.faces.margin));
+  if (!manifold.simplified.empty()) line("simplified to", manifold.simplified);
   line("moves", std::to_string(manifold.path.size()));
   return text;
 }

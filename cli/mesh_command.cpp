@@ -74,7 +74,7 @@ void require_known_outputs(const MeshCommand& command) {
 void write_outputs(const MeshCommand& command, const meshing::Manifold& manifold,
                    const Subject& subject) {
   if (!command.output.empty())
-    write_triangulation_file(command.output, {}, manifold.gluings, subject.isosig);
+    write_triangulation_file(command.output, {}, manifold.gluings, subject.best_signature());
   if (ends_with(command.mesh_output, ".vtk"))
     write_file(command.mesh_output, meshing::write_vtk(manifold.mesh));
   if (ends_with(command.mesh_output, ".mesh"))
@@ -96,6 +96,7 @@ std::string as_json(const meshing::Manifold& manifold, const Subject& subject) {
   JsonText out;
   append_header(out, subject.input);
   append_subject(out, subject);
+  append_oriented(out, subject);
   auto to = std::back_inserter(out);
   fmt::format_to(to, ", \"points\": {}, \"triangles\": {}, \"turned_triangles\": {}",
                  manifold.points, manifold.triangles, manifold.turned);
@@ -136,7 +137,8 @@ std::string as_text(const meshing::Manifold& manifold, const Subject& subject) {
     line("no metric", message_of(manifold, subject));
     return text;
   }
-  line("signature", signature_text(subject));
+  line("signature", signature_text(subject.isosig));
+  if (subject.oriented_isosig) line("oriented", signature_text(subject.oriented_isosig));
   if (const std::string why_not = objection_to(subject.triangulation); !why_not.empty())
     line("not solvable", why_not);
   return text;
@@ -166,7 +168,7 @@ Outcome mesh_one(const MeshCommand& command, const std::string& input) {
   } catch (const InvalidInput& error) {
     throw InvalidInput(source + ": " + error.what());
   }
-  const Subject subject = make_subject(input, {}, manifold.gluings);
+  const Subject subject = make_subject(input, topology::NamedGluings{{}, manifold.gluings});
   write_outputs(command, manifold, subject);
   return {command.common.json ? as_json(manifold, subject) : as_text(manifold, subject),
           manifold.has_only_spheres() ? kNoAnswer : kSuccess};

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/remedies.hpp"
+
 namespace tripus::cli {
 namespace {
 
@@ -89,6 +91,10 @@ void append_retriangulation(JsonText& out, const structure::Retriangulation& fou
   append_array(out, found.path, [](JsonText& to, const topology::Move& move) {
     append_string(to, topology::to_string(move));
   });
+  if (!found.simplified.empty()) {
+    append(out, ", \"simplified\": ");
+    append_string(out, found.simplified);
+  }
   append(out, ", \"volumes\": ");
   append_array(out, found.volumes, [](JsonText& to, const structure::OtherVolume& other) {
     append(to, "{\"isosig\": ");
@@ -105,6 +111,8 @@ void append_retriangulation(JsonText& out, const structure::Retriangulation& fou
 void append_path(std::string& text, const structure::Retriangulation& found) {
   text += fmt::format("  retriangulated  from {}: {} tried\n", found.start,
                       counted(found.tried, "triangulation", "triangulations"));
+  if (!found.simplified.empty())
+    text += fmt::format("                  simplified to {}\n", found.simplified);
   for (const topology::Move& move : found.path)
     text += fmt::format("                  {}\n", topology::to_string(move));
   for (const structure::OtherVolume& other : found.volumes) {
@@ -168,9 +176,9 @@ std::string report_as_json(const Subject& subject, const Report& report,
     append(out, structure::to_json(*report.strict_angles));
   }
   if (retriangulation != nullptr) append_retriangulation(out, *retriangulation);
-  if (!report.advice.empty()) {
+  if (report.advice != structure::Advice::kNone) {
     append(out, ", \"advice\": ");
-    append_string(out, report.advice);
+    append_string(out, advice_text(report.advice));
   }
   append(out, ", \"message\": ");
   append_string(out, report.message);
@@ -178,11 +186,18 @@ std::string report_as_json(const Subject& subject, const Report& report,
   return fmt::to_string(out);
 }
 
+std::string certificate_as_text(const Report& report) {
+  std::string text;
+  if (report.certificate) append_certificate(text, *report.certificate);
+  return text;
+}
+
 std::string report_as_text(const Subject& subject, const Report& report,
                            const structure::Retriangulation* retriangulation) {
   std::string text = fmt::format("{}: {}\n  {}\n", printable(subject.input),
                                  structure::to_string(report.outcome), report.message);
-  if (!report.advice.empty()) text += fmt::format("  {}\n", report.advice);
+  if (report.advice != structure::Advice::kNone)
+    text += fmt::format("  {}\n", advice_text(report.advice));
   const auto line = [&](std::string_view label, const std::string& value) {
     text += fmt::format("  {:<16}{}\n", label, value);
   };

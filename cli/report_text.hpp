@@ -17,4 +17,7 @@ std::string report_as_json(const Subject& subject, const structure::Report& repo
 std::string report_as_text(const Subject& subject, const structure::Report& report,
                            const structure::Retriangulation* retriangulation = nullptr);
 
+/// The line for people of the report's certificate; empty if it has none.
+std::string certificate_as_text(const structure::Report& report);
+
 }  // namespace tripus::cli

@@ -18,6 +18,7 @@
 #include "cli/progress.hpp"
 #include "cli/triangulation_file.hpp"
 #include "topology/cone.hpp"
+#include "topology/orientation.hpp"
 #include "topology/simplify/simplify.hpp"
 
 namespace tripus::cli {
@@ -57,6 +58,7 @@ std::string as_json(const topology::Simplified& result, const Stages& stages,
   JsonText out;
   append_header(out, subject.input);
   append_subject(out, subject);
+  append_oriented(out, subject);
   append(out, ", \"stages\": {");
   for (const auto& [name, count] : stages)
     fmt::format_to(std::back_inserter(out), "{}\"{}\": {}",
@@ -74,15 +76,17 @@ std::string as_text(const topology::Simplified& result, const Stages& stages,
   std::string text = fmt::format("{}: {}\n", printable(subject.input), message_of(result, subject));
   for (const auto& [name, count] : stages)
     text += fmt::format("  {:<14}{}\n", name, counted(count, "tetrahedron", "tetrahedra"));
-  text += fmt::format("  {:<14}{}\n", "signature", signature_text(subject));
+  text += fmt::format("  {:<14}{}\n", "signature", signature_text(subject.isosig));
+  if (subject.oriented_isosig)
+    text += fmt::format("  {:<14}{}\n", "oriented", signature_text(subject.oriented_isosig));
   return text;
 }
 
 Outcome simplify_one(const SimplifyCommand& command, const std::string& input) {
-  topology::NamedGluings loaded = load_input(input);
+  topology::NamedGluings loaded = load_unconed_input(input);
   catch_interrupts();
   Stages stages{{"given", loaded.gluings.tetrahedron_count()}};
-  const topology::Gluings coned = topology::cone_boundary(loaded.gluings);
+  const topology::Gluings coned = topology::oriented(topology::cone_boundary(loaded.gluings));
   if (coned.tetrahedron_count() != loaded.gluings.tetrahedron_count())
     stages.emplace_back("coned", coned.tetrahedron_count());
   loaded.gluings = {};
@@ -98,12 +102,14 @@ Outcome simplify_one(const SimplifyCommand& command, const std::string& input) {
   stages.emplace_back("reduced", result.reduced);
   stages.emplace_back("simplified", result.tetrahedron_count());
 
-  const Subject subject = make_subject(input, loaded.name, std::move(result.gluings));
+  loaded.gluings = std::move(result.gluings);
+  const std::string name = loaded.name;
+  const Subject subject = make_subject(input, std::move(loaded));
   if (!command.output.empty())
-    write_triangulation_file(command.output, loaded.name, subject.triangulation.gluings(),
-                             subject.isosig);
+    write_triangulation_file(command.output, name, subject.triangulation.gluings(),
+                             subject.best_signature());
   return {command.common.json ? as_json(result, stages, subject) : as_text(result, stages, subject),
-          result.stopped ? kNoAnswer : kSuccess};
+          result.stopped ? kNoAnswer : kSuccess, subject.notes};
 }
 
 /// A factor of the search: 0 turns it off.

@@ -14,11 +14,15 @@
 #include "cli/input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/lengths_file.hpp"
+#include "cli/metric.hpp"
 #include "cli/numbers.hpp"
+#include "cli/output_file.hpp"
+#include "cli/prepared.hpp"
 #include "cli/progress.hpp"
+#include "cli/remedies.hpp"
 #include "cli/report_text.hpp"
+#include "cli/triangulation_file.hpp"
 #include "structure/method.hpp"
-#include "structure/retriangulate.hpp"
 #include "structure/solve.hpp"
 #include "topology/components.hpp"
 
@@ -32,8 +36,8 @@ struct SolveCommandOptions {
   std::vector<std::string> cone_angles;  ///< EDGE=ANGLE
   std::string history;
   bool components = false;
-  bool retriangulate = false;
-  structure::RetriangulateOptions search;
+  MetricSearch search;
+  std::string output;
 };
 
 /// Cone angles [E] with the ones that were asked for changed; empty if none were.
@@ -64,23 +68,23 @@ std::vector<double> cone_angles_of(const std::vector<std::string>& assignments,
   return angles;
 }
 
-/// Goes on from a report without a metric; the answer is about the triangulation found.
-Outcome retriangulate_subject(const SolveCommandOptions& command, structure::SolveOptions options,
-                              const Subject& subject, structure::Report report) {
-  options.time_limit -= report.seconds;
-  structure::Retriangulation found =
-      structure::retriangulate(subject.triangulation, std::move(report), options, command.search);
-  const Subject result = make_subject(subject.input, subject.name, found.gluings);
-  return {command.common.json ? report_as_json(result, found.report, &found)
-                              : report_as_text(result, found.report, &found),
-          found.report.outcome == structure::Outcome::kGeometric ? kSuccess : kNoAnswer};
+/// The triangulation that the metric is on, into a file.
+void write_solved(const SolveCommandOptions& command, Solved& solved) {
+  const Subject& subject = solved.subject;
+  if (command.output.empty()) return;
+  if (!solved.is_geometric()) {
+    solved.subject.notes.push_back(tripus::quoted(command.output) +
+                                   " was not written: there is no metric to go with it");
+    return;
+  }
+  write_triangulation_file(command.output, subject.name, subject.triangulation.gluings(),
+                           subject.best_signature());
 }
 
-Outcome solve_subject(const SolveCommandOptions& command, const Subject& subject) {
+Outcome solve_subject(const SolveCommandOptions& command, Subject subject) {
   structure::SolveOptions options = command.solve;
   options.cone_angles = cone_angles_of(command.cone_angles, subject.triangulation.edge_count());
   catch_interrupts();
-  options.stop_requested = &interrupt_requested();
   std::optional<HistoryFile> history;
   if (!command.history.empty()) history.emplace(command.history);
   const bool single = command.common.batch.empty();
@@ -94,22 +98,28 @@ Outcome solve_subject(const SolveCommandOptions& command, const Subject& subject
         progress.show(fmt::format("iteration {}, max|K| {:.3g}", iteration, max_curvature));
     };
   }
-  structure::Report report = structure::solve(subject.triangulation, options);
+  Solved solved = find_metric(std::move(subject), options, command.search);
   if (history) history->close();
-  const bool geometric = report.outcome == structure::Outcome::kGeometric;
-  const bool has_time = options.time_limit > report.seconds;
-  if (geometric || !command.retriangulate || !has_time || interrupt_requested()) {
-    return {command.common.json ? report_as_json(subject, report) : report_as_text(subject, report),
-            geometric ? kSuccess : kNoAnswer};
-  }
-  return retriangulate_subject(command, options, subject, std::move(report));
+  write_solved(command, solved);
+  return {command.common.json ? report_as_json(solved.subject, solved.report, solved.search())
+                              : report_as_text(solved.subject, solved.report, solved.search()),
+          solved.is_geometric() ? kSuccess : kNoAnswer, solved.subject.notes};
+}
+
+/// A component as a subject of its own, its finite vertices removed.
+Subject component_subject(const std::string& label, const topology::NamedGluings& whole,
+                          topology::Gluings part) {
+  topology::NamedGluings loaded{{}, std::move(part), whole.orientation_known, {}};
+  make_ideal(loaded, topology::FiniteVertices::kRemove);
+  return make_subject(label, std::move(loaded));
 }
 
 /// As solve_subject, but says which component could not be solved.
 Outcome solve_component(const SolveCommandOptions& command, const std::string& component,
-                        const Subject& subject) {
+                        Subject subject) {
   try {
-    return solve_subject(command, subject);
+    require_solvable(subject.triangulation);
+    return solve_subject(command, std::move(subject));
   } catch (const Unsupported& error) {
     throw Unsupported(component + ": " + error.what());
   } catch (const InvalidInput& error) {
@@ -127,7 +137,7 @@ Outcome solve_components(const SolveCommandOptions& command, const std::string& 
     const std::string component = fmt::format("component {}", number++);
     const std::string label = fmt::format("{} ({})", input, component);
     const Outcome one =
-        solve_component(command, component, make_subject(label, {}, std::move(part)));
+        solve_component(command, component, component_subject(label, loaded, std::move(part)));
     all.status = std::max(all.status, one.status);
     answers.push_back(one.text);
   }
@@ -157,6 +167,10 @@ int run(SolveCommandOptions& command) {
     if (command.solve.initial_lengths.empty())
       throw InvalidInput("--initial-lengths " + tripus::quoted(command.lengths_file) +
                          " holds no numbers");
+  }
+  if (!command.output.empty()) {
+    require_triangulation_name(command.output);
+    OutputFile can_be_written(command.output);
   }
   structure::find_solve_method(command.solve.method, 1);  // a wrong name is wrong for all inputs
   return answer_inputs(command.common, [&](const std::string& input) {
@@ -209,24 +223,13 @@ void add_solve(CLI::App& program, Command& chosen) {
                                    "longest edge")
                       ->option_text("FILE");
   history->excludes(verb->get_option("--batch"));
-  auto* retriangulate =
-      verb->add_flag("--retriangulate", command->retriangulate,
-                     "where the triangulation carries no metric, look for one of the same\n"
-                     "manifold that does, by moves")
-          ->option_text(" ");
-  verb->add_option("--budget", command->search.budget,
-                   fmt::format("triangulations that --retriangulate may try (default: {})",
-                               command->search.budget))
-      ->option_text("N")
-      ->check(whole_number(std::numeric_limits<int>::max()))
-      ->needs(retriangulate);
-  verb->add_option("--seed", command->search.seed,
-                   "orders the moves of --retriangulate that look equally good\n"
-                   "(default: 0)")
-      ->option_text("N")
-      ->check(whole_number(std::numeric_limits<int>::max()))
-      ->needs(retriangulate);
-  verb->get_option("--cone-angle")->excludes(retriangulate);
+  add_metric_search(*verb, command->search);
+  verb->get_option("--cone-angle")->excludes(verb->get_option("--retriangulate"));
+  verb->add_option("-o,--output", command->output,
+                   "write the triangulation that carries the metric: .json or .sig")
+      ->option_text("FILE")
+      ->check(problem_of_name)
+      ->excludes(verb->get_option("--batch"));
   verb->add_flag("--angle-structure", solve.angle_structure,
                  "also print an exact rational strict angle structure, if there is one")
       ->option_text(" ");
@@ -234,6 +237,7 @@ void add_solve(CLI::App& program, Command& chosen) {
                                     "solve each connected component by itself")
                          ->option_text(" ");
   components->excludes(history);
+  components->excludes(verb->get_option("--output"));
   verb->footer(std::string(kInputHelp) + "\n" + kOutcomeHelp + "\n" + kExitStatusHelp);
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }

@@ -11,12 +11,12 @@
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/metric.hpp"
 #include "cli/numbers.hpp"
 #include "cli/report_text.hpp"
 #include "cli/view_pages.hpp"
 #include "embedding/universal_cover.hpp"
 #include "meshing/stopped.hpp"
-#include "structure/solve.hpp"
 #include "viewer/egl/offscreen.hpp"
 #include "viewer/window/window.hpp"
 
@@ -29,7 +29,8 @@ struct ViewCommand {
   std::string page;  ///< -o
   std::string size = "1200x900";
   std::string camera;
-  std::string model = "upper";
+  std::string model = "ball";
+  MetricSearch search;
   std::string colour_by = "tetrahedron";
   std::optional<double> cut_away;
   bool no_faces = false;
@@ -88,6 +89,7 @@ void name_choices(ViewCommand& command) {
   using viewer::ColourBy;
   using viewer::Model;
   viewer::PictureOptions& picture = command.picture;
+  if (command.model == "upper") picture.model = Model::kUpperHalfSpace;
   if (command.model == "ball") picture.model = Model::kPoincareBall;
   if (command.model == "klein") picture.model = Model::kKleinBall;
   if (command.colour_by == "face") picture.colour_by = ColourBy::kFace;
@@ -142,20 +144,19 @@ Outcome draw_picture(const Developed& developed, const ViewCommand& command) {
 }
 
 PageRequest page_request(const ViewCommand& command) {
-  return {command.page, command.cells, command.model, command.common.json};
+  return {command.page, command.cells, command.model, command.common.json, command.search};
 }
 
 Outcome view_one(const ViewCommand& command, const std::string& input) {
-  Developed developed{load_solvable_subject(input), {}, {}};
+  Subject loaded = load_solvable_subject(input);
   catch_interrupts();
-  structure::SolveOptions solve;
-  solve.stop_requested = &interrupt_requested();
-  developed.report = structure::solve(developed.subject.triangulation, solve);
-  if (developed.report.outcome != structure::Outcome::kGeometric) {
-    return {command.common.json ? report_as_json(developed.subject, developed.report)
-                                : report_as_text(developed.subject, developed.report),
-            kNoAnswer};
+  Solved solved = find_metric(std::move(loaded), {}, command.search);
+  if (!solved.is_geometric()) {
+    return {command.common.json ? report_as_json(solved.subject, solved.report, solved.search())
+                                : report_as_text(solved.subject, solved.report, solved.search()),
+            kNoAnswer, solved.subject.notes};
   }
+  Developed developed{std::move(solved.subject), std::move(solved.report), {}};
   developed.embedding =
       embedding::embed(developed.subject.triangulation, developed.report.edge_lengths);
 
@@ -196,7 +197,7 @@ void add_picture_options(CLI::App& verb, ViewCommand& command) {
       ->option_text("N")
       ->check(CLI::Range(std::size_t{1}, viewer::kMostCells));
   verb.add_option("--model", command.model,
-                  "upper: the upper half-space (default); ball: the Poincare ball; klein")
+                  "ball: the Poincare ball (default); upper: the upper half-space; klein")
       ->option_text("NAME")
       ->check(CLI::IsMember({"upper", "ball", "klein"}));
   verb.add_option("--size", command.size, "of the picture or window (default: 1200x900)")
@@ -243,6 +244,7 @@ void add_view(CLI::App& program, Command& chosen) {
   png->excludes(page)->excludes(gallery);
   input->excludes(gallery);
   add_picture_options(*verb, *command);
+  add_metric_search(*verb, command->search);
   verb->add_flag("--json", command->common.json, "one JSON object");
   verb->add_option("--threads", command->common.threads,
                    "threads for --gallery (default: all cores)")

@@ -112,13 +112,13 @@ class Gallery {
  private:
   Outcome make(const topology::BatchLine& line, viewer::GalleryEntry& entry) {
     if (line.text == "-") throw InvalidInput(kNoStandardInput);
-    const Subject subject = load_solvable_subject(line.text);
-    structure::SolveOptions options;
-    options.stop_requested = &interrupt_requested();
-    const structure::Report report = structure::solve(subject.triangulation, options);
-    if (report.outcome != structure::Outcome::kGeometric) {
+    const Solved solved = find_metric(load_solvable_subject(line.text), {}, request_.search);
+    const Subject& subject = solved.subject;
+    const structure::Report& report = solved.report;
+    if (!solved.is_geometric()) {
       entry.problem = report.message;
-      return {request_.json ? report_as_json(subject, report) : report_as_text(subject, report),
+      return {request_.json ? report_as_json(subject, report, solved.search())
+                            : report_as_text(subject, report, solved.search()),
               kNoAnswer};
     }
     const auto embedding = embedding::embed(subject.triangulation, report.edge_lengths);

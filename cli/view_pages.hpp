@@ -5,6 +5,7 @@
 
 #include "cli/answer.hpp"
 #include "cli/describe.hpp"
+#include "cli/metric.hpp"
 #include "embedding/embedding.hpp"
 #include "structure/report.hpp"
 
@@ -16,6 +17,7 @@ struct PageRequest {
   std::size_t cells = 20;
   std::string model = "ball";
   bool json = false;
+  MetricSearch search = {};
 };
 
 /// Throws InvalidInput, naming the option, where pages cannot do what was asked for.

@@ -22,6 +22,19 @@ enum class Outcome {
 };
 std::string_view to_string(Outcome outcome);
 
+/// What to do where no metric was found. The program, not the library, knows by which options.
+enum class Advice {
+  kNone,
+  kRetriangulate,        ///< look for another triangulation of the manifold
+  kMoreTime,             ///< raise the limit of time or iterations that ended the run
+  kLooserTolerance,      ///< there is a metric, to the accuracy of doubles, but not to this tolerance
+  kLargerSearch,         ///< a larger budget or another seed for the search of triangulations
+  kMoreSearchTime,       ///< more time for the search of triangulations
+  kLargerTriangulation,  ///< begin with a larger one: the search has seen all that are near
+};
+/// "none", "retriangulate", "more time", ...
+std::string_view to_string(Advice advice);
+
 /// One vertex class.
 struct VertexReport {
   int link_euler_characteristic = 0;
@@ -52,8 +65,8 @@ struct Report {
   std::optional<Certificate> certificate;
   /// Exact strict angle structure: where one was decided to exist, or asked for.
   std::optional<StrictAngles> strict_angles;
-  std::string message;  ///< one sentence for a person
-  std::string advice;   ///< and what to do about it; empty if nothing is to be done
+  std::string message;            ///< one sentence for a person
+  Advice advice = Advice::kNone;  ///< and what to do about it
 };
 
 }  // namespace tripus::structure

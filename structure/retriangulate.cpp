@@ -1,7 +1,8 @@
 // A best-first search in the Pachner graph of the manifold. Nodes are triangulations, known by
 // their signatures; the next one to be expanded is the one with the fewest tetrahedra, the earliest
 // found among those. A triangulation without a metric of its own usually has one nearby that
-// carries it, smaller or of the same size: two-thirds of the search is simplification.
+// carries it, smaller or of the same size: two-thirds of the search is simplification. Of a start
+// that is not small the search begins with a few simplifications as well.
 #include "structure/retriangulate.hpp"
 
 #include <algorithm>
@@ -18,6 +19,8 @@
 #include "base/tolerances.hpp"
 #include "topology/homology.hpp"
 #include "topology/isosig.hpp"
+#include "topology/orientation.hpp"
+#include "topology/simplify/small_triangulations.hpp"
 
 namespace tripus::structure {
 namespace {
@@ -30,13 +33,19 @@ using topology::Triangulation;
 /// Up to so many tetrahedra moves are tried everywhere, beyond only around the trouble.
 constexpr std::size_t kSmall = 12;
 
+/// Up to so many tetrahedra the search itself simplifies: it makes all moves that shrink first.
+constexpr std::size_t kFew = 5;
+/// In how many ways a start is simplified; one where that takes long.
+constexpr std::size_t kSimplifications = 4;
+constexpr std::size_t kLongToSimplify = 400;
+
 constexpr std::array<MoveKind, 3> kShrinking{MoveKind::kTwoOne, MoveKind::kTwoZeroEdge,
                                              MoveKind::kThreeTwo};
 constexpr std::array<MoveKind, 2> kRebuilding{MoveKind::kFourFour, MoveKind::kTwoThree};
 
 struct Node {
   Gluings gluings;
-  std::size_t parent = 0;
+  std::size_t parent = 0;  ///< itself: a root
   Move move;
   std::vector<bool> trouble;  ///< [T] tetrahedra around which moves are made
   Outcome outcome = Outcome::kUnresolved;
@@ -79,12 +88,13 @@ class Search {
         solve_options_(plain(solve_options)),
         time_limit_(solve_options.time_limit),
         start_(std::move(start)),
+        given_(triangulation.gluings()),
         signature_(topology::isosig(triangulation.gluings())),
         homology_(topology::first_homology(triangulation)),
         random_(options.seed),
         limit_(triangulation.tetrahedron_count() + options.extra) {
     known_.insert(signature_);
-    nodes_.push_back({triangulation.gluings(),
+    nodes_.push_back({topology::oriented(given_),
                       0,
                       {},
                       trouble_of(triangulation, start_),
@@ -94,6 +104,7 @@ class Search {
   }
 
   Retriangulation run() {
+    if (given_.tetrahedron_count() > kFew && simplify()) return success();
     while (!open_.empty() && !ended()) {
       const std::size_t node = open_.top().second;
       open_.pop();
@@ -156,6 +167,20 @@ class Search {
     return false;
   }
 
+  /// Begins with simplifications of the start as well; true if one carries the metric: it is then
+  /// the last node.
+  bool simplify() {
+    const std::size_t seeds = given_.tetrahedron_count() > kLongToSimplify ? 1 : kSimplifications;
+    auto small = topology::small_triangulations(nodes_.front().gluings, seeds,
+                                                solve_options_.stop_requested);
+    for (Gluings& gluings : small) {
+      limit_ = std::min(limit_, gluings.tetrahedron_count() + options_.extra);
+      if (ended()) return false;
+      if (try_table(std::move(gluings), nodes_.size(), {})) return true;
+    }
+    return false;
+  }
+
   bool concerns(std::size_t node, const Move& move) const {
     const std::vector<bool>& trouble = nodes_[node].trouble;
     return trouble.size() <= kSmall || trouble[move.tetrahedron];
@@ -164,11 +189,15 @@ class Search {
   bool try_move(std::size_t parent, const Move& move) {
     Gluings gluings = nodes_[parent].gluings;
     topology::apply(gluings, move);
+    return try_table(std::move(gluings), parent, move);
+  }
+
+  bool try_table(Gluings gluings, std::size_t parent, const Move& move) {
     if (!known_.insert(topology::isosig(gluings)).second) return false;
     const Triangulation triangulation(std::move(gluings));
     if (topology::first_homology(triangulation) != homology_) {
-      throw InternalError("the move " + topology::to_string(move) + " of " +
-                          topology::isosig(nodes_[parent].gluings) + " changed the homology");
+      throw InternalError("a simplification of " + signature_ + ", or the move " +
+                          topology::to_string(move) + " on the way, changed the homology");
     }
     ++tried_;
     report_ = solve_in_time(triangulation);
@@ -181,10 +210,13 @@ class Search {
   Retriangulation success() {
     Retriangulation result;
     result.start = signature_;
-    for (std::size_t node = nodes_.size() - 1; node != 0; node = nodes_[node].parent) {
+    std::size_t node = nodes_.size() - 1;
+    for (; nodes_[node].parent != node; node = nodes_[node].parent) {
       result.path.push_back(nodes_[node].move);
       add_flat_volume(nodes_[nodes_[node].parent], result.volumes);
     }
+    result.path_start = nodes_[node].gluings;
+    if (node != 0) result.simplified = topology::full_isosig(result.path_start).oriented();
     std::reverse(result.path.begin(), result.path.end());
     std::reverse(result.volumes.begin(), result.volumes.end());
     result.report = std::move(report_);
@@ -231,13 +263,14 @@ class Search {
     Retriangulation result;
     result.start = signature_;
     result.report = std::move(start_);
+    result.report.message = fmt::format(
+        "{}, nor on {} other triangulation{} of the manifold with up to {} tetrahedra ({}); nothing "
+        "follows about the manifold.",
+        why_not_the_start(result.report), tried_, tried_ == 1 ? "" : "s", limit_, reason(end_));
     result.report.outcome = Outcome::kUnresolved;
-    result.report.message += fmt::format(
-        " {} other triangulation{} of the manifold {} tried, of up to {} tetrahedra, and none was "
-        "found to carry the metric ({}); nothing follows about the manifold.",
-        tried_, tried_ == 1 ? "" : "s", tried_ == 1 ? "was" : "were", limit_, reason(end_));
     result.report.advice = advice(end_);
-    result.gluings = std::move(nodes_.front().gluings);
+    result.gluings = std::move(given_);
+    result.path_start = std::move(nodes_.front().gluings);
     result.tried = tried_;
     result.end = end_;
     return result;
@@ -256,15 +289,23 @@ class Search {
     }
   }
 
-  static const char* advice(SearchEnd end) {
+  static std::string why_not_the_start(const Report& report) {
+    if (report.certificate)
+      return "No metric was found on this triangulation, which carries none (exact certificate)";
+    if (report.outcome == Outcome::kDegenerate)
+      return "No metric was found on this triangulation, where the minimiser has flat tetrahedra";
+    return "No metric was found on this triangulation";
+  }
+
+  static Advice advice(SearchEnd end) {
     switch (end) {
       case SearchEnd::kBudget:
-        return "If the manifold should be hyperbolic, try a larger --budget or another --seed.";
+        return Advice::kLargerSearch;
       case SearchEnd::kTimeLimit:
       case SearchEnd::kInterrupted:
-        return "If the manifold should be hyperbolic, give the search more time.";
+        return Advice::kMoreSearchTime;
       default:
-        return "If the manifold should be hyperbolic, start from a larger triangulation of it.";
+        return Advice::kLargerTriangulation;
     }
   }
 
@@ -276,6 +317,7 @@ class Search {
   const double time_limit_;
   const Clock::time_point began_ = Clock::now();
   Report start_, report_;
+  Gluings given_;
   const std::string signature_;  ///< of the start
   const topology::AbelianGroup homology_;
   std::mt19937_64 random_;

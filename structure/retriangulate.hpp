@@ -41,7 +41,11 @@ struct Retriangulation {
   std::string start;          ///< signature of the start
   Report report;              ///< of `gluings`
   topology::Gluings gluings;  ///< carries the metric if report.outcome is geometric, else the start
-  std::vector<topology::Move> path;  ///< from the start to `gluings`, to be applied in order
+  /// Where the path starts: the start, made `oriented`; or a simplification of it.
+  topology::Gluings path_start;
+  /// Of a simplification, the signature that decodes to path_start, with its sign; else empty.
+  std::string simplified;
+  std::vector<topology::Move> path;  ///< from path_start to `gluings`, to be applied in order
   std::size_t tried = 0;             ///< triangulations solved on, the start not counted
   SearchEnd end = SearchEnd::kBudget;
   /// If found: the volumes at the minimisers with flat tetrahedra along the path, in its order, and
@@ -52,7 +56,9 @@ struct Retriangulation {
 /// Looks for a triangulation of the same manifold that carries the metric, by moves that keep the
 /// manifold: 3-2, 2-0 and 2-1 wherever they can be made, 4-4 and 2-3 around flat tetrahedra, edges
 /// of low valence and the support of the certificate (everywhere, if there are few tetrahedra).
-/// Triangulations with few tetrahedra are tried first; none is tried twice.
+/// Triangulations with few tetrahedra are tried first; none is tried twice. A start with more
+/// than a handful of tetrahedra is simplified first, in several ways, and the search goes on from
+/// there. The orientation is kept.
 ///
 /// `start` is the report of `solve` on the triangulation, not geometric. Where nothing is found the
 /// result has that report, with its evidence, as "unresolved", and says in the message what was

@@ -189,15 +189,10 @@ std::string certificate_message(const Certificate& certificate) {
                "(exact certificate), so it carries no metric; its manifold may.";
 }
 
-constexpr const char* kRetriangulate =
-    "Try another triangulation of the manifold: --retriangulate looks for one by moves.";
-
-constexpr const char* kMoreTime = "Give it more time or iterations.";
-
 /// Turns the report of a run that found no metric into a verdict with evidence.
 Report settle(const topology::Triangulation& triangulation, const SolveOptions& options,
               Report report) {
-  report.advice = kRetriangulate;
+  report.advice = Advice::kRetriangulate;
   if (triangulation.tetrahedron_count() > kExactLimit) {
     report.message += fmt::format(
         " Whether it has angle structures is decided exactly for up to {} tetrahedra only.",
@@ -222,16 +217,43 @@ Report settle(const topology::Triangulation& triangulation, const SolveOptions& 
   return report;
 }
 
+/// A run that found a metric, but not to the tolerance that was asked for, which doubles do not
+/// reach; nothing if it is not one.
+std::optional<Report> metric_above_tolerance(const topology::Triangulation& triangulation,
+                                             const SolveOptions& options, const Report& report) {
+  if (!(options.tolerance < tolerance::kMaxCurvature)) return std::nullopt;
+  energies::CoVolume energy(triangulation, options.cone_angles);
+  solver::Summary summary;
+  summary.termination = report.termination;
+  summary.iterations = report.iterations;
+  summary.evaluations = report.evaluations;
+  summary.linear_iterations = report.linear_iterations;
+  Report judged =
+      assess(triangulation, energy, report.edge_lengths, tolerance::kMaxCurvature, summary);
+  if (judged.outcome != Outcome::kGeometric) return std::nullopt;
+  judged.method = report.method;
+  judged.outcome = Outcome::kUnresolved;
+  judged.advice = Advice::kLooserTolerance;
+  judged.message = fmt::format(
+      "A metric was found, but its largest edge curvature {:.3g} is above the tolerance {:.3g}: "
+      "rounding alone leaves some 1e-15 to 1e-14.",
+      judged.max_curvature, options.tolerance);
+  return judged;
+}
+
 Report find_outcome(const topology::Triangulation& triangulation, const SolveOptions& options) {
   Report report = run_method(triangulation, options);
   if (report.outcome != Outcome::kGeometric && was_cut_short(report, options)) {
-    report.advice = kMoreTime;
+    report.advice = Advice::kMoreTime;
     return report;
+  }
+  if (report.outcome != Outcome::kGeometric) {
+    if (auto found = metric_above_tolerance(triangulation, options, report)) return *found;
   }
   if (report.outcome != Outcome::kGeometric) {
     report = settling_run(triangulation, options, std::move(report));
     if (report.outcome != Outcome::kGeometric && was_cut_short(report, options)) {
-      report.advice = kMoreTime;
+      report.advice = Advice::kMoreTime;
       return report;
     }
   }

@@ -11,8 +11,9 @@ namespace tripus::studies::detail {
 namespace {
 
 /// Kinds of triangulations, as they are stacked.
-const char* const kKinds[] = {"carries the metric", "boundary case (flat tetrahedra)",
-                              "semi-angle structures only", "no angle structure", "unresolved"};
+const char* const kKinds[] = {"geometric", "degenerate (flat tetrahedra)",
+                              "infeasible (semi-angle structures only)",
+                              "infeasible (no angle structure)", "unresolved"};
 constexpr std::size_t kKindCount = std::size(kKinds);
 
 std::size_t kind_of(const Table& table, std::size_t r) {
@@ -200,13 +201,13 @@ Findings triangulations_findings(const std::vector<Table>& tables) {
   Findings findings;
   findings.facts = {
       {"triangulations", all, "distinct triangulations"},
-      {"geometric", counts[0], "carry the metric"},
-      {"boundary_cases", counts[1], "have flat tetrahedra at the minimiser"},
-      {"semi", counts[2], "have semi-angle structures only"},
-      {"none", counts[3], "have no angle structure"},
-      {"unresolved", counts[4], "were not decided"},
+      {"geometric", counts[0], "are geometric"},
+      {"boundary_cases", counts[1], "are degenerate: flat tetrahedra at the minimiser"},
+      {"semi", counts[2], "are infeasible: semi-angle structures only"},
+      {"none", counts[3], "are infeasible: no angle structure"},
+      {"unresolved", counts[4], "are unresolved"},
       {"low_valence", double(low), "have an edge of valence 1 or 2"},
-      {"low_valence_geometric", double(low_metric), "of these carry the metric"},
+      {"low_valence_geometric", double(low_metric), "of these are geometric"},
       {"volume_spread", worst, "largest relative deviation of a volume from the median"},
       {"condition_greatest", greatest(condition), "largest condition number"},
       {"iterations_greatest", greatest(iterations), "most iterations of Newton's method"},
@@ -216,10 +217,10 @@ Findings triangulations_findings(const std::vector<Table>& tables) {
        "shortest edge of the minimiser of a boundary case"},
   };
   findings.paragraph = fmt::format(
-      "Of {:.0f} distinct triangulations {:.0f} ({:.1f} %) carry the metric, {:.0f} are boundary "
-      "cases, {:.0f} have semi-angle structures only and {:.0f} no angle structure, by exact "
-      "certificates; {:.0f} stayed unresolved. {} of the {} with an edge of valence 1 or 2 carry "
-      "it. The volumes of all metrics of one input agree within {:.1e}. The "
+      "Of {:.0f} distinct triangulations {:.0f} ({:.1f} %) are geometric, {:.0f} are degenerate, "
+      "{:.0f} are infeasible with semi-angle structures only and {:.0f} with no angle structure, by "
+      "exact certificates; {:.0f} are unresolved. {} of the {} with an edge of valence 1 or 2 are "
+      "geometric. The volumes of all metrics of one input agree within {:.1e}. The "
       "condition number of the Hessian is {:.3g} in the median and {:.3g} at most (the longest "
       "edge being {:.2g}), and Newton's method takes at most {:.0f} iterations. The shortest edge "
       "is "

@@ -3,9 +3,11 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "topology/components.hpp"
 #include "topology/detail/isosig_alphabet.hpp"
 #include "topology/detail/text.hpp"
 #include "topology/isosig.hpp"
+#include "topology/orientation.hpp"
 
 namespace tripus::topology {
 namespace {
@@ -181,7 +183,31 @@ class SignatureReader {
 }  // namespace
 
 Gluings decode_isosig(std::string_view text) {
-  return SignatureReader(detail::trimmed(text)).read();
+  Gluings gluings = SignatureReader(without_sign(text)).read();
+  const char sign = isosig_sign(text);
+  if (sign == 0) return gluings;
+  const std::string whole = quoted(std::string(detail::trimmed(text)));
+  if (components(gluings).size() > 1) {
+    throw InvalidInput("isomorphism signature " + whole + ": a sign at the end keeps the orientation " +
+                       "of a connected triangulation, and this has several components");
+  }
+  if (!is_orientable(gluings)) {
+    throw InvalidInput("isomorphism signature " + whole + ": the triangulation is not orientable, " +
+                       "so the " + sign + " at the end means nothing; leave it out");
+  }
+  gluings = oriented(gluings);
+  return sign == '+' ? gluings : mirrored(gluings);
+}
+
+char isosig_sign(std::string_view text) {
+  text = detail::trimmed(text);
+  return text.size() > 1 && (text.back() == '+' || text.back() == '-') ? text.back() : '\0';
+}
+
+std::string_view without_sign(std::string_view text) {
+  text = detail::trimmed(text);
+  if (isosig_sign(text) != 0) text.remove_suffix(1);
+  return text;
 }
 
 bool looks_like_isosig(std::string_view text) {

@@ -7,6 +7,7 @@
 #include "topology/components.hpp"
 #include "topology/detail/isosig_alphabet.hpp"
 #include "topology/isosig.hpp"
+#include "topology/orientation.hpp"
 
 // A starting frame (tetrahedron, labels of its vertices) fixes a labelling of the whole component:
 // tetrahedra are numbered as a breadth-first search meets them, each labelled so that the gluing
@@ -115,8 +116,9 @@ class ComponentEncoder {
         if (work_ > work_limit) return false;
         if (order < 0) {
           keep_candidate();
-        } else if (order == 0 && count_ >= FrameOrbits::kLeastTetrahedra) {
-          merge_symmetry(orbits);
+        } else if (order == 0) {
+          note_symmetry();
+          if (count_ >= FrameOrbits::kLeastTetrahedra) merge_symmetry(orbits);
         }
       }
     return true;
@@ -139,6 +141,13 @@ class ComponentEncoder {
       out += letter(static_cast<std::uint32_t>(best_.perms[i].rank()));
     return out;
   }
+
+  /// Of an orientable table: whether the best frame reverses its orientation, and whether there is
+  /// a symmetry that does. Symmetries that were not tried are products of those that were.
+  char sign() const { return !reversing_symmetry_ && is_reversed(best_frame_) ? '-' : '+'; }
+  bool is_amphicheiral() const { return reversing_symmetry_; }
+  /// For sign(): [T] which tetrahedra have labels of the other orientation. Empty: not wanted.
+  void set_disagreeing(std::vector<char> disagreeing) { disagreeing_ = std::move(disagreeing); }
 
   Isomorphism isomorphism() const {
     Isomorphism result{std::vector<TetrahedronIndex>(count_), std::vector<Perm4>(count_)};
@@ -192,7 +201,20 @@ class ComponentEncoder {
                                     static_cast<std::uint32_t>(best_.perms[place].rank()), 1);
   }
 
+  struct Frame {
+    TetrahedronIndex first = 0;
+    Perm4 labels;
+  };
+  bool is_reversed(Frame frame) const {
+    return frame.labels.is_odd() != (disagreeing_[frame.first] != 0);
+  }
+  void note_symmetry() {
+    if (disagreeing_.empty()) return;
+    if (is_reversed(frame_) != is_reversed(best_frame_)) reversing_symmetry_ = true;
+  }
+
   void start_frame(TetrahedronIndex first, Perm4 labels) {
+    frame_ = {first, labels};
     for (std::size_t i = 0; i < met_; ++i) image_[preimage_[i]] = kNoTetrahedron;
     candidate_.action_count = 0;
     candidate_.join_count = 0;
@@ -245,6 +267,7 @@ class ComponentEncoder {
   void keep_candidate() {
     std::swap(candidate_, best_);
     have_best_ = true;
+    best_frame_ = frame_;
     for (std::size_t i = 0; i < count_; ++i) {
       best_preimage_[i] = preimage_[i];
       best_map_[i] = map_[preimage_[i]];
@@ -280,11 +303,31 @@ class ComponentEncoder {
   int destination_order_ = 0;
   int perm_order_ = 0;
   std::size_t work_ = 0;
+  Frame frame_, best_frame_;
+  std::vector<char> disagreeing_;  // [T] or empty
+  bool reversing_symmetry_ = false;
 };
 
 constexpr std::size_t kNoLimit = static_cast<std::size_t>(-1);
 
 }  // namespace
+
+std::optional<Isosig> full_isosig(const Gluings& gluings, std::size_t work_limit) {
+  if (gluings.tetrahedron_count() > 0) {
+    ComponentEncoder whole(gluings);
+    auto disagreeing = disagreeing_labels(gluings);
+    if (disagreeing && whole.is_connected()) {
+      whole.set_disagreeing(*std::move(disagreeing));
+      if (!whole.run(work_limit)) return std::nullopt;
+      return Isosig{whole.text(), whole.sign(), whole.is_amphicheiral()};
+    }
+  }
+  auto plain = isosig(gluings, work_limit);
+  if (!plain) return std::nullopt;
+  return Isosig{*std::move(plain), '\0', false};
+}
+
+Isosig full_isosig(const Gluings& gluings) { return *full_isosig(gluings, kNoLimit); }
 
 std::optional<std::string> isosig(const Gluings& gluings, std::size_t work_limit) {
   if (gluings.tetrahedron_count() == 0) return "a";

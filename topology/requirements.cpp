@@ -34,7 +34,7 @@ void require_solvable(const Triangulation& triangulation) {
   if (!triangulation.is_connected())
     throw InvalidInput("the triangulation has " + std::to_string(triangulation.component_count()) +
                        " components; a metric is found for one connected manifold at a time: "
-                       "tripus solve --components takes each by itself");
+                       "take each by itself");
   if (is_closed(triangulation))
     throw Unsupported(
         "the link of every vertex is a sphere, so the manifold is closed; closed manifolds are not "
@@ -47,8 +47,8 @@ void require_solvable(const Triangulation& triangulation) {
                          "double cover");
     if (link.euler_characteristic == 2)
       throw InvalidInput(place(triangulation, v) +
-                         " is a sphere, so this is a finite vertex; simplify first (tripus "
-                         "simplify) to remove it");
+                         " is a sphere, so this is a finite vertex; simplify first to "
+                         "remove it");
     if (link.euler_characteristic == 0)
       throw Unsupported(place(triangulation, v) +
                         " is a torus; cusps are not supported yet: every link must have genus "

@@ -1,5 +1,6 @@
 #include "topology/triangulation.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -42,7 +43,8 @@ void Triangulation::walk_edges() {
       do {
         std::uint32_t& slot = edge_class_[6 * walk.t + static_cast<std::size_t>(walk.edge())];
         if (slot != kUnset)
-          throw InvalidInput("edge " + std::to_string(walk.a) + std::to_string(walk.b) +
+          throw InvalidInput("edge " + std::to_string(std::min(walk.a, walk.b)) +
+                             std::to_string(std::max(walk.a, walk.b)) +
                              " of tetrahedron " + std::to_string(walk.t) +
                              " is identified with its own reverse; the midpoint of such an edge "
                              "is not a manifold point, so the gluings must be changed");

@@ -28,7 +28,7 @@ const std::vector<CensusLine>& all_lines() {
 }
 
 const Census& whole_census() {
-  static const Census kCensus = make_census(all_lines());
+  static const Census kCensus = make_census(all_lines(), CensusNames::kNumbered);
   return kCensus;
 }
 
@@ -114,6 +114,7 @@ TEST(Census, TheShippedOneIsWhatTheListsGive) {
     EXPECT_EQ(a.reversing, b.reversing);
     EXPECT_NEAR(a.volume, b.volume, 1e-12);
   }
+  EXPECT_EQ(shipped.unresolved, made.unresolved);
 }
 
 // Signatures decode to triangulations of the manifold: canonizing them gives them back.

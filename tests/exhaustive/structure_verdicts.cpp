@@ -77,7 +77,7 @@ TEST(Verdicts, OfTheTableOfBoundaryCases) {
     EXPECT_TRUE(check(triangulation, *report.strict_angles));
     EXPECT_EQ(tripus::testing::fault_of(triangulation, report), "");
     EXPECT_THAT(report.message, HasSubstr("1 of the 4 tetrahedra is flat"));
-    EXPECT_THAT(report.advice, HasSubstr("--retriangulate"));
+    EXPECT_EQ(report.advice, Advice::kRetriangulate);
   }
 }
 
@@ -260,7 +260,7 @@ TEST(Retriangulation, KeepsTheEvidenceWhenTheBudgetEnds) {
   EXPECT_EQ(topology::isosig(found.gluings), kNone);
   EXPECT_THAT(found.report.message, HasSubstr("7 other triangulations"));
   EXPECT_THAT(found.report.message, HasSubstr("nothing follows about the manifold"));
-  EXPECT_THAT(found.report.advice, HasSubstr("--budget"));
+  EXPECT_EQ(found.report.advice, Advice::kLargerSearch);
 }
 
 TEST(Retriangulation, SaysWhenThereIsNothingElseToTry) {
@@ -270,6 +270,42 @@ TEST(Retriangulation, SaysWhenThereIsNothingElseToTry) {
   EXPECT_EQ(found.end, SearchEnd::kExhausted);
   EXPECT_LT(found.tried, 500u);
   EXPECT_THAT(found.report.message, HasSubstr("all that the moves reach"));
+}
+
+TEST(Retriangulation, SimplifiesFirst) {
+  const topology::MoveKind kinds[] = {topology::MoveKind::kTwoThree, topology::MoveKind::kThreeTwo,
+                                      topology::MoveKind::kFourFour, topology::MoveKind::kZeroTwoEdge};
+  for (const char* start : {"cPcbbbihq+", "cPcbbbihq-"}) {
+    for (std::uint64_t seed = 1; seed <= 15; ++seed) {
+      SCOPED_TRACE(seed);
+      topology::Gluings gluings = topology::decode_isosig(start);
+      topology::randomize(gluings, {.count = 40, .seed = seed, .kinds = kinds});
+      const topology::Triangulation triangulation(gluings);
+      SolveOptions quick;
+      quick.evidence = false;
+      const Report report = solve(triangulation, quick);
+      if (report.outcome == Outcome::kGeometric) continue;
+      const auto found = retriangulate(triangulation, report, quick);
+      ASSERT_EQ(found.report.outcome, Outcome::kGeometric);
+      EXPECT_NEAR(found.report.volume, 6.451990270835033, 1e-10);
+      EXPECT_EQ(topology::full_isosig(found.gluings).oriented(), start);
+      EXPECT_TRUE(tripus::testing::path_leads_there(gluings, found));
+    }
+  }
+}
+
+TEST(Tolerance, ThatDoublesDoNotReachIsNamed) {
+  for (const double tolerance : {1e-15, 1e-30, 1e-300}) {
+    SolveOptions options;
+    options.tolerance = tolerance;
+    for (const char* signature : {"cPcbbbdhq", "dLQbcbchhjw"}) {
+      const Report report = solve(decode(signature), options);
+      if (report.outcome == Outcome::kGeometric) continue;  // K may come out as exactly 0
+      EXPECT_EQ(report.outcome, Outcome::kUnresolved);
+      EXPECT_EQ(report.advice, Advice::kLooserTolerance);
+      EXPECT_THAT(report.message, HasSubstr("A metric was found"));
+    }
+  }
 }
 
 TEST(Retriangulation, EndsInTime) {
@@ -315,7 +351,7 @@ TEST(Limits, LeaveUnresolvedWhatTheyCutShort) {
       const Report report = solve(triangulation, options);
       EXPECT_EQ(report.outcome, Outcome::kUnresolved);
       EXPECT_THAT(report.message, HasSubstr("Nothing follows about the manifold"));
-      EXPECT_FALSE(report.advice.empty());
+      EXPECT_EQ(report.advice, Advice::kMoreTime);
       EXPECT_TRUE(tripus::testing::is_finite(report));
       expect_nothing_claimed(report);
     }

@@ -25,6 +25,14 @@ class Help(ProgramTest):
             self.assertIn(f"Usage: tripus {verb}", text)
             self.assertEqual(text, self.run_program(verb, "-h").text)
 
+    def test_by_the_verb_help(self):
+        self.assertEqual(self.run_program("help").text, self.help_of())
+        for verb in VERBS:
+            result = self.run_program("help", verb)
+            self.assertEqual((result.status, result.err), (0, ""))
+            self.assertEqual(result.text, self.help_of(verb))
+        self.assertEqual(self.run_program("help", "banana").status, 2)
+
     def test_of_solve_lists_the_documented_options(self):
         text = self.help_of("solve")
         for option in ("--json", "--batch FILE", "--threads N", "--quiet", "--method NAME",

@@ -7,7 +7,8 @@ import samples
 from support import TRIPUS, ProgramTest, read_json
 
 KEYS = ["tripus", "input", "isosig", "tetrahedron_count", "edge_count", "orientable",
-        "edge_valences", "vertex_count", "component_count", "vertices", "H1", "edge_classes",
+        "edge_valences", "oriented_isosig", "vertex_count", "component_count", "vertices", "H1",
+        "edge_classes",
         "solvable", "message"]
 
 

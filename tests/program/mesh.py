@@ -13,7 +13,7 @@ SURFACES = ROOT / "examples" / "surfaces"
 BROKEN = ROOT / "tests" / "broken-meshes"
 
 KEYS = ["tripus", "input", "isosig", "tetrahedron_count", "edge_count", "orientable",
-        "edge_valences", "points", "triangles", "turned_triangles", "boundary_genera", "stages",
+        "edge_valences", "oriented_isosig", "points", "triangles", "turned_triangles", "boundary_genera", "stages",
         "ball", "gluings", "message"]
 
 BALL = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"

@@ -23,7 +23,23 @@ Cover make_cyclic(const Triangulation& base, const CyclicClasses& classes, std::
   return {cyclic_cover(base.gluings(), classes.shifts(values), degree),
           degree,
           degree,
-          {values.begin(), values.end()}};
+          {values.begin(), values.end()},
+          {}};
+}
+
+/// Which face each generator crosses, and what that does; `face_letters` are those of the group.
+std::vector<SheetPermutation> permutations_of(const TransitiveAction& action,
+                                              const ReducedPresentation& short_form,
+                                              const std::vector<Letter>& face_letters) {
+  std::vector<SheetPermutation> result;
+  for (std::size_t g = 0; g < short_form.kept.size(); ++g) {
+    const auto letter = static_cast<Letter>(short_form.kept[g]) + 1;
+    const auto face = static_cast<std::size_t>(std::ranges::find(face_letters, letter) -
+                                               face_letters.begin());
+    result.push_back({static_cast<TetrahedronIndex>(face / 4), static_cast<int>(face % 4),
+                      action.images[g]});
+  }
+  return result;
 }
 
 }  // namespace
@@ -53,8 +69,11 @@ SearchEnd for_each_cover(const Triangulation& base, std::size_t degree, const Vi
   return for_each_transitive_action(
       short_form.presentation, degree,
       [&](const TransitiveAction& action) {
-        return visit({cover_of_action(base.gluings(), group, extended(action, short_form)), degree,
-                      action.deck_group_order});
+        return visit({cover_of_action(base.gluings(), group, extended(action, short_form)),
+                      degree,
+                      action.deck_group_order,
+                      {},
+                      permutations_of(action, short_form, group.face_letters)});
       },
       stop_requested);
 }
@@ -68,6 +87,20 @@ SearchEnd for_each_cyclic_cover(const Triangulation& base, std::size_t degree,
         return visit(make_cyclic(base, classes, degree, values));
       },
       stop_requested);
+}
+
+Cover orientable_double_cover(const Triangulation& base) {
+  require_size(base, 2);
+  if (!base.is_connected())
+    throw InvalidInput("the triangulation is not connected; take its components one by one");
+  if (base.is_orientable())
+    throw InvalidInput("the manifold is orientable already: it has no orientable double cover that is "
+                       "connected");
+  // A sheet for each orientation: labels of one orientation are glued by odd permutations.
+  std::vector<int> shifts;
+  for (std::size_t t = 0; t < base.tetrahedron_count(); ++t)
+    for (int f = 0; f < 4; ++f) shifts.push_back(base.gluings().gluing(t, f).is_odd() ? 0 : 1);
+  return {cyclic_cover(base.gluings(), shifts, 2), 2, 2, {}, {}};
 }
 
 Cover cyclic_cover_of_class(const Triangulation& base, std::size_t degree,

@@ -11,6 +11,13 @@
 
 namespace tripus::topology {
 
+/// What crossing a face of the base, outside of a spanning tree, does to the sheets.
+struct SheetPermutation {
+  TetrahedronIndex tetrahedron = 0;
+  int face = 0;
+  std::vector<std::uint32_t> images;  ///< [d]
+};
+
 /// A connected cover: tetrahedron t on sheet k has number k T + t and the vertices of t, so the
 /// covering map forgets the sheet. Edge valences are those of the base: nothing is branched.
 struct Cover {
@@ -20,6 +27,9 @@ struct Cover {
   std::size_t deck_group_order = 0;
   /// Of a cyclic cover: its class, in the basis of CyclicClasses. Empty otherwise.
   std::vector<std::int64_t> cyclic_class = {};
+  /// Of other covers: how generators of the fundamental group permute the sheets. The cover is that of
+  /// the subgroup of the loops which begin and end on sheet 0.
+  std::vector<SheetPermutation> permutations = {};
 
   bool is_regular() const { return deck_group_order == degree; }
 };
@@ -47,6 +57,10 @@ SearchEnd for_each_cyclic_cover(const Triangulation& base, std::size_t degree,
 /// Throws InvalidInput as CyclicClasses::shifts, and if the class is not onto.
 Cover cyclic_cover_of_class(const Triangulation& base, std::size_t degree,
                             std::span<const std::int64_t> values);
+
+/// The orientable cover with two sheets of a non-orientable manifold. Throws InvalidInput if the base
+/// is orientable or not connected.
+Cover orientable_double_cover(const Triangulation& base);
 
 /// The cover of an action of the fundamental group.
 Gluings cover_of_action(const Gluings& base, const FundamentalGroup& group,

@@ -29,7 +29,7 @@ bool holds_table(std::string_view text) {
 }
 
 NamedGluings read_isosig(std::string_view text) {
-  return {std::string(detail::trimmed(text)), decode_isosig(text)};
+  return {std::string(detail::trimmed(text)), decode_isosig(text), isosig_sign(text) != 0};
 }
 
 /// The first that matches is taken. A new format is one file and one line here.

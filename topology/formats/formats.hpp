@@ -14,6 +14,10 @@ namespace tripus::topology {
 struct NamedGluings {
   std::string name;  ///< empty if the file has none
   Gluings gluings;
+  /// Whether the labels mean an orientation. A signature without a sign says nothing about it.
+  bool orientation_known = true;
+  /// What was changed or left out in reading it, each a sentence without its full stop.
+  std::vector<std::string> notes = {};
 };
 
 enum class TextFormat {

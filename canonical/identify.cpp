@@ -1,0 +1,48 @@
+#include "canonical/identify.hpp"
+
+#include "topology/isosig.hpp"
+#include "topology/simplify/small_triangulations.hpp"
+
+namespace tripus::canonical {
+namespace {
+
+/// Faces visited before a signature is given up: the manifold is then no small one.
+constexpr std::size_t kWorkLimit = 20'000'000;
+
+}  // namespace
+
+std::string_view to_string(IdentifiedBy by) {
+  switch (by) {
+    case IdentifiedBy::kTriangulation:
+      return "triangulation";
+    case IdentifiedBy::kDecomposition:
+      return "decomposition";
+    case IdentifiedBy::kNothing:
+      break;
+  }
+  return {};
+}
+
+Identification identify(const topology::Triangulation& triangulation, const Census& census,
+                        const CanonizeOptions& options) {
+  if (const auto isosig = topology::isosig(triangulation.gluings(), kWorkLimit)) {
+    if (const CensusEntry* entry = census.find(*isosig))
+      return {entry, IdentifiedBy::kTriangulation, {}};
+  }
+  Identification result;
+  result.answer = canonize(triangulation, options);
+  if (result.answer->manifold) {
+    result.by = IdentifiedBy::kDecomposition;
+    result.entry = census.find(result.answer->manifold->signature.unoriented);
+    return result;
+  }
+  if (!options.retriangulate) return result;
+  for (const auto& small :
+       topology::small_triangulations(triangulation.gluings(), 1, options.solve.stop_requested)) {
+    result.entry = census.find(topology::isosig(small));
+    if (result.entry != nullptr) result.by = IdentifiedBy::kTriangulation;
+  }
+  return result;
+}
+
+}  // namespace tripus::canonical

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "topology/formats/formats.hpp"
+#include "topology/simplify/ideal.hpp"
+
+namespace tripus::cli {
+
+/// Makes a triangulation fit for what is done with it (topology::ideal_triangulation), with a note of
+/// what was changed.
+void make_ideal(topology::NamedGluings& loaded, topology::FiniteVertices finite_vertices);
+
+}  // namespace tripus::cli

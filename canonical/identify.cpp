@@ -23,6 +23,14 @@ std::string_view to_string(IdentifiedBy by) {
   return {};
 }
 
+const CensusEntry* find_simplified(const topology::Triangulation& triangulation,
+                                   const Census& census, const std::atomic<bool>* stop_requested) {
+  for (const auto& small :
+       topology::small_triangulations(triangulation.gluings(), 1, stop_requested))
+    if (const CensusEntry* entry = census.find(topology::isosig(small))) return entry;
+  return nullptr;
+}
+
 Identification identify(const topology::Triangulation& triangulation, const Census& census,
                         const CanonizeOptions& options) {
   if (const auto isosig = topology::isosig(triangulation.gluings(), kWorkLimit)) {
@@ -37,11 +45,8 @@ Identification identify(const topology::Triangulation& triangulation, const Cens
     return result;
   }
   if (!options.retriangulate) return result;
-  for (const auto& small :
-       topology::small_triangulations(triangulation.gluings(), 1, options.solve.stop_requested)) {
-    result.entry = census.find(topology::isosig(small));
-    if (result.entry != nullptr) result.by = IdentifiedBy::kTriangulation;
-  }
+  result.entry = find_simplified(triangulation, census, options.solve.stop_requested);
+  if (result.entry != nullptr) result.by = IdentifiedBy::kTriangulation;
   return result;
 }
 

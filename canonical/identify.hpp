@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <string>
 
@@ -22,6 +23,11 @@ struct Identification {
   IdentifiedBy by = IdentifiedBy::kNothing;
   std::optional<CanonizeAnswer> answer;  ///< if the decomposition was looked for
 };
+
+/// The entry that lists a simplification of the triangulation; null if there is none.
+const CensusEntry* find_simplified(const topology::Triangulation& triangulation,
+                                   const Census& census,
+                                   const std::atomic<bool>* stop_requested = nullptr);
 
 /// Looks a manifold up: by its triangulation, by a simplification of that, by its canonical
 /// decomposition. Throws InvalidInput for triangulations that structure::solve refuses and that are

@@ -26,7 +26,7 @@ std::string as_json(const Subject& subject, const canonical::CanonizeAnswer& ans
     append(out,
            answer.report.certificate ? structure::to_json(*answer.report.certificate) : "null");
     append(out, ", \"advice\": ");
-    append_string(out, advice_text(answer.advice));
+    append_string(out, structure::to_string(answer.advice));
   }
   append(out, ", \"message\": ");
   append_string(out, answer.message);

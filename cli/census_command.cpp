@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "base/output_file.hpp"
 #include "canonical/census.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
@@ -19,13 +20,12 @@
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
-#include "cli/input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/manifold_text.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
-#include "cli/output_file.hpp"
 #include "cli/progress.hpp"
+#include "manifold/load.hpp"
 #include "topology/formats/formats.hpp"
 #include "topology/homology.hpp"
 #include "topology/isosig.hpp"
@@ -118,9 +118,7 @@ void write_text(const std::string& path, const std::string& text) {
     write_output(text);
     return;
   }
-  OutputFile file(path);
-  file.open() << text;
-  file.close();
+  write_file(path, text);
 }
 
 /// Before the work, not after it.

@@ -1,7 +1,7 @@
 #include "cli/census_file.hpp"
 
 #include "base/error.hpp"
-#include "cli/input.hpp"
+#include "manifold/load.hpp"
 
 namespace tripus::cli {
 

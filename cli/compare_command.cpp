@@ -61,7 +61,7 @@ std::string as_json(const CompareCommand& command, const Comparison& comparison)
   append_side(out, "second", command.second, comparison.second);
   if (comparison.advice != structure::Advice::kNone) {
     append(out, ", \"advice\": ");
-    append_string(out, advice_text(comparison.advice));
+    append_string(out, structure::to_string(comparison.advice));
   }
   append(out, ", \"message\": ");
   append_string(out, comparison.message);
@@ -104,8 +104,8 @@ Comparison compare_subjects(const Subject& first, const Subject& second,
 Outcome compare_two(const CompareCommand& command) {
   if (command.common.input == "-" && command.second == "-")
     throw InvalidInput("the two manifolds cannot both come from standard input");
-  const Subject first = load_manifold_subject(command.common.input);
-  const Subject second = load_manifold_subject(command.second);
+  const Subject first = load_manifold_subject(command.common.input, interruptible());
+  const Subject second = load_manifold_subject(command.second, interruptible());
   catch_interrupts();
   canonical::CanonizeOptions options = command.canonize;
   options.solve.stop_requested = &interrupt_requested();

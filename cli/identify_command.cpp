@@ -61,7 +61,7 @@ std::string as_json(const Subject& subject, const Identification& found,
 
 Outcome identify_one(const IdentifyCommand& command, const Census& census,
                      const std::string& input) {
-  const Subject subject = load_solvable_subject(input);
+  const Subject subject = load_solvable_subject(input, interruptible(), require_with_remedy);
   catch_interrupts();
   const Identification found =
       canonical::identify(subject.triangulation, census, command.canonize);

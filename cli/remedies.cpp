@@ -24,7 +24,7 @@ const char* remedy(const topology::Triangulation& triangulation) {
 
 }  // namespace
 
-void require_solvable(const topology::Triangulation& triangulation) {
+void require_with_remedy(const topology::Triangulation& triangulation) {
   try {
     topology::require_solvable(triangulation);
   } catch (const Unsupported& error) {

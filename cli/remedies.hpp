@@ -8,7 +8,7 @@
 namespace tripus::cli {
 
 /// topology::require_solvable, with the command that helps where there is one.
-void require_solvable(const topology::Triangulation& triangulation);
+void require_with_remedy(const topology::Triangulation& triangulation);
 
 /// What to do, by the options of this program; empty for Advice::kNone.
 std::string advice_text(structure::Advice advice);

@@ -11,17 +11,16 @@
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "cli/history_file.hpp"
-#include "cli/input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/lengths_file.hpp"
 #include "cli/metric.hpp"
 #include "cli/numbers.hpp"
-#include "cli/output_file.hpp"
-#include "cli/prepared.hpp"
 #include "cli/progress.hpp"
 #include "cli/remedies.hpp"
 #include "cli/report_text.hpp"
 #include "cli/triangulation_file.hpp"
+#include "manifold/load.hpp"
+#include "manifold/prepared.hpp"
 #include "structure/method.hpp"
 #include "structure/solve.hpp"
 #include "topology/components.hpp"
@@ -118,7 +117,7 @@ Subject component_subject(const std::string& label, const topology::NamedGluings
 Outcome solve_component(const SolveCommandOptions& command, const std::string& component,
                         Subject subject) {
   try {
-    require_solvable(subject.triangulation);
+    require_with_remedy(subject.triangulation);
     return solve_subject(command, std::move(subject));
   } catch (const Unsupported& error) {
     throw Unsupported(component + ": " + error.what());
@@ -129,7 +128,7 @@ Outcome solve_component(const SolveCommandOptions& command, const std::string& c
 
 /// Each connected component by itself, in the order of their first tetrahedra.
 Outcome solve_components(const SolveCommandOptions& command, const std::string& input) {
-  topology::NamedGluings loaded = load_input(input);
+  topology::NamedGluings loaded = load_input(input, interruptible());
   Outcome all;
   std::vector<std::string> answers;
   std::size_t number = 0;
@@ -174,8 +173,9 @@ int run(SolveCommandOptions& command) {
   }
   structure::find_solve_method(command.solve.method, 1);  // a wrong name is wrong for all inputs
   return answer_inputs(command.common, [&](const std::string& input) {
-    return command.components ? solve_components(command, input)
-                              : solve_subject(command, load_solvable_subject(input));
+    return command.components
+               ? solve_components(command, input)
+               : solve_subject(command, load_solvable_subject(input, interruptible(), require_with_remedy));
   });
 }
 

@@ -11,9 +11,11 @@
 
 #include <fmt/format.h>
 
-#include "cli/input.hpp"
+#include "base/output_file.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/remedies.hpp"
 #include "cli/report_text.hpp"
+#include "manifold/load.hpp"
 #include "structure/solve.hpp"
 #include "viewer/web/gallery.hpp"
 #include "viewer/web/page.hpp"
@@ -21,15 +23,6 @@
 
 namespace tripus::cli {
 namespace {
-
-void write_file(const std::string& path, const std::string& text) {
-  errno = 0;
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file)
-    throw InvalidInput("cannot write " + tripus::quoted(path) + ": " + std::strerror(errno));
-}
 
 /// What to call a manifold: its name in the file, or what was typed.
 const std::string& name_of(const Subject& subject) {
@@ -112,7 +105,9 @@ class Gallery {
  private:
   Outcome make(const topology::BatchLine& line, viewer::GalleryEntry& entry) {
     if (line.text == "-") throw InvalidInput(kNoStandardInput);
-    const Solved solved = find_metric(load_solvable_subject(line.text), {}, request_.search);
+    const Solved solved =
+        find_metric(load_solvable_subject(line.text, interruptible(), require_with_remedy), {},
+                    request_.search);
     const Subject& subject = solved.subject;
     const structure::Report& report = solved.report;
     if (!solved.is_geometric()) {

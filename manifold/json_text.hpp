@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 
-namespace tripus::cli {
+namespace tripus {
 
 /// A JSON text in the making. Numbers are printed with the digits that round-trip.
 using JsonText = fmt::memory_buffer;
@@ -40,12 +40,11 @@ void append_numbers(JsonText& out, std::span<const double> values);
 /// {"tripus": ..., "input": ..., the start of every answer; no closing brace.
 void append_header(JsonText& out, std::string_view input);
 
-/// The kind of an error, as in its JSON: usage, invalid-input, unsupported,
-/// interrupted, internal.
+/// The kind of an error, as in its JSON: invalid-input, unsupported, interrupted, system, internal.
 std::string_view error_kind(const std::exception& error);
 
 /// The whole object of an error.
 void append_error(JsonText& out, std::string_view input, std::string_view kind,
                   std::string_view message);
 
-}  // namespace tripus::cli
+}  // namespace tripus

@@ -1,15 +1,20 @@
-#include "cli/prepared.hpp"
+#include "manifold/prepared.hpp"
 
 #include <fmt/format.h>
 
-#include "cli/describe.hpp"
-#include "cli/interrupt.hpp"
+namespace tripus {
+namespace {
 
-namespace tripus::cli {
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
 
-void make_ideal(topology::NamedGluings& loaded, topology::FiniteVertices finite_vertices) {
+}  // namespace
+
+void make_ideal(topology::NamedGluings& loaded, topology::FiniteVertices finite_vertices,
+                const std::atomic<bool>* stop_requested) {
   topology::IdealTriangulation ideal =
-      topology::ideal_triangulation(loaded.gluings, finite_vertices, &interrupt_requested());
+      topology::ideal_triangulation(loaded.gluings, finite_vertices, stop_requested);
   if (!ideal.is_changed()) return;
   std::string what;
   if (ideal.coned_faces > 0)
@@ -26,4 +31,4 @@ void make_ideal(topology::NamedGluings& loaded, topology::FiniteVertices finite_
   loaded.gluings = std::move(ideal.gluings);
 }
 
-}  // namespace tripus::cli
+}  // namespace tripus

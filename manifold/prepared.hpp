@@ -1,14 +1,15 @@
 #pragma once
 
-#include <string>
+#include <atomic>
 
 #include "topology/formats/formats.hpp"
 #include "topology/simplify/ideal.hpp"
 
-namespace tripus::cli {
+namespace tripus {
 
 /// Makes a triangulation fit for what is done with it (topology::ideal_triangulation), with a note of
 /// what was changed.
-void make_ideal(topology::NamedGluings& loaded, topology::FiniteVertices finite_vertices);
+void make_ideal(topology::NamedGluings& loaded, topology::FiniteVertices finite_vertices,
+                const std::atomic<bool>* stop_requested = nullptr);
 
-}  // namespace tripus::cli
+}  // namespace tripus

@@ -1,4 +1,4 @@
-#include "cli/input.hpp"
+#include "manifold/load.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -11,15 +11,13 @@
 
 #include "base/error.hpp"
 #include "canonical/census.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/prepared.hpp"
-#include "cli/remedies.hpp"
+#include "manifold/prepared.hpp"
 #include "meshing/manifold.hpp"
 #include "topology/formats/foreign_names.hpp"
 #include "topology/isosig.hpp"
 #include "topology/triangulation.hpp"
 
-namespace tripus::cli {
+namespace tripus {
 namespace {
 
 /// An error in a content, with where it comes from. Keeps apart what is wrong and what is too much.
@@ -39,7 +37,7 @@ std::optional<topology::NamedGluings> find_in_census(const std::string& name) {
   if (!canonical::is_census_name(name)) return std::nullopt;
   const canonical::CensusEntry* entry = canonical::shipped_census().find(name);
   if (entry == nullptr)
-    throw InvalidInput("there is no " + name + " in the shipped census; see tripus census --help");
+    throw InvalidInput("there is no " + name + " in the shipped census");
   return topology::NamedGluings{name, topology::decode_isosig(entry->triangulations.front()),
                                 false};
 }
@@ -84,8 +82,8 @@ topology::NamedGluings read_single(const std::string& text, const std::string& s
     const topology::TextFormat format = topology::detect_format(text);
     if (format == topology::TextFormat::kJson && is_drawing(text))
       throw InvalidInput(
-          "it is a drawing of a graph in space: tripus tube DRAWING -o surface.off makes the surface "
-          "of its complement, which is an INPUT");
+          "it is a drawing of a graph in space, and no triangulation: make the surface around it first "
+          "(tripus tube DRAWING -o surface.off), which is an INPUT");
     if (format != topology::TextFormat::kUnknown && format != topology::TextFormat::kIsosig)
       return topology::read_triangulation(text);
     const auto lines = topology::read_batch(text);
@@ -117,11 +115,14 @@ std::optional<meshing::MeshFile> read_as_mesh(const std::string& content,
 /// Which manifolds an INPUT may be.
 enum class Wanted { kAny, kManifold, kWithMetric };
 
-topology::NamedGluings solid_of(meshing::MeshFile file, Wanted wanted, const std::string& source) {
+topology::NamedGluings solid_of(meshing::MeshFile file, Wanted wanted, const std::string& source,
+                                const Context& context) {
   return blame(source, [&]() -> topology::NamedGluings {
-    catch_interrupts();
+    context.report("read");
+    const StopFlag stop(context);
     meshing::ManifoldOptions options;
-    options.stop_requested = &interrupt_requested();
+    options.stop_requested = stop.get();
+    options.progress = context.progress;
     meshing::Manifold manifold = meshing::manifold_of(std::move(file), options);
     if (wanted == Wanted::kWithMetric && manifold.has_only_spheres())
       throw InvalidInput(meshing::ball_message(manifold));
@@ -143,13 +144,14 @@ std::string read_all(std::istream& in, const std::string& source) {
   return content;
 }
 
-topology::NamedGluings load_as_given(const std::string& input, Wanted wanted) {
+topology::NamedGluings load_as_given(const std::string& input, Wanted wanted,
+                                     const Context& context) {
   if (input.empty()) throw InvalidInput("the input is empty; give a signature or a file");
   std::error_code status;
   if (input == "-" || std::filesystem::exists(input, status)) {
     const std::string content = read_file(input);
     if (auto mesh = read_as_mesh(content, input))
-      return solid_of(*std::move(mesh), wanted, source_of(input));
+      return solid_of(*std::move(mesh), wanted, source_of(input), context);
     return read_single(content, source_of(input));
   }
   if (auto word = read_word(input)) return *std::move(word);
@@ -158,11 +160,13 @@ topology::NamedGluings load_as_given(const std::string& input, Wanted wanted) {
                      "a name of the census");
 }
 
-topology::NamedGluings load(const std::string& input, Wanted wanted) {
-  topology::NamedGluings loaded = load_as_given(input, wanted);
+topology::NamedGluings load(const std::string& input, Wanted wanted, const Context& context) {
+  topology::NamedGluings loaded = load_as_given(input, wanted, context);
+  const StopFlag stop(context);
   blame(source_of(input), [&] {
     make_ideal(loaded, wanted == Wanted::kAny ? topology::FiniteVertices::kKeep
-                                              : topology::FiniteVertices::kRemove);
+                                              : topology::FiniteVertices::kRemove,
+               stop.get());
   });
   return loaded;
 }
@@ -187,19 +191,22 @@ std::string read_file(const std::string& path) {
   return read_all(file, quoted(path));
 }
 
-topology::NamedGluings load_input(const std::string& input) { return load(input, Wanted::kAny); }
-
-topology::NamedGluings load_manifold_input(const std::string& input) {
-  return load(input, Wanted::kManifold);
+topology::NamedGluings load_input(const std::string& input, const Context& context) {
+  return load(input, Wanted::kAny, context);
 }
 
-topology::NamedGluings load_unconed_input(const std::string& input) {
-  return load_as_given(input, Wanted::kAny);
+topology::NamedGluings load_manifold_input(const std::string& input, const Context& context) {
+  return load(input, Wanted::kManifold, context);
 }
 
-topology::NamedGluings load_solvable_input(const std::string& input) {
-  topology::NamedGluings loaded = load(input, Wanted::kWithMetric);
-  blame(source_of(input), [&] { require_solvable(topology::Triangulation(loaded.gluings)); });
+topology::NamedGluings load_unconed_input(const std::string& input, const Context& context) {
+  return load_as_given(input, Wanted::kAny, context);
+}
+
+topology::NamedGluings load_solvable_input(const std::string& input, const Context& context,
+                                           const Requirement& require) {
+  topology::NamedGluings loaded = load(input, Wanted::kWithMetric, context);
+  blame(source_of(input), [&] { require(topology::Triangulation(loaded.gluings)); });
   return loaded;
 }
 
@@ -211,4 +218,4 @@ std::optional<meshing::MeshFile> load_mesh(const std::string& input) {
   return mesh;
 }
 
-}  // namespace tripus::cli
+}  // namespace tripus

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/context.hpp"
+#include "manifold/json_text.hpp"
+#include "manifold/load.hpp"
+#include "topology/triangulation.hpp"
+
+namespace tripus {
+
+/// A triangulation as it was received.
+struct Subject {
+  std::string input;  ///< as typed
+  std::string name;   ///< from the file, may be empty
+  topology::Triangulation triangulation;
+  std::optional<std::string> isosig;  ///< nothing where it would take too long
+  /// The signature with its sign; nothing where the orientation is not known, and for triangulations
+  /// that are not connected or not orientable.
+  std::optional<std::string> oriented_isosig = {};
+  /// False if the INPUT says nothing about the orientation: a signature without a sign.
+  bool orientation_known = true;
+  std::vector<std::string> notes = {};  ///< what was changed in reading the INPUT
+
+  /// The signature with its sign where there is one.
+  const std::optional<std::string>& best_signature() const {
+    return oriented_isosig ? oriented_isosig : isosig;
+  }
+};
+
+/// Faces visited before the search for a signature is given up: some tenths of a second.
+inline constexpr std::size_t kSignatureWorkLimit = 20'000'000;
+
+/// Loads an INPUT (load_input) and computes its signature.
+Subject load_subject(const std::string& input, const Context& context = {});
+/// The same for what needs a metric; see load_solvable_input.
+Subject load_solvable_subject(const std::string& input, const Context& context = {},
+                              const Requirement& require = topology::require_solvable);
+/// The same without finite vertices; see load_manifold_input.
+Subject load_manifold_subject(const std::string& input, const Context& context = {});
+/// The same for gluings that are already there.
+Subject make_subject(std::string input, topology::NamedGluings loaded);
+/// The same for another triangulation of the subject's manifold, with its name and notes; its
+/// orientation is known if that of the subject is.
+Subject make_subject(const Subject& subject, topology::Gluings gluings);
+
+/// The kind of a vertex link in a word: geodesic, cusp, finite, or unsupported.
+std::string_view link_kind(const topology::VertexLink& link);
+
+/// The keys that `info` and `solve` share: name, isosig, counts, orientable, edge_valences; and notes
+/// where there are any.
+void append_subject(JsonText& out, const Subject& subject);
+
+/// , "oriented_isosig": the signature with its sign, or null.
+void append_oriented(JsonText& out, const Subject& subject);
+
+/// , "vertices": [...]: the links by vertex class.
+void append_vertices(JsonText& out, const topology::Triangulation& triangulation);
+
+/// "edge_classes": [[6] per tetrahedron].
+void append_edge_classes(JsonText& out, const topology::Triangulation& triangulation);
+
+}  // namespace tripus

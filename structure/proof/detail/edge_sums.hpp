@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "structure/proof/proof.hpp"
+
+namespace tripus::structure::detail {
+
+/// A radius made large enough for what a few roundings took from it.
+inline double up(double radius) { return radius * (1 + 0x1p-48) + 0x1p-1000; }
+
+/// A sum of enclosures in doubles.
+struct SumEnclosure {
+  double mid = 0, radius = 0;
+  void add(double m, double r) {
+    mid += m;
+    radius = up(radius + r + std::fabs(mid) * 0x1p-52);
+  }
+};
+
+/// What the tetrahedra around an edge class add up to.
+struct EdgeSum {
+  SumEnclosure angle;
+  double weight = 0;     ///< lower bound of d_e, less a few roundings: see weight_bound
+  std::size_t straight = 0;  ///< corners with angle pi in tetrahedra held flat
+};
+
+/// One pass over the tetrahedra in doubles.
+struct Pass {
+  std::vector<EdgeSum> edges;          // [E]
+  SumEnclosure volume;                 // of those that are not in `unsound`
+  std::vector<std::size_t> unsound;    // tetrahedra that doubles did not prove true over the box
+  bool stopped = false;
+};
+
+/// Encloses every tetrahedron at the lengths and over the box lengths +- box, but for those that
+/// options.flat names and those of `skip` (ascending), which count as unsound at once.
+Pass enclose_all(const topology::Triangulation& triangulation, std::span<const double> lengths,
+                 std::span<const double> box, const ProveOptions& options,
+                 std::span<const std::size_t> skip);
+
+}  // namespace tripus::structure::detail

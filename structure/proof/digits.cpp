@@ -24,6 +24,9 @@ constexpr double kBitsOfDigit = 3.32192809488736235;
 /// Bits beyond the digits: for the condition of the problem, and again if they were too few.
 constexpr long kGuardBits = 96;
 constexpr int kTries = 4;
+constexpr int kExtraDigits = 12;
+/// As in prove.cpp: claimed radii are wider than what was proved.
+constexpr double kMargin = 1 + 0x1p-4;
 
 class ArbMatrix {
  public:
@@ -156,7 +159,7 @@ struct DigitsRun {
       squares = squares + square(K[e]) / Arb(proof.weights[e]);
       volume = volume - 0.5 * (K[e] * x[e]);
     }
-    const Arb g = square_root(squares.upper_end());
+    const Arb g = kMargin * square_root(squares.upper_end());
     for (std::size_t e = 0; e < x.size(); ++e) {
       radii.push_back((g / square_root(Arb(proof.weights[e]))).upper_end());
       const Arb reach = radii[e] + (x[e] - Arb(proof.lengths[e])).magnitude();
@@ -172,13 +175,21 @@ struct DigitsRun {
     return true;
   }
 
-  void write(int digits, std::vector<Arb> radii) {
-    for (std::size_t e = 0; e < x.size(); ++e) {
-      result.lengths.push_back(detail::decimal_near(x[e], digits));
-      const Arb moved = (x[e] - detail::from_decimal(result.lengths[e])).magnitude();
-      result.radii.push_back(detail::decimal_radius(radii[e] + moved, digits + 2));
+  /// Lengths get some more digits than what follows from them, so that the angles of the lengths as
+  /// they are written are known to all the digits wanted. All else is about the lengths as written.
+  void write_lengths(int places) {
+    result.lengths.clear();
+    for (Arb& length : x) {
+      result.lengths.push_back(detail::decimal_near(length, places));
+      length = detail::from_decimal(result.lengths.back());
     }
-    for (std::size_t e = 0; e < x.size(); ++e) x[e] = x[e].widened_by(radii[e]);
+  }
+
+  void write_rest(int digits, const std::vector<Arb>& radii) {
+    for (std::size_t e = 0; e < x.size(); ++e) {
+      result.radii.push_back(detail::decimal_radius(radii[e], digits + kExtraDigits + 2));
+      x[e] = x[e].widened_by(detail::from_decimal(result.radii[e]));
+    }
     result.dihedral_angles.resize(triangulation.tetrahedron_count());
     for_each_tetrahedron([](const auto& l) { return detail::precise_tetrahedron(l, false); },
                          [&](std::size_t t, const auto& found) {
@@ -192,7 +203,7 @@ struct DigitsRun {
   /// Whether everything is known to the digits wanted.
   static bool enough(const std::vector<Arb>& radii, int digits) {
     Arb unit;
-    arb_set_str(unit.get(), fmt::format("1e-{}", digits + 1).c_str(), 64);
+    arb_set_str(unit.get(), fmt::format("1e-{}", digits + kExtraDigits / 2).c_str(), 64);
     for (const Arb& radius : radii)
       if (!(unit - radius).positive()) return false;
     return true;
@@ -205,9 +216,10 @@ struct DigitsRun {
       std::vector<Arb> radii;
       if (!refine(result.bits)) return false;
       const Precision precision(result.bits);
+      write_lengths(digits + kExtraDigits);
       if (!certify(digits, radii)) return false;
       if (!enough(radii, digits)) continue;
-      write(digits, std::move(radii));
+      write_rest(digits, radii);
       return result.reason.empty();
     }
     result.reason = "the precision was not enough for so many digits";

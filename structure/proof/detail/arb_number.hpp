@@ -77,7 +77,13 @@ class Arb {
     mag_clear(extra);
     return result;
   }
-  /// An exact number that no member is above, and one that no absolute value is above.
+  /// An exact number that no member is below;
+  Arb lower_end() const {
+    Arb result;
+    arb_get_lbound_arf(arb_midref(result.x_), x_, Precision::bits());
+    return result;
+  }
+  /// one that no member is above, and one that no absolute value is above.
   Arb upper_end() const {
     Arb result;
     arb_get_ubound_arf(arb_midref(result.x_), x_, Precision::bits());

@@ -136,7 +136,8 @@ void append_numbers_found(std::string& text, const Report& report) {
 }  // namespace
 
 std::string report_as_json(const Subject& subject, const Report& report,
-                           const structure::Retriangulation* retriangulation) {
+                           const structure::Retriangulation* retriangulation,
+                           const structure::ProofText* proof) {
   JsonText out;
   append_header(out, subject.input);
   append_subject(out, subject);
@@ -168,6 +169,7 @@ std::string report_as_json(const Subject& subject, const Report& report,
     append(out, structure::to_json(*report.strict_angles));
   }
   if (retriangulation != nullptr) append_retriangulation(out, *retriangulation);
+  if (proof != nullptr) append(out, ", \"proof\": " + structure::to_json(*proof));
   if (!report.advice.empty()) {
     append(out, ", \"advice\": ");
     append_string(out, report.advice);
@@ -179,7 +181,8 @@ std::string report_as_json(const Subject& subject, const Report& report,
 }
 
 std::string report_as_text(const Subject& subject, const Report& report,
-                           const structure::Retriangulation* retriangulation) {
+                           const structure::Retriangulation* retriangulation,
+                           const structure::ProofText* proof) {
   std::string text = fmt::format("{}: {}\n  {}\n", printable(subject.input),
                                  structure::to_string(report.outcome), report.message);
   if (!report.advice.empty()) text += fmt::format("  {}\n", report.advice);
@@ -188,6 +191,7 @@ std::string report_as_text(const Subject& subject, const Report& report,
   };
   line("triangulation", one_line(subject.triangulation));
   if (retriangulation != nullptr) append_path(text, *retriangulation);
+  if (proof != nullptr) line("proof", structure::proof_message(*proof));
   if (report.certificate) append_certificate(text, *report.certificate);
   const bool meaningful = report.outcome != structure::Outcome::kInfeasible && !report.certificate;
   if (meaningful || report.outcome == structure::Outcome::kDegenerate)

@@ -1,7 +1,9 @@
 // The enclosing kernels. CMake compiles this file once for each instruction set, as batch_kernel.cpp.
+#include <algorithm>
 #include <cfloat>
 #include <cstring>
 
+#include "geometry/detail/double_ball.hpp"
 #include "geometry/detail/enclosure_weights.hpp"
 #include "geometry/enclosure.hpp"
 
@@ -15,6 +17,7 @@ namespace {
 
 constexpr int kEnclosureWidth = TRIPUS_PACK_WIDTH;
 using EnclosureLanes = Pack<kEnclosureWidth>;
+using B = Ball<EnclosureLanes>;
 
 inline EnclosureLanes load_lanes(const double* from) {
   EnclosureLanes x;
@@ -23,34 +26,51 @@ inline EnclosureLanes load_lanes(const double* from) {
 }
 inline void store_lanes(double* to, EnclosureLanes x) { std::memcpy(to, &x, sizeof x); }
 
+/// The volume needs less: from here on in balls of one double.
+B volume_in_balls(const GramEnclosure<DoubleBall<EnclosureLanes>>& precise,
+                  const DoubleBall<EnclosureLanes>& root,
+                  const DoubleBall<EnclosureLanes> (&precise_theta)[6]) {
+  GramEnclosure<B> gram;
+  B theta[6];
+  for (int e = 0; e < 6; ++e) {
+    gram.s[e] = to_ball(precise.s[e]);
+    gram.cofactor[e] = to_ball(precise.cofactor[e]);
+    theta[e] = to_ball(precise_theta[e]);
+  }
+  for (int v = 0; v < 4; ++v) gram.minor[v] = to_ball(precise.minor[v]);
+  gram.minus_det = to_ball(precise.minus_det);
+  return volume_enclosure(gram, to_ball(root), theta);
+}
+
 void enclose_pack(const double* lengths, const double* radii, double* out, bool with_volume) {
   using Lanes = EnclosureLanes;
-  using B = Ball<Lanes>;
   const Lanes zero = broadcast<Lanes>(0.0), limit = broadcast<Lanes>(kEnclosureLimit);
-  B cosh[6], sinh[6], wide_cosh[6], wide_sinh[6];
+  DoubleBall<Lanes> cosh[6], sinh[6];
+  B wide_cosh[6], wide_sinh[6];
   auto sound = zero == zero;
   for (std::size_t e = 0; e < 6; ++e) {
     const Lanes l = load_lanes(lengths + kLanes * e), r = load_lanes(radii + kLanes * e);
     sound &= (l > r) & (l <= limit) & (r >= zero);
-    const auto at = ball_sinh_cosh<Lanes>(minimum(maximum(l, zero), limit));
-    const auto over = widened(at, r);
+    const auto at = double_sinh_cosh<Lanes>(minimum(maximum(l, zero), limit));
     sinh[e] = at.sinh;
     cosh[e] = at.cosh;
+    const auto over = widened<Lanes>({to_ball(at.sinh), to_ball(at.cosh)}, r);
     wide_sinh[e] = over.sinh;
     wide_cosh[e] = over.cosh;
   }
   {
     const auto gram = gram_enclosure(cosh, sinh);
-    sound &= lower(gram.minus_det) > zero;
-    const B root = square_root(gram.minus_det);
-    B theta[6];
+    sound &= lower(to_ball(gram.minus_det)) > zero;
+    const auto root = square_root(gram.minus_det);
+    DoubleBall<Lanes> theta[6];
     angle_enclosures(gram, root, theta);
     for (std::size_t e = 0; e < 6; ++e) {
-      store_lanes(out + kLanes * (kAngleMid + e), theta[e].m);
+      store_lanes(out + kLanes * (kAngleMid + e), theta[e].hi);
+      store_lanes(out + kLanes * (kAngleLow + e), theta[e].lo);
       store_lanes(out + kLanes * (kAngleRadius + e), theta[e].r);
       sound &= theta[e].r < limit;
     }
-    const B volume = with_volume ? volume_enclosure(gram, root, theta) : constant<Lanes>(0, 0);
+    const B volume = with_volume ? volume_in_balls(gram, root, theta) : constant<Lanes>(0, 0);
     store_lanes(out + kLanes * kVolumeMid, volume.m);
     store_lanes(out + kLanes * kVolumeRadius, volume.r);
   }
@@ -67,6 +87,10 @@ void enclose_pack(const double* lengths, const double* radii, double* out, bool 
 
 void enclose(std::size_t blocks, const double* lengths, const double* radii, double* out,
              bool with_volume) {
+  if (!rounds_to_nearest()) {
+    std::fill(out, out + kEnclosed * kLanes * blocks, 0.0);
+    return;
+  }
   for (std::size_t b = 0; b < blocks; ++b)
     for (std::size_t lane = 0; lane < kLanes; lane += kEnclosureWidth)
       enclose_pack(lengths + 6 * kLanes * b + lane, radii + 6 * kLanes * b + lane,

@@ -141,7 +141,7 @@ struct DigitsRun {
     return true;
   }
 
-  /// Theory (84) at x; the radii [E]. Sets the volume.
+  /// Theory (97) at x; the radii [E]. Sets the volume.
   bool certify(int digits, std::vector<Arb>& radii) {
     std::vector<Arb> K = curvature_start();
     Arb volume;

@@ -31,7 +31,7 @@ inline constexpr std::size_t kMostEdgesForDigits = 400;
 /// doubles whose box and weights are used again: Newton's method in Arb finds the lengths, and the
 /// same inequality bounds how far they are from the true ones.
 ///   digits  1 to 100,000
-/// Throws InvalidInput if digits is out of range. Source: docs/theory.md (84).
+/// Throws InvalidInput if digits is out of range. Source: docs/theory.md (97).
 Digits prove_digits(const topology::Triangulation& triangulation, const Proof& proof, int digits,
                     const std::atomic<bool>* stop_requested = nullptr);
 

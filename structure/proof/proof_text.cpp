@@ -128,7 +128,11 @@ std::string to_json(const ProofText& proof) {
 
 bool looks_like_proof(std::string_view text) {
   const json document = json::parse(text, nullptr, false);
-  return document.is_object() && (document.contains("proof") || document.contains("radii"));
+  if (!document.is_object()) return false;
+  if (document.contains("radii")) return true;
+  const auto certificate = document.find("certificate");
+  return document.contains("proof") && (certificate == document.end() || certificate->is_null() ||
+                                        document["proof"].contains("radii"));
 }
 
 ProofText parse_proof(std::string_view text) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cfenv>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -29,9 +30,22 @@ using topology::Triangulation;
 constexpr int kFirstBits = 128;
 constexpr double kFirstBox = 0x1p-30;
 constexpr int kAttempts = 6;
+constexpr double kPiLow = 0x1.1a62633145c07p-53;
 /// The radii that are claimed are wider than those proved by this factor, so that other code, with
 /// other bounds for d_e, can follow.
 constexpr double kMargin = 1 + 0x1p-4;
+
+/// Rounding to nearest while it lives: pairs of doubles rest on it.
+class NearestRounding {
+ public:
+  NearestRounding() : before_(std::fegetround()) { std::fesetround(FE_TONEAREST); }
+  ~NearestRounding() { std::fesetround(before_); }
+  NearestRounding(const NearestRounding&) = delete;
+  NearestRounding& operator=(const NearestRounding&) = delete;
+
+ private:
+  int before_;
+};
 
 /// The work on one triangulation.
 struct Attempt {
@@ -86,7 +100,9 @@ struct Attempt {
   static void add(SumEnclosure& sum, const Arb& term) {
     const double lower = term.lower(), upper = term.upper();
     const double mid = lower + (upper - lower) / 2;
-    sum.add(mid, up(std::max(upper - mid, mid - lower)));
+    const Arb rest = term - Arb(mid);
+    const double low = rest.mid();
+    sum.add(mid, (rest - Arb(low)).magnitude().upper(), low);
   }
 
   bool add_flat(std::size_t t, Pass& pass) {
@@ -117,8 +133,9 @@ struct Attempt {
       }
       SumEnclosure curvature = edge.angle;
       const double straight = static_cast<double>(edge.straight) - 2;
-      curvature.add(straight * std::numbers::pi, std::fabs(straight) * 0x1p-51);
-      const double largest = up(std::fabs(curvature.mid) + curvature.radius);
+      // pi is the sum of two doubles to within 2^-107.
+      curvature.add(straight * std::numbers::pi, std::fabs(straight) * 0x1p-105, straight * kPiLow);
+      const double largest = curvature.magnitude();
       squares = up(squares + up(up(largest * largest) / edge.weight));
     }
     // An ellipsoid a little larger than g, on whose boundary H grows outwards.
@@ -159,16 +176,15 @@ struct Attempt {
     SumEnclosure half_curvature;  // sum of K_e x_e / 2, with K = 2 pi - angles
     for (std::size_t e = 0; e < pass.edges.size(); ++e) {
       SumEnclosure minus_k = pass.edges[e].angle;
-      minus_k.add(-2 * std::numbers::pi, 0x1p-51);
-      const double half = lengths[e] / 2;
-      half_curvature.add(minus_k.mid * half,
-                         up(minus_k.radius * half + std::fabs(minus_k.mid) * half * 0x1p-52));
+      minus_k.add(-2 * std::numbers::pi, 0x1p-104, -2 * kPiLow);
+      const double half = lengths[e] / 2, term = minus_k.value() * half;
+      half_curvature.add(term, up(minus_k.error() * half + std::fabs(term) * 0x1p-52));
     }
     SumEnclosure volume = pass.volume;
-    volume.add(half_curvature.mid, half_curvature.radius);
-    const double below = up(volume.radius + squares / 4 + std::fabs(volume.mid) * 0x1p-51);
-    const double above = up(volume.radius + std::fabs(volume.mid) * 0x1p-51);
-    return {volume.mid - below, volume.mid + above};
+    volume.add(half_curvature);
+    const double below = up(volume.error() + squares / 4), above = volume.error();
+    return {std::nextafter(volume.value() - below, -std::numeric_limits<double>::infinity()),
+            std::nextafter(volume.value() + above, std::numeric_limits<double>::infinity())};
   }
 
   bool run() {
@@ -229,6 +245,7 @@ Proof prove(const Triangulation& triangulation, std::span<const double> lengths,
     }
     proof.box.push_back(kFirstBox * std::min(1.0, l));
   }
+  const NearestRounding nearest;
   for (int k = 0; k < kAttempts && !proof.proved; ++k) {
     proof.proved = attempt.run();
     if (proof.proved) proof.reason.clear();

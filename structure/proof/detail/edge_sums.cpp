@@ -70,12 +70,13 @@ struct EnclosingPass {
       for (std::size_t e = 0; e < 6; ++e) {
         EdgeSum& sum = pass.edges[triangulation.edge_class(first + t, static_cast<int>(e))];
         sum.angle.add(found[(geometry::kAngleMid + e) * kLanes],
-                      found[(geometry::kAngleRadius + e) * kLanes]);
+                      found[(geometry::kAngleRadius + e) * kLanes],
+                      found[(geometry::kAngleLow + e) * kLanes]);
         sum.weight = (sum.weight + found[(geometry::kWeight + e) * kLanes]) * (1 - 0x1p-48);
       }
       volume.add(found[geometry::kVolumeMid * kLanes], found[geometry::kVolumeRadius * kLanes]);
     }
-    pass.volume.add(volume.mid, volume.radius);
+    pass.volume.add(volume);
   }
 
   void run() {

@@ -191,7 +191,7 @@ TEST(Proofs, GiveManyDigitsOnEveryTriangulation) {
     const Digits digits = prove_digits(one.triangulation, one.proof, 40);
     ASSERT_TRUE(digits.proved) << one.signature << ": " << digits.reason;
     for (std::size_t e = 0; e < digits.lengths.size(); ++e)
-      EXPECT_LE(std::fabs(std::stod(digits.lengths[e]) - one.proof.lengths[e]),
+      EXPECT_LE(std::fabs(std::stold(digits.lengths[e]) - static_cast<long double>(one.proof.lengths[e])),
                 one.proof.radii[e]);
     EXPECT_TRUE(check_proof(one.triangulation, proof_text(one.proof, &digits))) << one.signature;
   }

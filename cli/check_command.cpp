@@ -7,8 +7,9 @@
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/input.hpp"
-#include "cli/json.hpp"
+#include "cli/interrupt.hpp"
+#include "manifold/json_text.hpp"
+#include "manifold/load.hpp"
 #include "structure/certificate.hpp"
 #include "structure/proof/proof_text.hpp"
 
@@ -55,7 +56,7 @@ std::string proof_as_json(const std::string& input, const structure::ProofText& 
 Outcome check_one_proof(const CheckOptions& options, const std::string& text) {
   const structure::ProofText proof =
       parse_file(options.certificate, text, structure::parse_proof);
-  const topology::Triangulation triangulation(load_input(options.input).gluings);
+  const topology::Triangulation triangulation(load_input(options.input, interruptible()).gluings);
   const structure::ProofCheck result = structure::check_proof(triangulation, proof);
   return {options.json ? proof_as_json(options.input, proof, result)
                        : proof_verdict(proof, result) + "\n",
@@ -92,7 +93,7 @@ Outcome check_one(const CheckOptions& options) {
   if (structure::looks_like_proof(text)) return check_one_proof(options, text);
   const Certificate certificate =
       parse_file(options.certificate, text, structure::parse_certificate);
-  const topology::Triangulation triangulation(load_input(options.input).gluings);
+  const topology::Triangulation triangulation(load_input(options.input, interruptible()).gluings);
   const structure::CheckResult result = structure::check(triangulation, certificate);
   return {options.json ? as_json(options.input, certificate, result)
                        : verdict(certificate, result) + "\n",

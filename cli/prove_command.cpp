@@ -1,6 +1,5 @@
 // tripus prove: a proof that the metric exists, with every rounding accounted for.
 #include <memory>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -39,19 +38,15 @@ std::string proof_table(const structure::ProofText& proof) {
 }
 
 Outcome prove_one(const ProveCommandOptions& command, const std::string& input) {
-  const Subject subject = load_solvable_subject(input);
-  catch_interrupts();
+  const Subject subject = load_solvable_subject(input, interruptible());
   structure::SolveOptions solve;
   solve.stop_requested = &interrupt_requested();
   if (command.time_limit > 0) solve.time_limit = command.time_limit;
   structure::Report report = structure::solve(subject.triangulation, solve);
-  structure::ProveOptions options;
-  options.stop_requested = &interrupt_requested();
-  if (command.common.batch.empty())
-    options.threads = command.common.threads == 0 ? std::thread::hardware_concurrency()
-                                                  : command.common.threads;
+  Context context = interruptible();
+  context.threads = command.common.batch.empty() ? command.common.threads : 1;
   const structure::ProofText proof =
-      structure::prove_report(subject.triangulation, report, command.digits, options);
+      structure::prove_report(subject.triangulation, report, command.digits, context);
   const bool metric = proof.proved && proof.claim == structure::Proof::Claim::kMetric;
   if (command.common.json) {
     report.message = structure::proof_message(proof);

@@ -48,12 +48,12 @@ class ArbMatrix {
 struct DigitsRun {
   const Triangulation& triangulation;
   const Proof& proof;
-  const std::atomic<bool>* stop_requested;
+  const Context& context;
   std::vector<Arb> x{};  // [E] exact
   Digits result{};
 
   bool stopped() {
-    if (stop_requested == nullptr || !*stop_requested) return false;
+    if (!context.stop_requested() && !context.expired()) return false;
     result.reason = "stopped before it was decided";
     return true;
   }
@@ -230,10 +230,10 @@ struct DigitsRun {
 }  // namespace
 
 Digits prove_digits(const Triangulation& triangulation, const Proof& proof, int digits,
-                    const std::atomic<bool>* stop_requested) {
+                    const Context& context) {
   if (digits < 1 || digits > kMostDigits)
     throw InvalidInput(fmt::format("{} digits; there can be 1 to {}", digits, kMostDigits));
-  DigitsRun run{triangulation, proof, stop_requested};
+  DigitsRun run{triangulation, proof, context};
   if (!proof.proved || proof.claim != Proof::Claim::kMetric) {
     run.result.reason = proof.proved ? "there is no metric" : proof.reason;
   } else if (triangulation.edge_count() > kMostEdgesForDigits) {

@@ -33,6 +33,6 @@ inline constexpr std::size_t kMostEdgesForDigits = 400;
 ///   digits  1 to 100,000
 /// Throws InvalidInput if digits is out of range. Source: docs/theory.md (97).
 Digits prove_digits(const topology::Triangulation& triangulation, const Proof& proof, int digits,
-                    const std::atomic<bool>* stop_requested = nullptr);
+                    const Context& context = {});
 
 }  // namespace tripus::structure

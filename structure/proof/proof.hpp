@@ -1,11 +1,11 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/context.hpp"
 #include "topology/triangulation.hpp"
 
 namespace tripus::structure {
@@ -39,20 +39,18 @@ struct Proof {
 };
 
 struct ProveOptions {
-  unsigned threads = 1;
   bool volume = true;
   int most_bits = 4096;            ///< beyond this precision a tetrahedron is given up
-  std::vector<std::size_t> flat;   ///< tetrahedra to hold flat, ascending: claim kFlat
-  const std::atomic<bool>* stop_requested = nullptr;  ///< polled; a stopped proof is not proved
+  std::vector<std::size_t> flat;  ///< tetrahedra to hold flat, ascending: claim kFlat
 };
 
 /// Tries to prove that there is a metric within rounding of these lengths, or, with `flat`, a
 /// minimiser with flat tetrahedra. Time and memory are linear in the number of tetrahedra; the
-/// result does not depend on the number of threads.
+/// result does not depend on the number of threads. A proof that is stopped is not proved.
 ///   lengths  [E]  finite, > 0, as structure::solve finds them; any others are refused by `reason`
 /// Throws InvalidInput for a triangulation outside the domain (topology::require_solvable) and for a
 /// wrong number of lengths. Source: docs/theory.md section 9.
 Proof prove(const topology::Triangulation& triangulation, std::span<const double> lengths,
-            const ProveOptions& options = {});
+            const ProveOptions& options = {}, const Context& context = {});
 
 }  // namespace tripus::structure

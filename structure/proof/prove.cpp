@@ -51,6 +51,7 @@ class NearestRounding {
 struct Attempt {
   const Triangulation& triangulation;
   const ProveOptions& options;
+  const Context& context;
   std::span<const double> lengths;
   Proof proof{};
   std::vector<std::size_t> precise{};  ///< tetrahedra that go to Arb at once, ascending
@@ -191,11 +192,11 @@ struct Attempt {
     proof.bits = 53;
     proof.escalated = 0;
     box_too_large = false;
-    Pass pass = detail::enclose_all(triangulation, lengths, proof.box, options, precise);
+    Pass pass = detail::enclose_all(triangulation, lengths, proof.box, options, precise, context);
     for (const std::size_t t : options.flat)
       if (!pass.stopped && !add_flat(t, pass)) return false;
     for (std::size_t k = 0; k < pass.unsound.size() && !pass.stopped; ++k) {
-      if (k % 64 == 0 && options.stop_requested != nullptr) pass.stopped = *options.stop_requested;
+      pass.stopped = context.stop_requested() || context.expired();
       if (!pass.stopped && !add_precise(pass.unsound[k], pass)) return false;
     }
     if (pass.stopped) return refuse("stopped before it was decided");
@@ -225,13 +226,13 @@ double Proof::largest_radius() const {
 }
 
 Proof prove(const Triangulation& triangulation, std::span<const double> lengths,
-            const ProveOptions& options) {
+            const ProveOptions& options, const Context& context) {
   topology::require_solvable(triangulation);
   if (lengths.size() != triangulation.edge_count()) {
     throw InvalidInput(fmt::format("{} lengths for {} edge classes", lengths.size(),
                                    triangulation.edge_count()));
   }
-  Attempt attempt{triangulation, options, lengths};
+  Attempt attempt{triangulation, options, context, lengths};
   Proof& proof = attempt.proof;
   proof.claim = options.flat.empty() ? Proof::Claim::kMetric : Proof::Claim::kFlat;
   proof.flat = options.flat;
@@ -249,7 +250,7 @@ Proof prove(const Triangulation& triangulation, std::span<const double> lengths,
   for (int k = 0; k < kAttempts && !proof.proved; ++k) {
     proof.proved = attempt.run();
     if (proof.proved) proof.reason.clear();
-    if (options.stop_requested != nullptr && *options.stop_requested) break;
+    if (context.stop_requested() || context.expired()) break;
     if (!proof.proved && !adjust(attempt, lengths, proof.box)) break;
   }
   return proof;

@@ -25,18 +25,18 @@ std::string common_digits(const DecimalInterval& interval) {
 }  // namespace
 
 ProofText prove_report(const topology::Triangulation& triangulation, const Report& report,
-                       int digits, const ProveOptions& options) {
+                       int digits, const Context& context) {
   if (report.outcome == Outcome::kGeometric) {
-    const Proof proof = prove(triangulation, report.edge_lengths, options);
+    const Proof proof = prove(triangulation, report.edge_lengths, {}, context);
     if (digits == 0 || !proof.proved) return proof_text(proof);
-    const Digits found = prove_digits(triangulation, proof, digits, options.stop_requested);
+    const Digits found = prove_digits(triangulation, proof, digits, context);
     return proof_text(proof, &found);
   }
   if (report.outcome == Outcome::kDegenerate) {
-    ProveOptions flat = options;
+    ProveOptions flat;
     flat.volume = false;
     flat.flat = report.flat_tetrahedra;
-    return proof_text(prove(triangulation, report.edge_lengths, flat));
+    return proof_text(prove(triangulation, report.edge_lengths, flat, context));
   }
   ProofText none;
   none.reason = report.certificate

@@ -11,7 +11,7 @@ namespace tripus::structure {
 /// tetrahedra where it is degenerate; otherwise not proved, with the reason.
 ///   digits  0 for doubles, else as prove_digits
 ProofText prove_report(const topology::Triangulation& triangulation, const Report& report,
-                       int digits = 0, const ProveOptions& options = {});
+                       int digits = 0, const Context& context = {});
 
 /// One sentence for a person: what is proved, or why not.
 std::string proof_message(const ProofText& proof);

@@ -82,9 +82,9 @@ TEST(Proofs, ContainTheVolumesOfTheTables) {
 TEST(Proofs, DoNotDependOnTheNumberOfThreads) {
   const auto all = proved_of("triangulations-3.txt", 50);
   for (const Geometric& one : all) {
-    ProveOptions options;
-    options.threads = 3;
-    const Proof again = prove(one.triangulation, one.report.edge_lengths, options);
+    Context context;
+    context.threads = 3;
+    const Proof again = prove(one.triangulation, one.report.edge_lengths, {}, context);
     EXPECT_EQ(again.radii, one.proof.radii);
     EXPECT_EQ(again.volume.lower, one.proof.volume.lower);
   }

@@ -29,6 +29,7 @@ struct EnclosingPass {
   std::span<const double> lengths, box;
   const ProveOptions& options;
   std::span<const std::size_t> skip;
+  const Context& context;
   Pass pass{};
 
   std::size_t chunk_size(std::size_t first) const {
@@ -82,12 +83,14 @@ struct EnclosingPass {
   void run() {
     const std::size_t count = triangulation.tetrahedron_count();
     const std::size_t chunks = (count + kTetrahedraOfChunk - 1) / kTetrahedraOfChunk;
+    const std::size_t wanted =
+        context.threads != 0 ? context.threads : std::thread::hardware_concurrency();
     const std::size_t threads =
-        std::clamp<std::size_t>(options.threads, 1, std::max<std::size_t>(1, chunks / 2));
+        std::clamp<std::size_t>(wanted, 1, std::max<std::size_t>(1, chunks / 2));
     std::vector<Chunk> wave(std::min(chunks, threads == 1 ? 1 : threads * kChunksOfThread),
                             Chunk(geometry::block_count(std::min(count, kTetrahedraOfChunk))));
     for (std::size_t begin = 0; begin < chunks; begin += wave.size()) {
-      if (options.stop_requested != nullptr && *options.stop_requested) {
+      if (context.stop_requested() || context.expired()) {
         pass.stopped = true;
         return;
       }
@@ -111,8 +114,8 @@ struct EnclosingPass {
 
 Pass enclose_all(const Triangulation& triangulation, std::span<const double> lengths,
                  std::span<const double> box, const ProveOptions& options,
-                 std::span<const std::size_t> skip) {
-  EnclosingPass run{triangulation, lengths, box, options, skip};
+                 std::span<const std::size_t> skip, const Context& context) {
+  EnclosingPass run{triangulation, lengths, box, options, skip, context};
   run.pass.edges.resize(triangulation.edge_count());
   run.run();
   return std::move(run.pass);

@@ -50,6 +50,6 @@ struct Pass {
 /// options.flat names and those of `skip` (ascending), which count as unsound at once.
 Pass enclose_all(const topology::Triangulation& triangulation, std::span<const double> lengths,
                  std::span<const double> box, const ProveOptions& options,
-                 std::span<const std::size_t> skip);
+                 std::span<const std::size_t> skip, const Context& context);
 
 }  // namespace tripus::structure::detail

@@ -7,7 +7,7 @@
 ///
 /// Sums and products of doubles are exact as a pair of doubles only if rounding is to nearest:
 /// `rounds_to_nearest` must hold where these are used. What is left out of sums and products is of
-/// second order, and bounded in docs/theory.md (91'). Quotients, roots and functions end in a small
+/// second order, and bounded in docs/theory.md (90'). Quotients, roots and functions end in a small
 /// correction that is an ordinary ball.
 namespace tripus::geometry {
 namespace {

@@ -34,8 +34,8 @@ struct CensusCheck {
   bool stopped = false;
 };
 
-/// Checks by structure::check_proof that every manifold of the census has a valid proof on one of its
-/// triangulations, and that its volume is the one that the census says, to its last digit.
+/// Checks by structure::check_proof that every manifold of the census has a valid proof on one of
+/// its triangulations, and that its volume is the one that the census says, to its last digit.
 CensusCheck check_census(const Census& census, const std::vector<CensusProof>& proofs,
                          const Context& context = {});
 

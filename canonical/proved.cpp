@@ -41,9 +41,9 @@ CanonicalProof prove_canonical(const CanonicalManifold& manifold, const Context&
     }
   result.proved = result.unproved.empty();
   if (!result.proved)
-    result.reason = fmt::format("the tilt sum is not proved to be negative at {} {}",
-                                result.unproved.size() == 1 ? "face" : "faces",
-                                named(result.unproved));
+    result.reason =
+        fmt::format("the tilt sum is not proved to be negative at {} {}",
+                    result.unproved.size() == 1 ? "face" : "faces", named(result.unproved));
   return result;
 }
 
@@ -56,9 +56,8 @@ ComparisonProof prove_comparison(const Comparison& comparison, const Context& co
   const CanonicalProof b = prove_canonical(*comparison.second, context);
   if (!a.metric.proved || !b.metric.proved)
     return {false, "", a.metric.proved ? b.reason : a.reason};
-  if (comparison.verdict == Verdict::kDifferent &&
-      (a.metric.volume.upper < b.metric.volume.lower ||
-       b.metric.volume.upper < a.metric.volume.lower))
+  if (comparison.verdict == Verdict::kDifferent && (a.metric.volume.upper < b.metric.volume.lower ||
+                                                    b.metric.volume.upper < a.metric.volume.lower))
     return {true, "volume", ""};
   if (by == "decomposition" && a.proved && b.proved) return {true, by, ""};
   return {false, "",

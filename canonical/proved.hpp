@@ -14,13 +14,13 @@ struct FaceOfTetrahedron {
   int face = 0;
 };
 
-/// What is proved about a canonical decomposition. Proved: the metric is, and every face is true, so
-/// that all cells are tetrahedra. Faces with the tilt sum 0, which lie inside larger cells, are not
-/// proved by enclosures: they are named.
+/// What is proved about a canonical decomposition. Proved: the metric is, and every face is true,
+/// so that all cells are tetrahedra. Faces with the tilt sum 0, which lie inside larger cells, are
+/// not proved by enclosures: they are named.
 struct CanonicalProof {
   bool proved = false;
-  std::string reason;          ///< why not; empty if proved
-  structure::Proof metric;     ///< on CanonicalManifold::triangulation
+  std::string reason;                       ///< why not; empty if proved
+  structure::Proof metric;                  ///< on CanonicalManifold::triangulation
   std::vector<FaceOfTetrahedron> unproved;  ///< faces whose sign is not proved, from one side
 };
 

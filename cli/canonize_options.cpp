@@ -30,8 +30,7 @@ const char* const kCanonicalStatusHelp =
 
 void add_canonical_verb(CLI::App& program, const char* name, const char* description,
                         Command& chosen,
-                        Outcome (*answer)(const CanonicalCommand& command,
-                                          const Subject& subject),
+                        Outcome (*answer)(const CanonicalCommand& command, const Subject& subject),
                         bool can_prove) {
   CLI::App* verb = program.add_subcommand(name, description);
   auto command = std::make_shared<CanonicalCommand>();
@@ -39,7 +38,8 @@ void add_canonical_verb(CLI::App& program, const char* name, const char* descrip
   add_common_options(*verb, command->common);
   add_canonize_options(*verb, command->canonize);
   if (can_prove)
-    add_prove_option(*verb, command->prove, "also prove the decomposition, or name the faces that are not");
+    add_prove_option(*verb, command->prove,
+                     "also prove the decomposition, or name the faces that are not");
   verb->footer(std::string(kInputHelp) + "\n" + kCanonicalStatusHelp);
   verb->final_callback([command, answer, &chosen] {
     chosen = [command, answer] {

@@ -237,16 +237,15 @@ int check_proofs(const CensusCommand& command) {
   if (!command.in.empty()) loaded = load_census(command.in);
   const Census& census = loaded ? *loaded : canonical::shipped_census();
   std::optional<std::vector<canonical::CensusProof>> proofs;
-  if (!command.proofs.empty())
-    proofs = canonical::parse_census_proofs(read_file(command.proofs));
+  if (!command.proofs.empty()) proofs = canonical::parse_census_proofs(read_file(command.proofs));
   Context context = interruptible();
   context.threads = command.classify.threads;
   const canonical::CensusCheck check = canonical::check_census(
       census, proofs ? *proofs : canonical::shipped_census_proofs(), context);
   if (check.stopped) write_message("tripus: interrupted before all proofs were checked\n");
   for (const std::string& failure : check.failures) write_output(printable(failure) + "\n");
-  write_output(fmt::format("{} of {} manifolds have a valid proof\n", check.valid,
-                           census.manifolds.size()));
+  write_output(
+      fmt::format("{} of {} manifolds have a valid proof\n", check.valid, census.manifolds.size()));
   return check.failures.empty() && !check.stopped ? kSuccess : kNoAnswer;
 }
 

@@ -54,8 +54,7 @@ std::string proof_as_json(const std::string& input, const structure::ProofText& 
 }
 
 Outcome check_one_proof(const CheckOptions& options, const std::string& text) {
-  const structure::ProofText proof =
-      parse_file(options.certificate, text, structure::parse_proof);
+  const structure::ProofText proof = parse_file(options.certificate, text, structure::parse_proof);
   const topology::Triangulation triangulation(load_input(options.input, interruptible()).gluings);
   const structure::ProofCheck result = structure::check_proof(triangulation, proof);
   return {options.json ? proof_as_json(options.input, proof, result)
@@ -119,7 +118,8 @@ void add_check(CLI::App& program, Command& chosen) {
   verb->footer(
       "A certificate proves that a triangulation has no strict angle structure, so that it "
       "carries\n"
-      "no metric, by integers alone: docs/theory.md (43). A proof (of `prove --json`) is checked in Arb's\n"
+      "no metric, by integers alone: docs/theory.md (43). A proof (of `prove --json`) is checked "
+      "in Arb's\n"
       "ball arithmetic, by code that shares nothing with the prover: docs/proof.md.\n\n"
       "Exit status: 0 valid, 1 not valid (the message says which inequality fails), 2 bad usage "
       "or\n"

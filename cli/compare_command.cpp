@@ -80,9 +80,9 @@ std::string as_text(const Comparison& comparison, const canonical::ComparisonPro
   if (comparison.isometry)
     text += fmt::format("  {:<14}{}\n", "isometry", cell_map_as_text(*comparison.isometry));
   if (proof != nullptr)
-    text += fmt::format("  {:<14}{}\n", "proof",
-                        proof->proved ? "proved by " + proof->by
-                                      : "not proved: " + proof->reason + ".");
+    text += fmt::format(
+        "  {:<14}{}\n", "proof",
+        proof->proved ? "proved by " + proof->by : "not proved: " + proof->reason + ".");
   return text;
 }
 

@@ -31,7 +31,8 @@ std::string proof_table(const structure::ProofText& proof) {
   text += "  edge class  length, an exact number, and how far the true one can be from it\n";
   for (std::size_t e = 0; e < proof.lengths.size(); ++e) {
     if (e == kRows)
-      return text + fmt::format("  ... ({} in all; --json prints every one)\n", proof.lengths.size());
+      return text +
+             fmt::format("  ... ({} in all; --json prints every one)\n", proof.lengths.size());
     text += fmt::format("  {:>10}  {} +- {}\n", e, proof.lengths[e], proof.radii[e]);
   }
   return text;
@@ -62,8 +63,8 @@ Outcome prove_one(const ProveCommandOptions& command, const std::string& input) 
 }  // namespace
 
 void add_prove(CLI::App& program, Command& chosen) {
-  CLI::App* verb =
-      program.add_subcommand("prove", "a proof that the metric exists, to as many digits as wanted");
+  CLI::App* verb = program.add_subcommand(
+      "prove", "a proof that the metric exists, to as many digits as wanted");
   auto command = std::make_shared<ProveCommandOptions>();
   add_common_options(*verb, command->common);
   verb->add_option("--digits", command->digits,
@@ -77,7 +78,8 @@ void add_prove(CLI::App& program, Command& chosen) {
       ->check(positive_number());
   verb->footer(
       std::string(kInputHelp) +
-      "\n\"Proved\" accounts for every rounding: docs/theory.md section 9 and docs/proof.md. `tripus "
+      "\n\"Proved\" accounts for every rounding: docs/theory.md section 9 and docs/proof.md. "
+      "`tripus "
       "check`\nverifies what --json prints by other code.\n\n"
       "Exit status: 0 proved geometric (for --batch: the run finished), 1 proved to carry no "
       "metric, or\nnot proved (the message says why), 2 bad usage or bad input, 3 a failure of the "

@@ -2,13 +2,13 @@
 
 #include "geometry/edge_frames.hpp"
 
-/// One truncated tetrahedron in numbers that enclose: docs/theory.md section 2 and 3, written once for
-/// balls of doubles, packs of them and Arb's balls. The forms are those of detail/gram_kernel.hpp,
-/// in which little cancels; where it chooses between two forms of the same polynomial, midpoints
-/// decide, and either form encloses.
+/// One truncated tetrahedron in numbers that enclose: docs/theory.md section 2 and 3, written once
+/// for balls of doubles, packs of them and Arb's balls. The forms are those of
+/// detail/gram_kernel.hpp, in which little cancels; where it chooses between two forms of the same
+/// polynomial, midpoints decide, and either form encloses.
 ///
-/// A number type N has + - * /, unary -, a double in front of *, `square`, `square_root`, `angle_of`
-/// (y, x), `clausen`, `number_pi(N)`, `larger` (a mask, by midpoints) and `select`.
+/// A number type N has + - * /, unary -, a double in front of *, `square`, `square_root`,
+/// `angle_of` (y, x), `clausen`, `number_pi(N)`, `larger` (a mask, by midpoints) and `select`.
 namespace tripus::geometry {
 
 /// What the Gram matrix of six lengths gives.
@@ -94,8 +94,7 @@ void jacobian_enclosure(const GramEnclosure<N>& g, const N& root, N* jacobian) {
     const N &ik = g.c[kEdgeBetween[f.i][f.k]], &il = g.c[kEdgeBetween[f.i][f.l]];
     const N &jk = g.c[kEdgeBetween[f.j][f.k]], &jl = g.c[kEdgeBetween[f.j][f.l]];
     const N along = (g.c[a] + il * jl) * ratio[f.k] + (g.c[a] + ik * jk) * ratio[f.l];
-    const N spread =
-        (g.product[own] - g.product[next]) + (g.product[own] - g.product[last]);
+    const N spread = (g.product[own] - g.product[next]) + (g.product[own] - g.product[last]);
     jacobian[packed_index(a, a)] = (spread + g.cofactor[a] * along) * inverse_root;
     for (int b = a + 1; b < 6; ++b) {
       const N scale = (g.s[a] * g.s[b]) * inverse_root;
@@ -157,10 +156,10 @@ N volume_enclosure(const GramEnclosure<N>& g, const N& root, const N (&theta)[6]
   return 0.25 * sum;
 }
 
-/// Whether the symmetric matrix A - shift I is positive definite for every member of A, packed [21]:
-/// all pivots of its factorisation without roots are. `least` of a pivot is its lower bound.
-/// Returns the smallest lower bound of a pivot: > 0 proves it, anything else does not. A pivot that is
-/// NaN makes all that follow NaN, and so the result.
+/// Whether the symmetric matrix A - shift I is positive definite for every member of A, packed
+/// [21]: all pivots of its factorisation without roots are. `least` of a pivot is its lower bound.
+/// Returns the smallest lower bound of a pivot: > 0 proves it, anything else does not. A pivot that
+/// is NaN makes all that follow NaN, and so the result.
 template <class N, class Least>
 auto smallest_pivot(const N* A, const N& shift, Least least) {
   N work[6][6];

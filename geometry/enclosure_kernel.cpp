@@ -1,4 +1,5 @@
-// The enclosing kernels. CMake compiles this file once for each instruction set, as batch_kernel.cpp.
+// The enclosing kernels. CMake compiles this file once for each instruction set, as
+// batch_kernel.cpp.
 #include <algorithm>
 #include <cfloat>
 #include <cstring>

@@ -1,6 +1,6 @@
-// Triangulations all of whose edge classes have valence 6 or more: do they carry the metric? Costantino,
-// Frigerio, Martelli and Petronio asked, and proved that the manifold is hyperbolic. Every answer "yes"
-// here is a proof for that triangulation (docs/theory.md section 9).
+// Triangulations all of whose edge classes have valence 6 or more: do they carry the metric?
+// Costantino, Frigerio, Martelli and Petronio asked, and proved that the manifold is hyperbolic.
+// Every answer "yes" here is a proof for that triangulation (docs/theory.md section 9).
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -121,12 +121,13 @@ Findings valence_findings(const std::vector<Table>& tables) {
   findings.paragraph =
       total.all == 0
           ? "No input has edge classes of these valences only."
-          : fmt::format("Of the triangulations whose edge classes all have the valences asked for, "
-                        "{} are proved to carry the metric: {}.{}",
-                        total.proved == total.all ? "all" : "not all", by_size,
-                        total.proved == total.all
-                            ? ""
-                            : " The table says for each of the others why it is not proved.");
+          : fmt::format(
+                "Of the triangulations whose edge classes all have the valences asked for, "
+                "{} are proved to carry the metric: {}.{}",
+                total.proved == total.all ? "all" : "not all", by_size,
+                total.proved == total.all
+                    ? ""
+                    : " The table says for each of the others why it is not proved.");
   return findings;
 }
 

@@ -4,8 +4,8 @@
 #include "geometry/detail/elementary.hpp"
 
 /// Elementary functions of balls: series with a bound for what is left out, evaluated in balls, so
-/// that nothing has to be said about rounding. The bounds are proved in docs/theory.md, section 9.2.
-/// Arguments outside of a series' range get an infinite radius.
+/// that nothing has to be said about rounding. The bounds are proved in docs/theory.md,
+/// section 9.2. Arguments outside of a series' range get an infinite radius.
 namespace tripus::geometry {
 namespace {
 
@@ -16,7 +16,8 @@ inline Ball<Real> number_like(double value, const Ball<Real>&) {
 }
 
 inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
-inline constexpr double kRoundToInteger = 0x1.8p52;  // adding it rounds; the integer is in the low bits
+inline constexpr double kRoundToInteger =
+    0x1.8p52;  // adding it rounds; the integer is in the low bits
 
 /// `tail` where the bound of the argument holds, else infinity.
 template <class Real>
@@ -63,10 +64,27 @@ inline SinhCosh<Ball<Real>> ball_sinh_cosh(Real x) {
   const Ball<Real> low = constant<Real>(0x1.ef35793c76730p-45, 0x1p-97);
   const Ball<Real> r = (exactly(x) - high) - exactly(k) * low;
 
-  constexpr double kFactorial[21] = {1, 1, 2, 6, 24, 120, 720, 5040, 40320, 362880, 3628800,
-                                     39916800, 479001600, 6227020800, 87178291200,
-                                     1307674368000, 20922789888000, 355687428096000,
-                                     6402373705728000, 121645100408832000, 2432902008176640000};
+  constexpr double kFactorial[21] = {1,
+                                     1,
+                                     2,
+                                     6,
+                                     24,
+                                     120,
+                                     720,
+                                     5040,
+                                     40320,
+                                     362880,
+                                     3628800,
+                                     39916800,
+                                     479001600,
+                                     6227020800,
+                                     87178291200,
+                                     1307674368000,
+                                     20922789888000,
+                                     355687428096000,
+                                     6402373705728000,
+                                     121645100408832000,
+                                     2432902008176640000};
   Ball<Real> p = reciprocal_of<Real>(kFactorial[20]);
   for (int n = 19; n >= 2; --n) p = p * r + reciprocal_of<Real>(kFactorial[n]);
   p.r = (p.r + tail_within(r.m, 1.05, 1e-19)) * kUp;
@@ -101,8 +119,7 @@ inline Ball<Real> angle_of(const Ball<Real>& y, const Ball<Real>& x) {
   angle.m = y.m < zero ? -angle.m : angle.m;
 
   const Real both = (x.r + y.r) * kUp;
-  const Real least =
-      (ax * ax + ay * ay) * (2 - kUp) - (2 * both * (ax + ay) + kTiny) * kUp;
+  const Real least = (ax * ax + ay * ay) * (2 - kUp) - (2 * both * (ax + ay) + kTiny) * kUp;
   const Real change = ((ay + y.r) * x.r + (ax + x.r) * y.r) * kUp / (least * (2 - kUp));
   angle.r = (angle.r + (least > zero ? change : one * kInfinite)) * kUp;
   return angle;
@@ -147,9 +164,7 @@ inline constexpr double kClausenNearPi[16] = {
 
 template <class Real>
 inline Ball<Real> clausen_series(const double (&coefficient)[16], const Ball<Real>& u) {
-  const auto term = [&](int n) {
-    return constant<Real>(coefficient[n], coefficient[n] * kUnit);
-  };
+  const auto term = [&](int n) { return constant<Real>(coefficient[n], coefficient[n] * kUnit); };
   Ball<Real> p = term(15);
   for (int n = 14; n >= 0; --n) p = p * u + term(n);
   return p;
@@ -189,8 +204,7 @@ inline Ball<Real> clausen(const Ball<Real>& x) {
 
   // |Cl2'| <= max(ln 2, ln(pi / a)) within a / 2 of a; next to 0 the values themselves are small.
   const Real rho = (folded.r + magnitude(a.m - folded.m) + kTiny) * kUp;
-  const Real slope =
-      maximum(broadcast<Real>(0.694), (1.15 - (log_a.m - log_a.r)) * kUp);
+  const Real slope = maximum(broadcast<Real>(0.694), (1.15 - (log_a.m - log_a.r)) * kUp);
   const Real least = maximum(rho, broadcast<Real>(0x1p-58));
   const Real close = least < broadcast<Real>(0.1) ? 300 * least : infinite;
   const Real change = a.m * (2 - kUp) > 2 * rho ? slope * rho : close;

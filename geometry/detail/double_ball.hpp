@@ -138,27 +138,42 @@ inline DoubleBall<Real> select(const Mask& mask, const DoubleBall<Real>& a,
 }
 
 // 1/n! as two doubles; what is missing is below 2^-106 of it.
-inline constexpr double kOverFactorial[9][2] = {
-    {1, 0},
-    {1, 0},
-    {0.5, 0},
-    {0x1.5555555555555p-3, 0x1.5555555555555p-57},
-    {0x1.5555555555555p-5, 0x1.5555555555555p-59},
-    {0x1.1111111111111p-7, 0x1.1111111111111p-63},
-    {0x1.6c16c16c16c17p-10, -0x1.f49f49f49f49fp-65},
-    {0x1.a01a01a01a01ap-13, 0x1.a01a01a01a01ap-73},
-    {0x1.a01a01a01a01ap-16, 0x1.a01a01a01a01ap-76}};
+inline constexpr double kOverFactorial[9][2] = {{1, 0},
+                                                {1, 0},
+                                                {0.5, 0},
+                                                {0x1.5555555555555p-3, 0x1.5555555555555p-57},
+                                                {0x1.5555555555555p-5, 0x1.5555555555555p-59},
+                                                {0x1.1111111111111p-7, 0x1.1111111111111p-63},
+                                                {0x1.6c16c16c16c17p-10, -0x1.f49f49f49f49fp-65},
+                                                {0x1.a01a01a01a01ap-13, 0x1.a01a01a01a01ap-73},
+                                                {0x1.a01a01a01a01ap-16, 0x1.a01a01a01a01ap-76}};
 template <class Real>
 inline DoubleBall<Real> over_factorial(int n) {
   return double_constant<Real>(kOverFactorial[n][0], kOverFactorial[n][1],
                                kOverFactorial[n][0] * 0x1p-105);
 }
-inline constexpr double kFactorialBeyond[19] = {
-    0, 0, 0, 0, 0, 0, 0, 0, 0, 362880, 3628800, 39916800, 479001600, 6227020800, 87178291200,
-    1307674368000, 20922789888000, 355687428096000, 6402373705728000};
+inline constexpr double kFactorialBeyond[19] = {0,
+                                                0,
+                                                0,
+                                                0,
+                                                0,
+                                                0,
+                                                0,
+                                                0,
+                                                0,
+                                                362880,
+                                                3628800,
+                                                39916800,
+                                                479001600,
+                                                6227020800,
+                                                87178291200,
+                                                1307674368000,
+                                                20922789888000,
+                                                355687428096000,
+                                                6402373705728000};
 
-/// x - k c for an integer |k| <= 64 and c = parts[0] + parts[1] + parts[2] to within 2^-143, where k
-/// times the first two is exact.
+/// x - k c for an integer |k| <= 64 and c = parts[0] + parts[1] + parts[2] to within 2^-143, where
+/// k times the first two is exact.
 template <class Real>
 inline DoubleBall<Real> less_multiple(Real x, Real k, const double (&parts)[3]) {
   const Pair<Real> one = two_sum<Real>(x, -(k * parts[0]));

@@ -54,8 +54,9 @@ inline Real least_eigenvalue_estimate(const Real (&A)[6][6]) {
 }
 
 /// Weights with J >= diag(weight) for every member of the packed Jacobian [21]. With S = diag(S_i),
-/// S J S - lambda I > 0 says J > lambda S^-2; S makes the diagonal about 1, which is nearly the best
-/// that a diagonal scaling can do. Returns the smallest pivot: the weights are proved if it is > 0.
+/// S J S - lambda I > 0 says J > lambda S^-2; S makes the diagonal about 1, which is nearly the
+/// best that a diagonal scaling can do. Returns the smallest pivot: the weights are proved if it is
+/// > 0.
 template <class Real>
 inline Real corner_weights(const Ball<Real>* jacobian, Real (&weight)[6]) {
   Real S[6], A[6][6];

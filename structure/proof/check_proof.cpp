@@ -1,15 +1,15 @@
 // The checker of proofs. It shares nothing with the prover but the triangulation, the theorem and
-// Arb: determinants are expanded, angles are arc cosines, the Jacobian is that of theory (16), positive
-// definiteness is Arb's Cholesky factorisation, and the volume is Ushijima's sum of dilogarithms.
-#include <acb.h>
-#include <acb_hypgeom.h>
-#include <arb.h>
-#include <arb_mat.h>
-
+// Arb: determinants are expanded, angles are arc cosines, the Jacobian is that of theory (16),
+// positive definiteness is Arb's Cholesky factorisation, and the volume is Ushijima's sum of
+// dilogarithms.
 #include <algorithm>
 #include <array>
 #include <charconv>
 
+#include <acb.h>
+#include <acb_hypgeom.h>
+#include <arb.h>
+#include <arb_mat.h>
 #include <fmt/format.h>
 
 #include "base/error.hpp"
@@ -33,11 +33,13 @@ constexpr long kMostCheckBits = 400000;
 constexpr double kBoxRadii = 64;
 constexpr double kBoxShare = 0x1p-36;
 
-// ---- numbers as texts ----------------------------------------------------------------------------
+// ---- numbers as texts
+// ----------------------------------------------------------------------------
 
 [[noreturn]] void unreadable(const std::string& text) {
-  throw InvalidInput("proof: " + quoted(text) +
-                     " is no number; write a decimal such as 0.25e-3, or a binary such as 0x1.3p-1");
+  throw InvalidInput(
+      "proof: " + quoted(text) +
+      " is no number; write a decimal such as 0.25e-3, or a binary such as 0x1.3p-1");
 }
 
 /// A decimal or binary number, exactly or, for a decimal one, within Arb's rounding.
@@ -45,8 +47,8 @@ Arb number_of(const std::string& text) {
   Arb result;
   if (text.starts_with("0x")) {
     double value = 0;
-    const auto [end, code] = std::from_chars(text.data() + 2, text.data() + text.size(), value,
-                                             std::chars_format::hex);
+    const auto [end, code] =
+        std::from_chars(text.data() + 2, text.data() + text.size(), value, std::chars_format::hex);
     // More than 14 hexadecimal digits would have been rounded.
     const std::size_t mantissa = std::min(text.find('p'), text.size());
     if (code != std::errc() || end != text.data() + text.size() || mantissa > 17) unreadable(text);
@@ -78,11 +80,13 @@ long bits_for(const ProofText& proof) {
   return static_cast<long>(bits);
 }
 
-// ---- one tetrahedron -----------------------------------------------------------------------------
+// ---- one tetrahedron
+// -----------------------------------------------------------------------------
 
 using Matrix4 = std::array<std::array<Arb, 4>, 4>;
 
-Arb determinant3(const Matrix4& m, const std::array<int, 3>& rows, const std::array<int, 3>& columns) {
+Arb determinant3(const Matrix4& m, const std::array<int, 3>& rows,
+                 const std::array<int, 3>& columns) {
   const auto at = [&](int i, int j) -> const Arb& {
     return m[static_cast<std::size_t>(rows[static_cast<std::size_t>(i)])]
             [static_cast<std::size_t>(columns[static_cast<std::size_t>(j)])];
@@ -209,7 +213,8 @@ class VolumeFormula {
   VolumeFormula(const CheckedGram& gram, const std::array<Arb, 6>& theta) {
     for (auto& value : v_) acb_init(&value);
     for (std::size_t e = 0; e < 6; ++e) {
-      arb_sin_cos(acb_imagref(unit(kOrder[e])), acb_realref(unit(kOrder[e])), theta[e].get(), bits());
+      arb_sin_cos(acb_imagref(unit(kOrder[e])), acb_realref(unit(kOrder[e])), theta[e].get(),
+                  bits());
       arb_set(sine_[kOrder[e]].get(), acb_imagref(unit(kOrder[e])));
     }
     // -det g = D^3 / prod(-c_ii).
@@ -279,16 +284,14 @@ class VolumeFormula {
 
 // ---- the whole ----------------------------------------------------------------------------------
 
-std::string shown(const Arb& x) {
-  return fmt::format("{:.6g}", x.mid());
-}
+std::string shown(const Arb& x) { return fmt::format("{:.6g}", x.mid()); }
 
 struct Checker {
   const Triangulation& triangulation;
   const ProofText& proof;
-  std::vector<Arb> x{}, radius{}, box{};   // [E]
-  std::vector<Arb> K{}, weight{};          // [E]
-  std::vector<int> straight{};             // [E]
+  std::vector<Arb> x{}, radius{}, box{};  // [E]
+  std::vector<Arb> K{}, weight{};         // [E]
+  std::vector<int> straight{};            // [E]
   Arb volume{};
   std::string reason{};
 
@@ -319,8 +322,8 @@ struct Checker {
       const Arb share = Arb(kBoxShare) * x[e], some = Arb(kBoxRadii) * radius[e];
       box.push_back(larger(share, some) ? share : some);
       if (!x[e].widened_by(box[e]).positive())
-        return refuse(fmt::format("the length of edge class {} is not > 0 all around {}", e,
-                                  shown(x[e])));
+        return refuse(
+            fmt::format("the length of edge class {} is not > 0 all around {}", e, shown(x[e])));
     }
     K.assign(count, 2.0 * number_pi(Arb()));
     weight.resize(count);
@@ -336,8 +339,8 @@ struct Checker {
     const auto wide = lengths_of(t, &box);
     const CheckedGram around(wide);
     if (!around.det.negative())
-      return refuse(fmt::format("tetrahedron {}: det G < 0 fails, det G is near {}", t,
-                                shown(around.det)));
+      return refuse(
+          fmt::format("tetrahedron {}: det G < 0 fails, det G is near {}", t, shown(around.det)));
     const auto weights = weights_on(wide, around);
     if (!weights)
       return refuse(fmt::format("tetrahedron {}: its Jacobian is not shown to be > 0", t));
@@ -355,8 +358,8 @@ struct Checker {
   bool add_flat(std::size_t t) {
     const CheckedGram gram(lengths_of(t, &box));
     if (!gram.det.positive())
-      return refuse(fmt::format("tetrahedron {}: det G > 0 fails, det G is near {}", t,
-                                shown(gram.det)));
+      return refuse(
+          fmt::format("tetrahedron {}: det G > 0 fails, det G is near {}", t, shown(gram.det)));
     for (int e = 0; e < 3; ++e) {
       if (!gram.cosine(e).negative()) continue;
       for (const int edge : {e, 5 - e}) {
@@ -389,7 +392,8 @@ struct Checker {
             shown(bound), shown(x[e]), shown(radius[e])));
     }
     if (!proof.volume) return true;
-    if (proof.claim == Proof::Claim::kFlat) return refuse("a flat minimiser has no claim to a volume");
+    if (proof.claim == Proof::Claim::kFlat)
+      return refuse("a flat minimiser has no claim to a volume");
     for (std::size_t e = 0; e < x.size(); ++e) volume = volume - 0.5 * (K[e] * x[e]);
     const Arb eighth = 0.125 * squares.upper_end();
     volume = (volume - eighth).widened_by(eighth);

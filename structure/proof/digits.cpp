@@ -1,10 +1,9 @@
 #include "structure/proof/digits.hpp"
 
-#include <arb_mat.h>
-
 #include <cmath>
 #include <map>
 
+#include <arb_mat.h>
 #include <fmt/format.h>
 
 #include "base/error.hpp"
@@ -60,8 +59,7 @@ struct DigitsRun {
 
   std::array<Arb, 6> lengths_of(std::size_t t) const {
     std::array<Arb, 6> l;
-    for (std::size_t e = 0; e < 6; ++e)
-      l[e] = x[triangulation.edge_class(t, static_cast<int>(e))];
+    for (std::size_t e = 0; e < 6; ++e) l[e] = x[triangulation.edge_class(t, static_cast<int>(e))];
     return l;
   }
 
@@ -73,8 +71,7 @@ struct DigitsRun {
     for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t) {
       if (stopped()) return false;
       std::array<std::uint32_t, 6> key;
-      for (std::size_t e = 0; e < 6; ++e)
-        key[e] = triangulation.edge_class(t, static_cast<int>(e));
+      for (std::size_t e = 0; e < 6; ++e) key[e] = triangulation.edge_class(t, static_cast<int>(e));
       auto found = known.find(key);
       if (found == known.end()) found = known.emplace(key, compute(lengths_of(t))).first;
       if (!found->second) {
@@ -96,20 +93,19 @@ struct DigitsRun {
     ArbMatrix hessian(n, n), curvature(n, 1), step(n, 1);
     std::vector<Arb> K = curvature_start();
     const bool enclosed =
-        for_each_tetrahedron(
-            [](const auto& l) { return detail::precise_tetrahedron(l, false); },
-            [&](std::size_t t, const auto& found) {
-              for (std::size_t i = 0; i < 6; ++i) {
-                Arb& sum = K[triangulation.edge_class(t, static_cast<int>(i))];
-                sum = sum - found.angles[i];
-              }
-            }) &&
+        for_each_tetrahedron([](const auto& l) { return detail::precise_tetrahedron(l, false); },
+                             [&](std::size_t t, const auto& found) {
+                               for (std::size_t i = 0; i < 6; ++i) {
+                                 Arb& sum = K[triangulation.edge_class(t, static_cast<int>(i))];
+                                 sum = sum - found.angles[i];
+                               }
+                             }) &&
         for_each_tetrahedron([](const auto& l) { return detail::precise_jacobian(l); },
                              [&](std::size_t t, const auto& jacobian) {
                                for (int i = 0; i < 6; ++i)
                                  for (int j = 0; j < 6; ++j) {
-                                   const auto q = static_cast<std::size_t>(geometry::packed_index(
-                                       std::min(i, j), std::max(i, j)));
+                                   const auto q = static_cast<std::size_t>(
+                                       geometry::packed_index(std::min(i, j), std::max(i, j)));
                                    arb_ptr entry = hessian.at(triangulation.edge_class(t, i),
                                                               triangulation.edge_class(t, j));
                                    arb_add(entry, entry, jacobian[q].get(), Precision::bits());

@@ -16,8 +16,8 @@ struct DecimalInterval {
 /// A metric to many proved digits.
 struct Digits {
   bool proved = false;
-  std::string reason;  ///< why not; empty if proved
-  long bits = 0;       ///< of the arithmetic
+  std::string reason;                ///< why not; empty if proved
+  long bits = 0;                     ///< of the arithmetic
   std::vector<std::string> lengths;  ///< [E] decimal numbers, exact centres
   std::vector<std::string> radii;    ///< [E] upper bounds, below 10^-digits
   DecimalInterval volume;

@@ -16,12 +16,12 @@ struct Interval {
   double upper = 0;
 };
 
-/// What was proved about a triangulation and lengths near which its co-volume is least. Every rounding
-/// is accounted for: docs/theory.md section 9, docs/proof.md.
+/// What was proved about a triangulation and lengths near which its co-volume is least. Every
+/// rounding is accounted for: docs/theory.md section 9, docs/proof.md.
 struct Proof {
   enum class Claim {
-    kMetric,     ///< the triangulation carries the metric, and |x_e - lengths_e| <= radii_e
-    kFlat,       ///< a minimiser within the radii has the tetrahedra `flat`: there is no metric
+    kMetric,  ///< the triangulation carries the metric, and |x_e - lengths_e| <= radii_e
+    kFlat,    ///< a minimiser within the radii has the tetrahedra `flat`: there is no metric
   };
   bool proved = false;
   std::string reason;  ///< why not, one sentence; empty if proved
@@ -40,7 +40,7 @@ struct Proof {
 
 struct ProveOptions {
   bool volume = true;
-  int most_bits = 4096;            ///< beyond this precision a tetrahedron is given up
+  int most_bits = 4096;           ///< beyond this precision a tetrahedron is given up
   std::vector<std::size_t> flat;  ///< tetrahedra to hold flat, ascending: claim kFlat
 };
 
@@ -48,8 +48,8 @@ struct ProveOptions {
 /// minimiser with flat tetrahedra. Time and memory are linear in the number of tetrahedra; the
 /// result does not depend on the number of threads. A proof that is stopped is not proved.
 ///   lengths  [E]  finite, > 0, as structure::solve finds them; any others are refused by `reason`
-/// Throws InvalidInput for a triangulation outside the domain (topology::require_solvable) and for a
-/// wrong number of lengths. Source: docs/theory.md section 9.
+/// Throws InvalidInput for a triangulation outside the domain (topology::require_solvable) and for
+/// a wrong number of lengths. Source: docs/theory.md section 9.
 Proof prove(const topology::Triangulation& triangulation, std::span<const double> lengths,
             const ProveOptions& options = {}, const Context& context = {});
 

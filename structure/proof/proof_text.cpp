@@ -19,8 +19,7 @@ std::string rounded_up(double value) { return fmt::format("{:.2e}", value * 1.01
 
 /// Two units in the last place outwards, where 17 digits are off by less than one.
 std::string outwards(double value, double direction) {
-  return fmt::format("{:.17g}",
-                     std::nextafter(std::nextafter(value, direction), direction));
+  return fmt::format("{:.17g}", std::nextafter(std::nextafter(value, direction), direction));
 }
 
 std::string interval_json(const DecimalInterval& interval) {
@@ -110,11 +109,11 @@ std::string to_json(const ProofText& proof) {
   const auto quoted_text = [](const std::string& text) { return '"' + text + '"'; };
   std::string text = fmt::format("{{\"kind\": \"strong-convexity\", \"proved\": {}", proof.proved);
   if (!proof.proved) return text + ", \"reason\": " + json(proof.reason).dump() + "}";
-  text += fmt::format(", \"claim\": \"{}\", \"bits\": {}, \"escalated\": {}, \"lengths\": {}, "
-                      "\"radii\": {}",
-                      proof.claim == Proof::Claim::kMetric ? "metric" : "flat", proof.bits,
-                      proof.escalated, list_json(proof.lengths, quoted_text),
-                      list_json(proof.radii, quoted_text));
+  text += fmt::format(
+      ", \"claim\": \"{}\", \"bits\": {}, \"escalated\": {}, \"lengths\": {}, "
+      "\"radii\": {}",
+      proof.claim == Proof::Claim::kMetric ? "metric" : "flat", proof.bits, proof.escalated,
+      list_json(proof.lengths, quoted_text), list_json(proof.radii, quoted_text));
   if (proof.volume) text += ", \"volume\": " + interval_json(*proof.volume);
   if (!proof.dihedral_angles.empty())
     text += ", \"dihedral_angles\": " + list_json(proof.dihedral_angles, [](const auto& angles) {
@@ -156,7 +155,8 @@ ProofText parse_proof(std::string_view text) {
   if (const auto angles = object.find("dihedral_angles"); angles != object.end()) {
     if (!angles->is_array()) refuse("\"dihedral_angles\"", "an array, one entry a tetrahedron");
     for (const json& six : *angles) {
-      const std::string place = fmt::format("angles of tetrahedron {}", proof.dihedral_angles.size());
+      const std::string place =
+          fmt::format("angles of tetrahedron {}", proof.dihedral_angles.size());
       if (!six.is_array() || six.size() != 6) refuse(place, "an array of 6 intervals");
       auto& row = proof.dihedral_angles.emplace_back();
       for (std::size_t e = 0; e < 6; ++e) row[e] = read_interval(six[e], place);

@@ -12,10 +12,10 @@
 #include "structure/proof/proof.hpp"
 #include "topology/requirements.hpp"
 
-// The strong-convexity test of docs/theory.md section 9. On the box |x - x0| <= box all tetrahedra are
-// shown to be true, and Hess H >= D = diag(d) with d_e the sum of the weights of its corners. Then
-// the minimiser exists if the ellipsoid |x - x0|_D <= g, g = |grad H(x0)|_{D^-1}, lies inside the box,
-// and it is in that ellipsoid.
+// The strong-convexity test of docs/theory.md section 9. On the box |x - x0| <= box all tetrahedra
+// are shown to be true, and Hess H >= D = diag(d) with d_e the sum of the weights of its corners.
+// Then the minimiser exists if the ellipsoid |x - x0|_D <= g, g = |grad H(x0)|_{D^-1}, lies inside
+// the box, and it is in that ellipsoid.
 
 namespace tripus::structure {
 namespace {
@@ -166,7 +166,8 @@ struct Attempt {
       }
     }
     return fmt::format(
-        "the lengths are not near enough to a minimiser: the bound for edge class {} is {:.3g}, and "
+        "the lengths are not near enough to a minimiser: the bound for edge class {} is {:.3g}, "
+        "and "
         "the Hessian is only known within {:.3g}",
         worst, proof.radii[worst], proof.box[worst]);
   }
@@ -229,8 +230,8 @@ Proof prove(const Triangulation& triangulation, std::span<const double> lengths,
             const ProveOptions& options, const Context& context) {
   topology::require_solvable(triangulation);
   if (lengths.size() != triangulation.edge_count()) {
-    throw InvalidInput(fmt::format("{} lengths for {} edge classes", lengths.size(),
-                                   triangulation.edge_count()));
+    throw InvalidInput(
+        fmt::format("{} lengths for {} edge classes", lengths.size(), triangulation.edge_count()));
   }
   Attempt attempt{triangulation, options, context, lengths};
   Proof& proof = attempt.proof;

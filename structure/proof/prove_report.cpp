@@ -54,10 +54,9 @@ std::string proof_message(const ProofText& proof) {
         "carries no metric; its manifold may.",
         proof.flat.size(), proof.flat.size() == 1 ? "is" : "are");
   } else {
-    const auto widest =
-        std::ranges::max_element(proof.radii, {}, [](const std::string& radius) {
-          return std::strtold(radius.c_str(), nullptr);
-        });
+    const auto widest = std::ranges::max_element(proof.radii, {}, [](const std::string& radius) {
+      return std::strtold(radius.c_str(), nullptr);
+    });
     text = fmt::format(
         "Proved: this triangulation carries the hyperbolic metric with geodesic boundary; each "
         "length to within {}",

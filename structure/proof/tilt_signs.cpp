@@ -90,8 +90,8 @@ Signs tilt_signs(const Triangulation& triangulation, const Proof& proof, const C
   const detail::Precision precision(kManyBits);
   std::vector<Arb> lengths;
   for (std::size_t e = 0; e < digits.lengths.size(); ++e)
-    lengths.push_back(detail::from_decimal(digits.lengths[e])
-                          .widened_by(detail::from_decimal(digits.radii[e])));
+    lengths.push_back(
+        detail::from_decimal(digits.lengths[e]).widened_by(detail::from_decimal(digits.radii[e])));
   settle(triangulation, lengths, context, signs);
   return signs;
 }

@@ -16,7 +16,6 @@ enum class ProvedSign : std::int8_t { kNegative = -1, kUnknown = 0, kPositive = 
 ///   proof  of this triangulation, proved, claim kMetric
 /// Source: docs/theory.md (99).
 std::vector<std::array<ProvedSign, 4>> tilt_signs(const topology::Triangulation& triangulation,
-                                                  const Proof& proof,
-                                                  const Context& context = {});
+                                                  const Proof& proof, const Context& context = {});
 
 }  // namespace tripus::structure

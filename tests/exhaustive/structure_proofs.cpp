@@ -1,5 +1,7 @@
 // Proofs on the lists: every geometric triangulation is proved in doubles, and nothing wrong is.
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <random>
 
@@ -10,6 +12,7 @@
 #include "structure/solve.hpp"
 #include "tests/support/data_files.hpp"
 #include "topology/isosig.hpp"
+#include "topology/moves/moves.hpp"
 
 namespace tripus::structure {
 namespace {
@@ -95,7 +98,7 @@ TEST(Proofs, OfChangedLengthsAreRefusedOrStillTrue) {
   std::uniform_real_distribution<double> sign(-1, 1);
   std::size_t refused = 0, still_true = 0;
   const auto all = proved_of("triangulations-4.txt", 23);
-  for (int k = 0; k < 5000; ++k) {
+  for (int k = 0; k < 2500; ++k) {
     const Geometric& one = all[random() % all.size()];
     auto lengths = one.report.edge_lengths;
     const double size = std::pow(10, -12 + 6 * (1 + sign(random)));
@@ -106,8 +109,8 @@ TEST(Proofs, OfChangedLengthsAreRefusedOrStillTrue) {
       EXPECT_TRUE(may_contain(claim, one.proof)) << one.signature;
     }
   }
-  EXPECT_GT(refused, 500u);
-  EXPECT_GT(still_true, 500u);
+  EXPECT_GT(refused, 250u);
+  EXPECT_GT(still_true, 250u);
 }
 
 TEST(Proofs, WithLengthsBeyondTheirRadiiAreRefusedByTheChecker) {
@@ -191,10 +194,58 @@ TEST(Proofs, GiveManyDigitsOnEveryTriangulation) {
     const Digits digits = prove_digits(one.triangulation, one.proof, 40);
     ASSERT_TRUE(digits.proved) << one.signature << ": " << digits.reason;
     for (std::size_t e = 0; e < digits.lengths.size(); ++e)
-      EXPECT_LE(std::fabs(std::stold(digits.lengths[e]) - static_cast<long double>(one.proof.lengths[e])),
-                one.proof.radii[e]);
+      EXPECT_LE(
+          std::fabs(std::stold(digits.lengths[e]) - static_cast<long double>(one.proof.lengths[e])),
+          one.proof.radii[e]);
     EXPECT_TRUE(check_proof(one.triangulation, proof_text(one.proof, &digits))) << one.signature;
   }
+}
+
+TEST(Proofs, OfSkewedTriangulationsReachedByRandomMoves) {
+  const auto lines = testing::data_lines("triangulations-3.txt");
+  std::size_t geometric = 0, escalated = 0;
+  double longest = 0;
+  SolveOptions options;
+  options.evidence = false;
+  for (std::size_t k = 0; k < 500; ++k) {
+    topology::Gluings gluings = topology::decode_isosig(lines[7 * k % lines.size()]);
+    topology::RandomMovesOptions moves;
+    moves.count = 1 + k % 40;
+    moves.seed = k;
+    moves.max_tetrahedra = 4 + k % 20;
+    topology::randomize(gluings, moves);
+    const Triangulation triangulation(gluings);
+    const Report report = solve(triangulation, options);
+    if (report.outcome != Outcome::kGeometric) continue;
+    ++geometric;
+    const Proof proof = prove(triangulation, report.edge_lengths);
+    EXPECT_TRUE(proof.proved) << topology::isosig(gluings) << ": " << proof.reason;
+    escalated += proof.escalated > 0;
+    longest = std::max(longest, *std::ranges::max_element(report.edge_lengths));
+  }
+  std::printf("%zu proved, %zu of them by escalation; longest edge %g\n", geometric, escalated,
+              longest);
+  EXPECT_GT(geometric, 20u);
+}
+
+TEST(Proofs, OfOneTetrahedronAtATimeInArb) {
+  // Lengths beyond the doubles' domain are refused there and go to Arb: no metric has them here, so
+  // nothing is proved, but nothing goes wrong either.
+  const Triangulation tripus(topology::decode_isosig("cPcbbbihq"));
+  for (const double l : {41.0, 60.0, 300.0}) EXPECT_FALSE(prove(tripus, std::vector{l}).proved);
+}
+
+TEST(Proofs, HeedAStop) {
+  const Triangulation tripus(topology::decode_isosig("cPcbbbihq"));
+  const Report report = solve(tripus);
+  std::stop_source stop;
+  stop.request_stop();
+  Context context;
+  context.stop = stop.get_token();
+  const Proof proof = prove(tripus, report.edge_lengths, {}, context);
+  EXPECT_FALSE(proof.proved);
+  EXPECT_NE(proof.reason.find("stopped"), std::string::npos);
+  EXPECT_FALSE(prove_digits(tripus, prove(tripus, report.edge_lengths), 20, context).proved);
 }
 
 TEST(Proofs, OfFlatMinimisers) {

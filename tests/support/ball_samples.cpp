@@ -13,7 +13,7 @@ BallSamples TRIPUS_BALL_SAMPLES(const std::vector<std::pair<double, double>>& po
   BallSamples samples;
   for (const auto& [x, y] : points) {
     BallSample s{x, y, {}, {}, {}, {}, {}, {}, {}};
-    const auto keep = [](double (&to)[2], const B& ball) {
+    const auto keep = [](double(&to)[2], const B& ball) {
       to[0] = ball.m;
       to[1] = ball.r;
     };

@@ -1,13 +1,13 @@
-#include <acb.h>
-#include <acb_hypgeom.h>
-#include <arb.h>
-#include <gtest/gtest.h>
-
 #include <cfenv>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <vector>
+
+#include <acb.h>
+#include <acb_hypgeom.h>
+#include <arb.h>
+#include <gtest/gtest.h>
 
 #include "geometry/detail/ball_functions.hpp"
 #include "geometry/enclosure.hpp"
@@ -67,7 +67,7 @@ void check_samples(const BallSamples& samples, const char* how, double share = 0
   for (const BallSample& sample : samples) {
     arb_set_d(truth.x, sample.x);
     arb_set_d(truth.y, sample.y);
-    const auto expect = [&](const char* what, const double (&ball)[2], double width) {
+    const auto expect = [&](const char* what, const double(&ball)[2], double width) {
       EXPECT_TRUE(contains(ball[0], ball[1], truth.value))
           << how << ": " << what << " at " << sample.x << ", " << sample.y << ": " << ball[0]
           << " +- " << ball[1];
@@ -105,7 +105,8 @@ std::vector<std::pair<double, double>> arguments(std::size_t count) {
                          std::nextafter(2.1, 3), 3.141592653589793, 3.1415926535897936,
                          6.283185307179586, 6.283185307179587, 0.6931471805599453,
                          0.34657359027997264, 1.4142135623730951, 31.4159265358979})
-    for (const double y : {0.0, 1.0, -1.0, 0x1p-60, x, -x, 0.41421356237309503 * x, 2.414213562 * x})
+    for (const double y :
+         {0.0, 1.0, -1.0, 0x1p-60, x, -x, 0.41421356237309503 * x, 2.414213562 * x})
       result.emplace_back(x, y);
   return result;
 }

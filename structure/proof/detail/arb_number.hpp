@@ -1,14 +1,14 @@
 #pragma once
 
+#include <algorithm>
+#include <utility>
+
 #include <acb.h>
 #include <acb_hypgeom.h>
 #include <arb.h>
 
-#include <algorithm>
-#include <utility>
-
-/// Arb's balls with operators, as geometry/enclosure_formulae.hpp wants them. The precision of every
-/// operation is that of the thread's latest `Precision`.
+/// Arb's balls with operators, as geometry/enclosure_formulae.hpp wants them. The precision of
+/// every operation is that of the thread's latest `Precision`.
 namespace tripus::structure::detail {
 
 class Precision {

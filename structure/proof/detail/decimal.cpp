@@ -1,8 +1,8 @@
 #include "structure/proof/detail/decimal.hpp"
 
-#include <flint/fmpz.h>
-
 #include <functional>
+
+#include <flint/fmpz.h>
 
 namespace tripus::structure::detail {
 namespace {

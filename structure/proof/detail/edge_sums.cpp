@@ -20,7 +20,9 @@ constexpr std::size_t kChunksOfThread = 4;
 /// The numbers of a chunk of tetrahedra.
 struct Chunk {
   explicit Chunk(std::size_t blocks)
-      : lengths(blocks * 6 * kLanes), radii(blocks * 6 * kLanes), found(blocks * kEnclosed * kLanes) {}
+      : lengths(blocks * 6 * kLanes),
+        radii(blocks * 6 * kLanes),
+        found(blocks * kEnclosed * kLanes) {}
   std::vector<double> lengths, radii, found;
 };
 

@@ -34,15 +34,15 @@ struct SumEnclosure {
 /// What the tetrahedra around an edge class add up to.
 struct EdgeSum {
   SumEnclosure angle;
-  double weight = 0;     ///< lower bound of d_e, less a few roundings: see weight_bound
+  double weight = 0;         ///< lower bound of d_e, less a few roundings: see weight_bound
   std::size_t straight = 0;  ///< corners with angle pi in tetrahedra held flat
 };
 
 /// One pass over the tetrahedra in doubles.
 struct Pass {
-  std::vector<EdgeSum> edges;          // [E]
-  SumEnclosure volume;                 // of those that are not in `unsound`
-  std::vector<std::size_t> unsound;    // tetrahedra that doubles did not prove true over the box
+  std::vector<EdgeSum> edges;        // [E]
+  SumEnclosure volume;               // of those that are not in `unsound`
+  std::vector<std::size_t> unsound;  // tetrahedra that doubles did not prove true over the box
   bool stopped = false;
 };
 

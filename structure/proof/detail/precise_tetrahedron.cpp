@@ -56,8 +56,8 @@ std::optional<std::array<double, 6>> precise_weights(const std::array<Arb, 6>& l
   for (int i = 0; i < 6; ++i)
     for (int j = i; j < 6; ++j) {
       const auto at = static_cast<std::size_t>(packed_index(i, j));
-      scaled[at] = S[static_cast<std::size_t>(i)] *
-                   (S[static_cast<std::size_t>(j)] * (*jacobian)[at]);
+      scaled[at] =
+          S[static_cast<std::size_t>(i)] * (S[static_cast<std::size_t>(j)] * (*jacobian)[at]);
       middle(i, j) = middle(j, i) = scaled[at].mid();
     }
   if (!middle.allFinite()) return std::nullopt;
@@ -67,12 +67,11 @@ std::optional<std::array<double, 6>> precise_weights(const std::array<Arb, 6>& l
           .minCoeff();
   const double lambda = 0.9 * least;
   if (!(lambda > 0)) return std::nullopt;
-  const double pivot = geometry::smallest_pivot(scaled.data(), Arb(lambda),
-                                                [](const Arb& x) { return x.lower(); });
+  const double pivot =
+      geometry::smallest_pivot(scaled.data(), Arb(lambda), [](const Arb& x) { return x.lower(); });
   if (!(pivot > 0)) return std::nullopt;
   std::array<double, 6> weights;
-  for (std::size_t i = 0; i < 6; ++i)
-    weights[i] = (Arb(lambda) / (Arb(S[i]) * Arb(S[i]))).lower();
+  for (std::size_t i = 0; i < 6; ++i) weights[i] = (Arb(lambda) / (Arb(S[i]) * Arb(S[i]))).lower();
   return weights;
 }
 

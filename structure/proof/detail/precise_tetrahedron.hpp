@@ -21,8 +21,8 @@ std::optional<PreciseTetrahedron> precise_tetrahedron(const std::array<Arb, 6>& 
 /// The Jacobian of theory (17) to (19), packed [21]; nothing unless -det G is proved > 0.
 std::optional<std::array<Arb, 21>> precise_jacobian(const std::array<Arb, 6>& l);
 
-/// Weights w > 0 with J >= diag(w) over the box `l` of positive lengths; nothing where the precision
-/// does not prove it. Source: docs/theory.md section 9.
+/// Weights w > 0 with J >= diag(w) over the box `l` of positive lengths; nothing where the
+/// precision does not prove it. Source: docs/theory.md section 9.
 std::optional<std::array<double, 6>> precise_weights(const std::array<Arb, 6>& l);
 
 /// How a box of positive lengths is flat, if -det G is proved < 0 on it: every member then has the

@@ -56,7 +56,7 @@ std::string proof_as_json(const std::string& input, const structure::ProofText& 
 Outcome check_one_proof(const CheckOptions& options, const std::string& text) {
   const structure::ProofText proof = parse_file(options.certificate, text, structure::parse_proof);
   const topology::Triangulation triangulation(load_input(options.input, interruptible()).gluings);
-  const structure::ProofCheck result = structure::check_proof(triangulation, proof);
+  const structure::ProofCheck result = structure::check_proof(triangulation, proof, interruptible());
   return {options.json ? proof_as_json(options.input, proof, result)
                        : proof_verdict(proof, result) + "\n",
           result ? kSuccess : kNoAnswer};

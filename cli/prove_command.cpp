@@ -1,4 +1,5 @@
 // tripus prove: a proof that the metric exists, with every rounding accounted for.
+#include <chrono>
 #include <memory>
 
 #include <fmt/format.h>
@@ -39,12 +40,16 @@ std::string proof_table(const structure::ProofText& proof) {
 }
 
 Outcome prove_one(const ProveCommandOptions& command, const std::string& input) {
+  const auto start = Context::Clock::now();
   const Subject subject = load_solvable_subject(input, interruptible());
   structure::SolveOptions solve;
   solve.stop_requested = &interrupt_requested();
   if (command.time_limit > 0) solve.time_limit = command.time_limit;
   structure::Report report = structure::solve(subject.triangulation, solve);
   Context context = interruptible();
+  if (command.time_limit > 0 && command.time_limit < 1e8)
+    context.deadline = start + std::chrono::duration_cast<Context::Clock::duration>(
+                                   std::chrono::duration<double>(command.time_limit));
   context.threads = command.common.batch.empty() ? command.common.threads : 1;
   const structure::ProofText proof =
       structure::prove_report(subject.triangulation, report, command.digits, context);
@@ -73,7 +78,7 @@ void add_prove(CLI::App& program, Command& chosen) {
       ->option_text("N")
       ->check(whole_number(kMostDigitsAsked));
   verb->add_option("--time-limit", command->time_limit,
-                   "stop looking for the metric of one INPUT after so many seconds")
+                   "stop after so many seconds for one INPUT")
       ->option_text("S")
       ->check(positive_number());
   verb->footer(

@@ -289,6 +289,7 @@ std::string shown(const Arb& x) { return fmt::format("{:.6g}", x.mid()); }
 struct Checker {
   const Triangulation& triangulation;
   const ProofText& proof;
+  const Context& context;
   std::vector<Arb> x{}, radius{}, box{};  // [E]
   std::vector<Arb> K{}, weight{};         // [E]
   std::vector<int> straight{};            // [E]
@@ -425,6 +426,8 @@ struct Checker {
   bool run() {
     if (!read()) return false;
     for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t) {
+      if (context.stop_requested() || context.expired())
+        return refuse("stopped before it was decided");
       const bool flat = std::binary_search(proof.flat.begin(), proof.flat.end(), t);
       if (!(flat ? add_flat(t) : add_true(t))) return false;
     }
@@ -434,11 +437,12 @@ struct Checker {
 
 }  // namespace
 
-ProofCheck check_proof(const Triangulation& triangulation, const ProofText& proof) {
+ProofCheck check_proof(const Triangulation& triangulation, const ProofText& proof,
+                       const Context& context) {
   topology::require_solvable(triangulation);
   if (!proof.proved) return {false, "nothing is claimed"};
   const Precision precision(bits_for(proof));
-  Checker checker{triangulation, proof};
+  Checker checker{triangulation, proof, context};
   const bool valid = checker.run();
   return {valid, valid ? std::string() : checker.reason};
 }

@@ -47,6 +47,7 @@ struct ProofCheck {
 /// solver. Everything the text claims is checked: lengths, volume, angles, flat tetrahedra.
 /// Throws InvalidInput for a triangulation outside the domain and numbers that cannot be read.
 /// Source: docs/theory.md section 9.
-ProofCheck check_proof(const topology::Triangulation& triangulation, const ProofText& proof);
+ProofCheck check_proof(const topology::Triangulation& triangulation, const ProofText& proof,
+                       const Context& context = {});
 
 }  // namespace tripus::structure

@@ -18,6 +18,18 @@ Arb within_a_turn(const Arb& x) {
 
 }  // namespace
 
+Precision::Precision(long bits) : before_(std::exchange(bits_, bits)) {
+  // FLINT keeps memory for each thread, which nobody else gives back when the thread ends.
+  struct Caches {
+    Caches() = default;
+    Caches(const Caches&) = delete;
+    Caches& operator=(const Caches&) = delete;
+    ~Caches() { flint_cleanup(); }
+  };
+  static thread_local const Caches kCaches;
+  static_cast<void>(&kCaches);
+}
+
 Arb clausen(const Arb& x) {
   const Arb reduced = within_a_turn(x);
   Arb result;

@@ -13,7 +13,7 @@ namespace tripus::structure::detail {
 
 class Precision {
  public:
-  explicit Precision(long bits) : before_(std::exchange(bits_, bits)) {}
+  explicit Precision(long bits);
   ~Precision() { bits_ = before_; }
   Precision(const Precision&) = delete;
   Precision& operator=(const Precision&) = delete;

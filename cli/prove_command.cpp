@@ -77,8 +77,7 @@ void add_prove(CLI::App& program, Command& chosen) {
                    "triangulations with few edge classes")
       ->option_text("N")
       ->check(whole_number(kMostDigitsAsked));
-  verb->add_option("--time-limit", command->time_limit,
-                   "stop after so many seconds for one INPUT")
+  verb->add_option("--time-limit", command->time_limit, "stop after so many seconds for one INPUT")
       ->option_text("S")
       ->check(positive_number());
   verb->footer(

@@ -54,7 +54,6 @@ struct Attempt {
   const Context& context;
   std::span<const double> lengths;
   Proof proof{};
-  std::vector<std::size_t> precise{};  ///< tetrahedra that go to Arb at once, ascending
   bool box_too_large = false;
 
   std::array<Arb, 6> lengths_of(std::size_t t, bool with_box) const {
@@ -144,7 +143,7 @@ struct Attempt {
     bool inside = std::isfinite(g);
     for (std::size_t e = 0; e < pass.edges.size(); ++e) {
       proof.weights[e] = pass.edges[e].weight;
-      proof.radii[e] = proof.weights[e] > 0 ? up(g / up_root(proof.weights[e])) : 0;
+      proof.radii[e] = proof.weights[e] > 0 ? up(g / root_below(proof.weights[e])) : 0;
       inside = inside && proof.radii[e] < proof.box[e];
     }
     if (!inside) return refuse(not_inside(pass));
@@ -153,7 +152,7 @@ struct Attempt {
   }
 
   /// A lower bound of the square root.
-  static double up_root(double x) { return std::sqrt(x) * (1 - 0x1p-48); }
+  static double root_below(double x) { return std::sqrt(x) * (1 - 0x1p-48); }
 
   std::string not_inside(const Pass& pass) const {
     std::size_t worst = 0;
@@ -193,7 +192,7 @@ struct Attempt {
     proof.bits = 53;
     proof.escalated = 0;
     box_too_large = false;
-    Pass pass = detail::enclose_all(triangulation, lengths, proof.box, options, precise, context);
+    Pass pass = detail::enclose_all(triangulation, lengths, proof.box, options, context);
     for (const std::size_t t : options.flat)
       if (!pass.stopped && !add_flat(t, pass)) return false;
     for (std::size_t k = 0; k < pass.unsound.size() && !pass.stopped; ++k) {

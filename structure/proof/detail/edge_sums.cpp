@@ -30,7 +30,6 @@ struct EnclosingPass {
   const Triangulation& triangulation;
   std::span<const double> lengths, box;
   const ProveOptions& options;
-  std::span<const std::size_t> skip;
   const Context& context;
   Pass pass{};
 
@@ -57,16 +56,13 @@ struct EnclosingPass {
     const std::size_t count = chunk_size(first);
     SumEnclosure volume;
     auto flat = std::ranges::lower_bound(options.flat, first);
-    auto skipped = std::ranges::lower_bound(skip, first);
     for (std::size_t t = 0; t < count; ++t) {
       if (flat != options.flat.end() && *flat == first + t) {
         ++flat;
         continue;
       }
-      const bool skipping = skipped != skip.end() && *skipped == first + t;
-      if (skipping) ++skipped;
       const double* found = chunk.found.data() + t / kLanes * kEnclosed * kLanes + t % kLanes;
-      if (skipping || !(found[geometry::kWeight * kLanes] > 0)) {
+      if (!(found[geometry::kWeight * kLanes] > 0)) {
         pass.unsound.push_back(first + t);
         continue;
       }
@@ -115,9 +111,8 @@ struct EnclosingPass {
 }  // namespace
 
 Pass enclose_all(const Triangulation& triangulation, std::span<const double> lengths,
-                 std::span<const double> box, const ProveOptions& options,
-                 std::span<const std::size_t> skip, const Context& context) {
-  EnclosingPass run{triangulation, lengths, box, options, skip, context};
+                 std::span<const double> box, const ProveOptions& options, const Context& context) {
+  EnclosingPass run{triangulation, lengths, box, options, context};
   run.pass.edges.resize(triangulation.edge_count());
   run.run();
   return std::move(run.pass);

@@ -34,7 +34,7 @@ struct SumEnclosure {
 /// What the tetrahedra around an edge class add up to.
 struct EdgeSum {
   SumEnclosure angle;
-  double weight = 0;         ///< lower bound of d_e, less a few roundings: see weight_bound
+  double weight = 0;         ///< lower bound of d_e
   std::size_t straight = 0;  ///< corners with angle pi in tetrahedra held flat
 };
 
@@ -47,9 +47,8 @@ struct Pass {
 };
 
 /// Encloses every tetrahedron at the lengths and over the box lengths +- box, but for those that
-/// options.flat names and those of `skip` (ascending), which count as unsound at once.
+/// options.flat names.
 Pass enclose_all(const topology::Triangulation& triangulation, std::span<const double> lengths,
-                 std::span<const double> box, const ProveOptions& options,
-                 std::span<const std::size_t> skip, const Context& context);
+                 std::span<const double> box, const ProveOptions& options, const Context& context);
 
 }  // namespace tripus::structure::detail

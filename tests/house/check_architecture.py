@@ -28,12 +28,13 @@ USES = {
     "integrators": ["solver"],
     "energies": ["topology", "geometry", "solver"],
     "structure": ["energies", "solver", "integrators"],
-    "canonical": ["structure"],
+    "orthospectrum": ["topology", "geometry"],
+    "canonical": ["structure", "orthospectrum"],
     "meshing": ["topology"],
     "embedding": ["structure"],
     "viewer": ["embedding"],
     "studies": ["structure", "canonical"],
-    "cli": ["canonical", "meshing", "embedding", "viewer", "studies"],
+    "cli": ["canonical", "orthospectrum", "meshing", "embedding", "viewer", "studies"],
 }
 
 HIDDEN = re.compile(

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/context.hpp"
 #include "base/tolerances.hpp"
 #include "orthospectrum/spectrum.hpp"
 #include "topology/homology.hpp"
@@ -64,15 +65,17 @@ std::optional<Comparison> compare_arcs(const Triangulation& a, const Triangulati
   for (const Triangulation* manifold : {&a, &b}) {
     const structure::Report report = structure::solve(*manifold, solve);
     if (report.outcome != structure::Outcome::kGeometric) return std::nullopt;
-    lengths[side++] = orthospectrum::shortest_lengths(*manifold, report.edge_lengths,
-                                                      kFingerprintArcs, options.stop_requested);
+    Context context;
+    context.stop_flag = options.stop_requested;
+    lengths[side++] =
+        orthospectrum::shortest_lengths(*manifold, report.edge_lengths, kFingerprintArcs, context);
   }
   const std::size_t count = std::min(lengths[0].size(), lengths[1].size());
   for (std::size_t n = 0; n < count; ++n) {
     if (std::fabs(lengths[0][n] - lengths[1][n]) <= tolerance::kDifferentArcLength) continue;
     return different("orthospectrum",
                      fmt::format("the {} shortest arcs between boundary components have lengths "
-                                 "that differ, the {}. is {:.12g} and {:.12g}.",
+                                 "that differ: number {} has {:.12g} and {:.12g}.",
                                  count, n + 1, lengths[0][n], lengths[1][n]));
   }
   return std::nullopt;

@@ -1,4 +1,5 @@
 // tripus orthospectrum: the arcs that meet the boundary at right angles at both ends.
+#include <chrono>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
@@ -16,6 +18,7 @@
 #include "cli/output_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/report_text.hpp"
+#include "manifold/report_json.hpp"
 #include "orthospectrum/export/spots_svg.hpp"
 #include "structure/solve.hpp"
 
@@ -23,27 +26,37 @@ namespace tripus::cli {
 namespace {
 
 constexpr std::size_t kDefaultCount = 100;
+constexpr double kNoTimeLimit = 1e9;  // seconds: thirty years
 
 struct OrthospectrumCommand {
   CommonOptions common;
   orthospectrum::SpectrumOptions spectrum;
+  double time_limit = kNoTimeLimit;
   bool words = false, summary = false, canonical = false, force = false;
   std::string table, picture, plot;
 };
 
-orthospectrum::SpectrumOptions options_for(const OrthospectrumCommand& command,
-                                           Progress& progress) {
+orthospectrum::SpectrumOptions options_for(const OrthospectrumCommand& command) {
   orthospectrum::SpectrumOptions options = command.spectrum;
   if (options.length == 0 && options.count == 0) options.count = kDefaultCount;
   options.keep_arcs = !command.summary;
   options.keep_faces = !command.summary && (command.words || !command.table.empty());
-  options.threads = command.common.batch.empty() ? command.common.threads : 1;
-  options.stop_requested = &interrupt_requested();
   if (command.force) options.most_arcs = std::numeric_limits<double>::infinity();
-  options.on_stage = [&progress](double length, std::uint64_t arcs) {
-    if (progress.due()) progress.show(fmt::format("{} arcs up to length {:.4g}", arcs, length));
-  };
   return options;
+}
+
+Context context_for(const OrthospectrumCommand& command, Progress& progress) {
+  Context context = interruptible();
+  if (command.time_limit < kNoTimeLimit) {
+    context.deadline =
+        Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(
+                                    std::chrono::duration<double>(command.time_limit));
+  }
+  context.threads = command.common.batch.empty() ? command.common.threads : 1;
+  context.progress = [&progress](std::string_view activity, std::size_t) {
+    if (progress.due()) progress.show(std::string(activity));
+  };
+  return context;
 }
 
 /// In the words of the command line.
@@ -52,7 +65,7 @@ orthospectrum::Spectrum spectrum_of(const OrthospectrumCommand& command, const S
   Progress progress(!command.common.quiet && command.common.batch.empty());
   try {
     return orthospectrum::orthospectrum(subject.triangulation, report.edge_lengths,
-                                        options_for(command, progress));
+                                        options_for(command), context_for(command, progress));
   } catch (const orthospectrum::TooManyArcs& error) {
     throw InvalidInput(
         fmt::format("{}: {}; ask for fewer, or for all of them with --force (--summary keeps sums "
@@ -80,7 +93,7 @@ Outcome spectrum_one(const OrthospectrumCommand& command, const std::string& inp
   if (!command.table.empty()) table.emplace(command.table);
   if (!command.picture.empty()) picture.emplace(command.picture);
   if (!command.plot.empty()) plot.emplace(command.plot);
-  const Subject subject = load_solvable_subject(input);
+  const Subject subject = load_solvable_subject(input, interruptible());
   catch_interrupts();
   structure::SolveOptions solve;
   solve.stop_requested = &interrupt_requested();
@@ -91,8 +104,7 @@ Outcome spectrum_one(const OrthospectrumCommand& command, const std::string& inp
                 : report_as_text(subject, report) + "  without a metric there are no arcs\n",
             kNoAnswer};
   }
-  SpectrumAnswer answer{subject, report,       spectrum_of(command, subject, report), {}, {},
-                        {},      command.words};
+  SpectrumAnswer answer{subject, spectrum_of(command, subject, report), {}, {}, {}, command.words};
   double area = 0;
   for (const structure::VertexReport& vertex : report.vertices) area += vertex.area;
   answer.identities = orthospectrum::identities_of(answer.spectrum.sums, answer.spectrum.length,
@@ -133,7 +145,7 @@ void add_bounds(CLI::App& verb, OrthospectrumCommand& command) {
       ->check(positive_number())
       ->excludes(length);
   verb.add_flag("--force", command.force, "also where there would be more than 10^9 arcs");
-  verb.add_option("--time-limit", command.spectrum.time_limit,
+  verb.add_option("--time-limit", command.time_limit,
                   "end after so many seconds with what is complete")
       ->option_text("S")
       ->check(positive_number());

@@ -126,10 +126,11 @@ TooManyArcs::TooManyArcs(double bound, double arcs)
       estimate(arcs) {}
 
 Spectrum orthospectrum(const topology::Triangulation& triangulation,
-                       std::span<const double> edge_lengths, const SpectrumOptions& options) {
+                       std::span<const double> edge_lengths, const SpectrumOptions& options,
+                       const Context& context) {
   require_options(options);
-  detail::Halt halt(options.stop_requested, options.time_limit);
-  detail::StageRunner runner(triangulation, edge_lengths, options, halt);
+  detail::Halt halt(context);
+  detail::StageRunner runner(triangulation, edge_lengths, options, context.threads, halt);
   Schedule schedule(options, std::min(kLongestArc, *std::ranges::min_element(edge_lengths)));
   Spectrum spectrum;
   Stage last;
@@ -140,7 +141,7 @@ Spectrum orthospectrum(const topology::Triangulation& triangulation,
     if (!stage) break;
     last = std::move(*stage);
     spectrum.length = schedule.length();
-    if (options.on_stage) options.on_stage(spectrum.length, last.sums.oriented_count() / 2);
+    context.report(detail::stage_text(spectrum.length, last.sums.oriented_count() / 2));
     done = schedule.ends_with(last);
   }
   if (!done) {
@@ -158,11 +159,10 @@ Spectrum orthospectrum(const topology::Triangulation& triangulation,
 
 std::vector<double> shortest_lengths(const topology::Triangulation& triangulation,
                                      std::span<const double> edge_lengths, std::size_t count,
-                                     const std::atomic<bool>* stop_requested) {
+                                     const Context& context) {
   SpectrumOptions options;
   options.count = count;
-  options.stop_requested = stop_requested;
-  const Spectrum spectrum = orthospectrum(triangulation, edge_lengths, options);
+  const Spectrum spectrum = orthospectrum(triangulation, edge_lengths, options, context);
   std::vector<double> lengths;
   for (const Arc& arc : spectrum.arcs)
     if (lengths.size() < count) lengths.push_back(arc.length);

@@ -1,14 +1,12 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <limits>
 #include <span>
 #include <vector>
 
+#include "base/context.hpp"
 #include "base/error.hpp"
 #include "orthospectrum/sums.hpp"
 #include "topology/triangulation.hpp"
@@ -41,18 +39,13 @@ struct Arc {
   std::uint64_t first_face = 0;  ///< into Spectrum::faces
 };
 
-/// Which arcs to find and how long to look for them.
+/// Which arcs to find.
 struct SpectrumOptions {
   double length = 0;        ///< all arcs up to this length; > 0, at most kLongestArc. Or 0 and
   std::size_t count = 0;    ///< so many of the shortest, with all of the length of the last
   bool keep_arcs = true;    ///< otherwise sums and counts only, in memory that does not grow
   bool keep_faces = false;  ///< the faces that each arc crosses
   double most_arcs = 1e9;   ///< if there would be about so many, TooManyArcs is thrown early on
-  unsigned threads = 1;     ///< 0: all cores
-  double time_limit = std::numeric_limits<double>::infinity();  ///< seconds
-  const std::atomic<bool>* stop_requested = nullptr;            ///< may be null
-  /// Called when all arcs up to a length are there, with the length and their number; may be empty.
-  std::function<void(double length, std::uint64_t arcs)> on_stage;
 };
 
 /// Feet of longer arcs are too near to one another for double precision.
@@ -82,18 +75,19 @@ class TooManyArcs : public InvalidInput {
 /// Finds the orthospectrum of the metric with these edge lengths [E] by unfolding from every tile
 /// of the boundary: no arc is missed and none found twice. The result does not depend on threads.
 /// O(arcs) time. The search is repeated for growing lengths, so an interruption leaves what is
-/// complete. Lengths are as good as the metric: to 1e-10 at length 15.
-/// Throws InvalidInput for options out of range, a wrong number of lengths and flat tetrahedra,
-/// and TooManyArcs. Source: docs/orthospectrum.md.
+/// complete; the progress tells of each length. Lengths are as good as the metric: to 1e-10 at
+/// length 15. Throws InvalidInput for options out of range, a wrong number of lengths and flat
+/// tetrahedra, and TooManyArcs. Source: docs/orthospectrum.md.
 Spectrum orthospectrum(const topology::Triangulation& triangulation,
-                       std::span<const double> edge_lengths, const SpectrumOptions& options);
+                       std::span<const double> edge_lengths, const SpectrumOptions& options,
+                       const Context& context = {});
 
 /// A fingerprint of the manifold: the lengths of its `count` shortest arcs, ascending, each as
 /// often as there are arcs. Manifolds that are not isometric may share all of them. Throws as
-/// `orthospectrum`; fewer lengths only if `stop_requested` was set meanwhile.
+/// `orthospectrum`; fewer lengths only after a stop.
 std::vector<double> shortest_lengths(const topology::Triangulation& triangulation,
                                      std::span<const double> edge_lengths, std::size_t count,
-                                     const std::atomic<bool>* stop_requested = nullptr);
+                                     const Context& context = {});
 
 /// Arcs of one length between the same boundary components.
 struct ArcGroup {

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
+
+#include "base/context.hpp"
 
 namespace tripus::orthospectrum::detail {
 
@@ -10,21 +11,14 @@ class Halt {
  public:
   enum Reason : int { kNone, kCaller, kTime };
 
-  Halt(const std::atomic<bool>* requested, double seconds)
-      : requested_(requested), limited_(seconds < kNoLimit) {
-    if (limited_) {
-      end_ = std::chrono::steady_clock::now() +
-             std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                 std::chrono::duration<double>(seconds));
-    }
-  }
+  explicit Halt(const Context& context) : context_(context) {}
 
   /// Asks; from then on every thread is told. Cheap enough for every few hundred microseconds.
   bool now() {
     if (reason_.load(std::memory_order_relaxed) != kNone) return true;
-    if (requested_ != nullptr && requested_->load(std::memory_order_relaxed)) {
+    if (context_.stop_requested()) {
       reason_ = kCaller;
-    } else if (limited_ && std::chrono::steady_clock::now() >= end_) {
+    } else if (context_.expired()) {
       reason_ = kTime;
     }
     return reason_.load(std::memory_order_relaxed) != kNone;
@@ -34,10 +28,7 @@ class Halt {
   Reason reason() const { return static_cast<Reason>(reason_.load()); }
 
  private:
-  static constexpr double kNoLimit = 1e8;  // seconds: three years
-  const std::atomic<bool>* requested_;
-  bool limited_;
-  std::chrono::steady_clock::time_point end_;
+  const Context& context_;
   std::atomic<int> reason_{kNone};
 };
 

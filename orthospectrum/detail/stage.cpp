@@ -106,6 +106,10 @@ void append_stage(Stage& all, Stage&& part) {
 
 std::string rounded(double value) { return fmt::format("{:.3g}", value); }
 
+std::string stage_text(double length, std::uint64_t arcs) {
+  return fmt::format("{} arcs up to length {:.4g}", arcs, length);
+}
+
 std::array<double, 4> carried(const Step& step, int face, const std::array<double, 4>& products) {
   std::array<double, 4> result{};
   double apex = 0;
@@ -130,13 +134,13 @@ std::array<double, 2> foot_on(const Triangle& triangle, int vertex,
 
 StageRunner::StageRunner(const topology::Triangulation& triangulation,
                          std::span<const double> edge_lengths, const SpectrumOptions& options,
-                         Halt& halt)
+                         unsigned threads, Halt& halt)
     : triangulation_(triangulation),
       edge_lengths_(edge_lengths),
       options_(options),
       halt_(halt),
       steps_(triangulation, edge_lengths),
-      threads_(options.threads != 0 ? options.threads : std::thread::hardware_concurrency()) {}
+      threads_(threads != 0 ? threads : std::thread::hardware_concurrency()) {}
 
 std::optional<Stage> StageRunner::run(double length) {
   const Reach reach(length, shortest_);

@@ -23,7 +23,7 @@ struct Stage {
 class StageRunner {
  public:
   StageRunner(const topology::Triangulation& triangulation, std::span<const double> edge_lengths,
-              const SpectrumOptions& options, Halt& halt);
+              const SpectrumOptions& options, unsigned threads, Halt& halt);
 
   /// Nothing if it was halted. The first run finds the shortest arc, which makes the next ones
   /// faster.
@@ -51,6 +51,9 @@ std::array<double, 4> carried(const Step& step, int face, const std::array<doubl
 /// The foot of the common perpendicular with the plane of a tile.
 std::array<double, 2> foot_on(const Triangle& triangle, int vertex,
                               const std::array<double, 4>& products);
+
+/// For the progress: "527 arcs up to length 6".
+std::string stage_text(double length, std::uint64_t arcs);
 
 /// A number with three digits for a message.
 std::string rounded(double value);

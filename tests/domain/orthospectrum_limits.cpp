@@ -1,7 +1,6 @@
 // Orthospectra at the edge of what can be asked: refused by name, ended with what is complete.
 #include <chrono>
 #include <limits>
-#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -13,8 +12,9 @@ namespace {
 
 using testing::Embedded;
 
-Spectrum find(const Embedded& manifold, const SpectrumOptions& options) {
-  return orthospectrum(manifold.triangulation, manifold.report.edge_lengths, options);
+Spectrum find(const Embedded& manifold, const SpectrumOptions& options,
+              const Context& context = {}) {
+  return orthospectrum(manifold.triangulation, manifold.report.edge_lengths, options, context);
 }
 
 TEST(OrthospectrumLimits, RefusesWhatCannotBe) {
@@ -62,8 +62,9 @@ TEST(OrthospectrumLimits, ATimeLimitLeavesWhatIsComplete) {
   SpectrumOptions options;
   options.length = 19;
   options.most_arcs = std::numeric_limits<double>::infinity();
-  options.time_limit = 0.2;
-  const Spectrum spectrum = find(tripus, options);
+  Context context;
+  context.deadline = Context::Clock::now() + std::chrono::milliseconds(200);
+  const Spectrum spectrum = find(tripus, options, context);
   EXPECT_EQ(spectrum.end, SpectrumEnd::kTimeLimit);
   EXPECT_LT(spectrum.length, 19);
   EXPECT_EQ(spectrum.arcs.size(), spectrum.arc_count);
@@ -77,8 +78,9 @@ TEST(OrthospectrumLimits, AStopThatCameBeforeLeavesNothing) {
   const std::atomic<bool> stop = true;
   SpectrumOptions options;
   options.length = 5;
-  options.stop_requested = &stop;
-  const Spectrum spectrum = find(tripus, options);
+  Context context;
+  context.stop_flag = &stop;
+  const Spectrum spectrum = find(tripus, options, context);
   EXPECT_EQ(spectrum.end, SpectrumEnd::kInterrupted);
   EXPECT_EQ(spectrum.length, 0);
   EXPECT_EQ(spectrum.arc_count, 0u);

@@ -227,17 +227,20 @@ TEST(OrthospectrumManifolds, WordsGiveTheLengthsAndThreadsChangeNothing) {
     SpectrumOptions options;
     options.length = 5;
     options.keep_faces = true;
+    Context single;
+    single.threads = 1;
     const Spectrum one =
-        orthospectrum(manifold->triangulation, manifold->report.edge_lengths, options);
+        orthospectrum(manifold->triangulation, manifold->report.edge_lengths, options, single);
     for (const Arc& arc : one.arcs) {
       const double cosh =
           cosh_along(manifold->triangulation, manifold->report.edge_lengths, arc.start.tile,
                      std::span(one.faces).subspan(arc.first_face, arc.face_count), arc.end.tile);
       ASSERT_NEAR(std::acosh(cosh), arc.length, 1e-11) << names[n];
     }
-    options.threads = 3;
+    Context context;
+    context.threads = 3;
     const Spectrum three =
-        orthospectrum(manifold->triangulation, manifold->report.edge_lengths, options);
+        orthospectrum(manifold->triangulation, manifold->report.edge_lengths, options, context);
     EXPECT_EQ(three.faces, one.faces);
     ASSERT_EQ(three.arcs.size(), one.arcs.size());
     for (std::size_t k = 0; k < one.arcs.size(); ++k) {

@@ -58,7 +58,9 @@ TEST(OrthospectrumTripus, LengthsNear15AreGoodTo1em10) {
   std::size_t found = 0, near_15 = 0;
   double worst = 0;
   std::atomic<bool> enough = false;
-  detail::Halt halt(&enough, 1e9);
+  Context context;
+  context.stop_flag = &enough;
+  detail::Halt halt(context);
   const auto check = [&](const detail::Find& find) {
     if (++found == 20000) enough = true;
     if (find.length < 14 || found > 20000) return;

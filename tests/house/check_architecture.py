@@ -32,9 +32,10 @@ USES = {
     "canonical": ["structure", "orthospectrum"],
     "meshing": ["topology"],
     "embedding": ["structure"],
+    "manifold": ["canonical", "orthospectrum", "meshing", "embedding"],
     "viewer": ["embedding"],
     "studies": ["structure", "canonical"],
-    "cli": ["canonical", "orthospectrum", "meshing", "embedding", "viewer", "studies"],
+    "cli": ["manifold", "viewer", "studies"],
 }
 
 HIDDEN = re.compile(

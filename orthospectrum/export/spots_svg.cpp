@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kDisc = 600;                                // pixels
 constexpr double kBorder = 20;                               // around a disc
-constexpr double kFooter = 70;                               // for the scale of lengths
+constexpr double kFooter = 45;                               // for the scale of lengths
 constexpr double kSmallestSpot = 0.35, kSmallestTile = 1.5;  // pixels
 constexpr double kDrawnRadius = 6;                           // hyperbolic
 constexpr std::size_t kMostTiles = 6000;
@@ -24,8 +24,8 @@ using Rgb = std::array<double, 3>;
 
 /// From short to long: a scale whose lightness falls evenly, told apart without seeing hue.
 std::string colour_of(double share) {
-  constexpr std::array<Rgb, 6> kStops{{{128, 16, 38},
-                                       {206, 52, 40},
+  constexpr std::array<Rgb, 6> kStops{{{168, 28, 48},
+                                       {220, 74, 50},
                                        {245, 132, 52},
                                        {252, 201, 88},
                                        {196, 222, 178},
@@ -183,7 +183,7 @@ std::string scale_of_lengths(double width, double shortest, double longest) {
     text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}{:.3g}</text>\n",
                         left + span * share, top + 32,
                         n == 0 ? "start" : (n == kLabels ? "end" : "middle"),
-                        n == 0 ? "length " : "", shortest + share * (longest - shortest));
+                        n == kLabels ? "length " : "", shortest + share * (longest - shortest));
   }
   return text;
 }

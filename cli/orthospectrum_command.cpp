@@ -155,7 +155,8 @@ void add_outputs(CLI::App& verb, OrthospectrumCommand& command) {
   verb.add_flag("--words", command.words,
                 "each arc by itself: its feet, and the faces that it crosses");
   auto* summary = verb.add_flag("--summary", command.summary,
-                                "counts, sums and estimates only, in memory that does not grow");
+                                "counts, sums and estimates only, in memory that does not grow")
+                      ->option_text(" ");
   verb.add_flag("--canonical", command.canonical,
                 "say how many edges of the canonical decomposition have each length");
   CLI::Option* batch = verb.get_option("--batch");

@@ -96,7 +96,7 @@ bool is_same(const Entry& a, const Entry& b) {
 }
 
 /// The first ten lengths of all manifolds of the census, and those that share the first hundred.
-int census(const std::string& folder) {
+int census(const std::string& folder, std::size_t most_tetrahedra) {
   std::vector<Entry> entries;
   std::ofstream table(folder + "/orthospectra.tsv");
   table
@@ -104,6 +104,7 @@ int census(const std::string& folder) {
          "its multiplicity, by scripts/orthospectra census.\nname\tarcs\n";
   const auto start = Clock::now();
   for (const canonical::CensusEntry& manifold : canonical::shipped_census().manifolds) {
+    if (manifold.tetrahedra > most_tetrahedra) continue;
     std::optional<testing::Embedded> metric;
     for (const std::string& isosig : manifold.triangulations)
       if (!metric) metric = testing::try_embed(isosig);
@@ -171,7 +172,8 @@ int census(const std::string& folder) {
 int main(int argc, char** argv) {
   const std::string part = argc > 1 ? argv[1] : "";
   if (part == "brute-force") return brute_force();
-  if (part == "census" && argc > 2) return census(argv[2]);
-  fmt::print(stderr, "usage: full_orthospectrum brute-force | census FOLDER\n");
+  if (part == "census" && argc > 2)
+    return census(argv[2], argc > 3 ? std::stoul(argv[3]) : std::size_t{4});
+  fmt::print(stderr, "usage: full_orthospectrum brute-force | census FOLDER [TETRAHEDRA]\n");
   return 2;
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/output_file.hpp"
 #include "canonical/canonize.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
@@ -15,7 +16,6 @@
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orthospectrum_text.hpp"
-#include "cli/output_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/report_text.hpp"
 #include "manifold/report_json.hpp"

@@ -79,9 +79,9 @@ double area_beyond(double length, double count, double delta) {
 }  // namespace
 
 Identities identities_of(const Sums& sums, double length, double area, double volume) {
-  // Chosen so that all manifolds with two and three tetrahedra keep their bounds for every
-  // length from 5.5 on, with a margin (docs/orthospectrum.md section 4). Arcs come in clumps, so
-  // the noise of N arcs is some multiple of that of N independent ones.
+  // Chosen by trial on the manifolds with two and three tetrahedra so that all of them keep their
+  // bounds from kArcsForEstimates on (docs/orthospectrum.md section 4); with fewer arcs some did
+  // not. Arcs come in clumps, so their noise is some multiple of that of independent ones.
   constexpr double kRangeFactor = 2.5, kTailNoise = 6, kDimensionNoise = 1.5;
   const double noise = 1 / std::sqrt(static_cast<double>(sums.oriented_count()) / 2);
   Identities result;

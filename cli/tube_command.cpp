@@ -15,6 +15,7 @@
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/output_file.hpp"
+#include "cli/progress.hpp"
 #include "meshing/formats/off.hpp"
 #include "meshing/stopped.hpp"
 #include "meshing/tube/tube_surface.hpp"
@@ -52,12 +53,15 @@ struct TubeCommand {
   bool json = false, quiet = false;
 };
 
-meshing::TubeOptions options_of(const TubeCommand& command) {
+meshing::TubeOptions options_of(const TubeCommand& command, Progress& progress) {
   meshing::TubeOptions options;
   if (command.radius > 0) options.radius = command.radius;
   if (command.triangles > 0) options.triangles = std::size_t(command.triangles);
   if (command.around > 0) options.edges_around = command.around;
   options.stop_requested = &interrupt_requested();
+  options.progress = [&](std::string_view activity) {
+    if (progress.due()) progress.show(std::string(activity));
+  };
   return options;
 }
 
@@ -67,7 +71,8 @@ meshing::Tube tube_of(const TubeCommand& command) {
   const std::string source =
       command.graph == "-" ? "standard input" : tripus::quoted(command.graph);
   try {
-    return meshing::make_tube(meshing::read_spatial_graph(text), options_of(command));
+    Progress progress(!command.quiet);
+    return meshing::make_tube(meshing::read_spatial_graph(text), options_of(command, progress));
   } catch (const Unsupported& error) {
     throw Unsupported(source + ": " + error.what());
   } catch (const InvalidInput& error) {
@@ -84,10 +89,12 @@ std::string as_text(const std::string& graph, const meshing::Tube& tube) {
   for (const long chi : tube.euler_characteristics) genera.push_back(genus_text(chi));
   return fmt::format(
       "{}: {} triangles, {} points, {} component{}: {}\n"
-      "tube of radius {:.6g}; below {:.6g} there is room: {}\n",
+      "tube of radius {}; one radius below {:.6g} has room everywhere: {}\n",
       printable(graph), tube.surface.triangles.size(), tube.surface.points.size(), genera.size(),
-      genera.size() == 1 ? "" : "s", fmt::join(genera, ", "), tube.radius, tube.room,
-      tube.room_place);
+      genera.size() == 1 ? "" : "s", fmt::join(genera, ", "),
+      tube.thickest > tube.radius ? fmt::format("{:.6g} to {:.6g}", tube.radius, tube.thickest)
+                                  : fmt::format("{:.6g}", tube.radius),
+      tube.room, tube.room_place);
 }
 
 std::string as_json(const TubeCommand& command, const meshing::Tube& tube) {
@@ -104,6 +111,8 @@ std::string as_json(const TubeCommand& command, const meshing::Tube& tube) {
   }
   append(out, "], \"radius\": ");
   append_number(out, tube.radius);
+  append(out, ", \"thickest_radius\": ");
+  append_number(out, tube.thickest);
   append(out, ", \"largest_radius\": ");
   append_number(out, tube.room);
   append(out, ", \"limited_by\": ");

@@ -38,8 +38,8 @@ class Tube(ProgramTest):
         self.assertEqual(run.status, 0, run.err)
         answer = read_json(run.text)
         self.assertEqual(list(answer), ["tripus", "input", "output", "triangle_count",
-                                        "point_count", "genera", "radius", "largest_radius",
-                                        "limited_by"])
+                                        "point_count", "genera", "radius", "thickest_radius",
+                                        "largest_radius", "limited_by"])
         self.assertEqual(answer["genera"], [3])
         self.assertEqual((answer["point_count"], answer["triangle_count"]),
                          off_counts((self.folder / "f.off").read_text()))

@@ -142,14 +142,13 @@ class PipePlanner {
     const auto nearest = tree.nearest(bounds, touches, [&](std::uint32_t other) {
       return segment_distance(axis.a, axis.b, tree.piece(other).a, tree.piece(other).b);
     });
-    double free = std::min({nearest.distance, depth(plan_.joints[pipe.a]),
-                            depth(plan_.joints[pipe.b]), length(pipe)});
+    double free = std::min(
+        {nearest.distance, depth(plan_.joints[pipe.a]), depth(plan_.joints[pipe.b]), length(pipe)});
     for (const std::uint32_t j : {pipe.a, pipe.b})
       for (const std::uint32_t other : plan_.joints[j].pipes)
         if (other != p)
-          free = std::min(
-              free, point_segment_distance(plan_.joints[j].point + leaving(other, j), axis.a,
-                                           axis.b));
+          free = std::min(free, point_segment_distance(plan_.joints[j].point + leaving(other, j),
+                                                       axis.a, axis.b));
     return free;
   }
 

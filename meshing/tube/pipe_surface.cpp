@@ -63,8 +63,9 @@ class PipeBuilder {
     const Pipe& pipe = plan_.pipes[p];
     const Joint &a = plan_.joints[pipe.a], &b = plan_.joints[pipe.b];
     const Point z = b.opening ? b.normal : unit(b.point - a.point);
-    const std::size_t least = std::abs(z[0]) < std::abs(z[1]) ? (std::abs(z[0]) < std::abs(z[2]) ? 0 : 2)
-                                                              : (std::abs(z[1]) < std::abs(z[2]) ? 1 : 2);
+    const std::size_t least = std::abs(z[0]) < std::abs(z[1])
+                                  ? (std::abs(z[0]) < std::abs(z[2]) ? 0 : 2)
+                                  : (std::abs(z[1]) < std::abs(z[2]) ? 1 : 2);
     Point axis{0, 0, 0};
     axis[least] = 1;
     const Point x = unit(cross(axis, z)), y = cross(z, x);

@@ -104,8 +104,7 @@ TEST(Pipes, StayWithinAnOuterSphereThatIsNear) {
   graph.outer = OuterSphere{{0, 0, 0}, 2.01};
   const Tube tube = make_tube(graph);
   expect_good(tube);
-  for (const Point& p : tube.surface.points)
-    EXPECT_LE(tube::norm(p), 2.01 * (1 + 1e-15));
+  for (const Point& p : tube.surface.points) EXPECT_LE(tube::norm(p), 2.01 * (1 + 1e-15));
 }
 
 TEST(Pipes, WithoutOuterSurfaceBoundTheTubeItself) {

@@ -28,7 +28,8 @@ class ConvexHull {
   std::vector<std::array<std::uint32_t, 2>> sides_, backward_;  // scratch space
 };
 
-/// Takes the triangles out of the facets, whatever corner they begin with; says no if one is no facet.
+/// Takes the triangles out of the facets, whatever corner they begin with; says no if one is no
+/// facet.
 bool take_out(std::vector<Triangle>& facets, const std::vector<Triangle>& triangles);
 
 }  // namespace tripus::meshing::tube

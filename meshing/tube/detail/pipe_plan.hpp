@@ -12,8 +12,8 @@ namespace tripus::meshing::tube {
 struct Joint {
   Point point;
   bool opening = false;
-  Point normal{};                    ///< of the outer surface, at an opening
-  double radius = 0;                 ///< of the ball in which the pipes meet; 0 at an opening
+  Point normal{};                      ///< of the outer surface, at an opening
+  double radius = 0;                   ///< of the ball in which the pipes meet; 0 at an opening
   std::vector<std::uint32_t> pipes{};  ///< those that end here
 };
 

@@ -9,13 +9,13 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/stopped.hpp"
 #include "meshing/detail/child_process.hpp"
 #include "meshing/detail/fill_by_planes.hpp"
 #include "meshing/detail/mesh_boundary.hpp"
 #include "meshing/detail/split.hpp"
 #include "meshing/detail/tetgen_client.hpp"
 #include "meshing/predicates.hpp"
-#include "meshing/stopped.hpp"
 
 namespace tripus::meshing {
 namespace {

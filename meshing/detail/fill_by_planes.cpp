@@ -12,10 +12,10 @@
 #include <random>
 
 #include "base/error.hpp"
+#include "base/stopped.hpp"
 #include "meshing/detail/child_process.hpp"
 #include "meshing/detail/convex_cells.hpp"
 #include "meshing/detail/triangle_tree.hpp"
-#include "meshing/stopped.hpp"
 
 namespace tripus::meshing::detail {
 namespace {

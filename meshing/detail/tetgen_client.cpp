@@ -4,10 +4,10 @@
 #include <csignal>
 
 #include "base/error.hpp"
+#include "base/stopped.hpp"
 #include "meshing/detail/child_process.hpp"
 #include "meshing/detail/find_tetgen.hpp"
 #include "meshing/detail/tetgen_protocol.hpp"
-#include "meshing/stopped.hpp"
 
 namespace tripus::meshing::detail {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <utility>
 
-#include "meshing/stopped.hpp"
+#include "base/stopped.hpp"
 
 namespace tripus::meshing::tube {
 

@@ -1,24 +1,23 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 
+#include "base/context.hpp"
 #include "meshing/formats/read_mesh.hpp"
 #include "topology/formats/formats.hpp"
 
-namespace tripus::cli {
+namespace tripus {
 
 /// Reads an INPUT as typed: a file, `-` for standard input, or an isomorphism signature. A surface
 /// or a tetrahedral mesh becomes a small ideal triangulation of its solid (meshing::manifold_of);
 /// of a ball, which has no boundary left when it is filled in, a triangulation with a finite
-/// vertex. Throws InvalidInput if it is none of them or its content cannot be read;
-/// meshing::Stopped if interrupted.
-topology::NamedGluings load_input(const std::string& input);
+/// vertex. Throws InvalidInput if it is none of them or its content cannot be read; Stopped if a
+/// stop is requested meanwhile. Reports its progress once the content has been read.
+topology::NamedGluings load_input(const std::string& input, const Context& context = {});
 /// The same for what needs a metric. Throws also, naming the input, what
 /// topology::require_solvable throws, and InvalidInput for a ball.
-topology::NamedGluings load_solvable_input(const std::string& input);
+topology::NamedGluings load_solvable_input(const std::string& input, const Context& context = {});
 
 /// The surface or tetrahedral mesh in a file, or in standard input for `-`; nothing if the content
 /// has no mesh format. Throws InvalidInput if the content cannot be read.
@@ -28,4 +27,4 @@ std::optional<meshing::MeshFile> load_mesh(const std::string& input);
 /// Throws InvalidInput, naming the file and the system's reason.
 std::string read_file(const std::string& path);
 
-}  // namespace tripus::cli
+}  // namespace tripus

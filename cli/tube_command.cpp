@@ -35,13 +35,15 @@ constexpr const char* kGraphHelp =
     "{\"box\": {\"low\": [x,y,z], \"high\": [x,y,z]}} or \"none\".\n"
     "\n"
     "The surface bounds the piece of space inside the outer surface and outside the tube; it is\n"
-    "closed, manifold and free of self-intersections. Strands that come too close to each other "
-    "are\n"
-    "refused, with their place.\n"
+    "closed, manifold and free of self-intersections. Strands that touch are refused, with their\n"
+    "place. By itself the tube is made of straight pipes with three sides, each as thick as its\n"
+    "surroundings allow, in a few milliseconds. --radius, --triangles and --resolution make a "
+    "round\n"
+    "tube of one radius; where strands come close, that takes many triangles, and minutes.\n"
     "\n"
     "Examples:\n"
     "  tripus tube examples/graphs/knotted-y.json -o knotted-y.off\n"
-    "  tripus tube examples/graphs/knotted-y.json --triangles 100000 -o fine.off\n"
+    "  tripus tube examples/graphs/knotted-y.json --triangles 3000 -o round.off\n"
     "\n"
     "Exit status: 0 the surface was made, 1 interrupted, 2 bad usage or bad input, 3 a failure of\n"
     "the program itself.";
@@ -161,13 +163,16 @@ void add_tube(CLI::App& program, Command& chosen) {
       ->option_text("FILE")
       ->required();
   verb->add_option("--radius", command->radius,
-                   "radius of the tube (default: half of what the strands leave)")
+                   "a round tube of this radius (with --triangles or --resolution\n"
+                   "alone: half of what the strands leave)")
       ->option_text("X")
       ->check(positive_number());
-  auto* triangles = verb->add_option("--triangles", command->triangles, "make about N triangles")
-                        ->option_text("N")
-                        ->check(whole_number(std::numeric_limits<int>::max()));
-  verb->add_option("--resolution", command->around, "triangle edges around the tube (default: 10)")
+  auto* triangles =
+      verb->add_option("--triangles", command->triangles, "a round tube of about N triangles")
+          ->option_text("N")
+          ->check(whole_number(std::numeric_limits<int>::max()));
+  verb->add_option("--resolution", command->around,
+                   "a round tube with X triangle edges around it (default: 10)")
       ->option_text("X")
       ->check(positive_number())
       ->excludes(triangles);

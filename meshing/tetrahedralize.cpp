@@ -58,6 +58,9 @@ constexpr double kShortTry = 1, kShortTryEach = 1e-3;
 /// Of processor time to that on a clock, at most, on a machine that is busy.
 constexpr double kBusy = 8;
 
+/// Of the time that is left then, for the way without TetGen.
+constexpr double kPlanesShare = 0.5;
+
 /// The surface with points and axes in another order; exact.
 class Shuffled {
  public:
@@ -153,7 +156,9 @@ class Filler {
       if (auto mesh = ask(attempt, 0, short_try)) return *std::move(mesh);
       require_time();
     }
-    if (auto mesh = detail::fill_by_planes(region_, options_.memory_limit, deadline_,
+    const double now = detail::now_in_seconds();
+    if (auto mesh = detail::fill_by_planes(region_, options_.memory_limit,
+                                           now + kPlanesShare * (deadline_ - now),
                                            options_.stop_requested)) {
       by_planes_ = true;
       return *std::move(mesh);

@@ -1,9 +1,9 @@
-// A binary space partition, as H. Fuchs, Z. Kedem and B. Naylor (1980) build it, with the cells kept
-// as polyhedra that fit together along whole faces. A triangle goes down the tree, split by the
-// planes that are there, and cuts each cell that a piece of it ends up in. At the end every face of
-// a cell lies on the surface or has nothing of it inside: where a triangle ends within a face, its
-// neighbour leaves the plane and has cut a cell beside the face there, and the face with it; or it
-// goes on in the plane.
+// A binary space partition, as H. Fuchs, Z. Kedem and B. Naylor (1980) build it, with the cells
+// kept as polyhedra that fit together along whole faces. A triangle goes down the tree, split by
+// the planes that are there, and cuts each cell that a piece of it ends up in. At the end every
+// face of a cell lies on the surface or has nothing of it inside: where a triangle ends within a
+// face, its neighbour leaves the plane and has cut a cell beside the face there, and the face with
+// it; or it goes on in the plane.
 #include "meshing/detail/fill_by_planes.hpp"
 
 #include <algorithm>

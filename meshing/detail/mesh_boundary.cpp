@@ -245,8 +245,7 @@ std::string boundary_fault(const TetrahedralMesh& mesh, const Region& region,
   const std::string fault = "TetGen did not keep the boundary of this surface";
   const SurfaceMesh boundary = boundary_surface(mesh, faces, surface.points.size());
   const bool good = is_closed_manifold(boundary.triangles, boundary.points.size()) &&
-                    same_components(boundary, region) &&
-                    all_on_surface(boundary, surface) &&
+                    same_components(boundary, region) && all_on_surface(boundary, surface) &&
                     std::all_of(faces.begin(), faces.end(),
                                 [&](const Triangle& t) {
                                   return projection_axis(mesh.points[t[0]], mesh.points[t[1]],

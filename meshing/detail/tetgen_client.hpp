@@ -14,9 +14,9 @@ namespace tripus::meshing::detail {
 struct TetgenQuestion {
   std::vector<Point> points;
   std::vector<Triangle> triangles;
-  std::vector<Point> holes;   ///< a point in each
-  double max_volume = 0;      ///< 0: no matter
-  bool keep_boundary = true;  ///< whether it is asked to; it does not always
+  std::vector<Point> holes;             ///< a point in each
+  double max_volume = 0;                ///< 0: no matter
+  bool keep_boundary = true;            ///< whether it is asked to; it does not always
   std::uint64_t memory_limit = 0;       ///< bytes
   std::uint64_t processor_seconds = 0;  ///< at most
   double deadline = 0;                  ///< of now_in_seconds

@@ -34,8 +34,7 @@ using testing::torus_surface;
 constexpr double kNoDeadline = 1e18;
 constexpr std::uint64_t kMuchMemory = std::uint64_t{4} << 30;
 
-std::optional<TetrahedralMesh> by_planes(const Region& region,
-                                         std::uint64_t memory = kMuchMemory) {
+std::optional<TetrahedralMesh> by_planes(const Region& region, std::uint64_t memory = kMuchMemory) {
   return detail::fill_by_planes(region, memory, kNoDeadline, nullptr);
 }
 
@@ -105,7 +104,7 @@ TEST(TurnedSolids, AreFilledBothWays) {
     for (const TetrahedralMesh& mesh : {tetrahedralize(region), *by_planes(region)}) {
       const auto simplified = topology::simplify(topology::cone_boundary(gluings_of(mesh)), {});
       // Alexander duality: what a surface of genus g bounds in space has the homology Z^g.
-      const topology::AbelianGroup group = 
+      const topology::AbelianGroup group =
           topology::first_homology(topology::Triangulation(simplified.gluings));
       EXPECT_EQ(group.rank, std::size_t(genus));
       EXPECT_TRUE(group.invariant_factors.empty());
@@ -126,9 +125,9 @@ class BoundaryFault : public ::testing::Test {
     TetrahedralMesh mesh{surface_.points, {{0, 1, 2, 4}, {0, 2, 3, 4}, {0, 3, 1, 4}}};
     mesh.points.push_back(p);
     for (const Tetrahedron& t : mesh.tetrahedra)
-      EXPECT_GT(orientation(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]],
-                            mesh.points[t[3]]),
-                0);
+      EXPECT_GT(
+          orientation(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]),
+          0);
     return boundary_fault(mesh, region_, nullptr);
   }
 };

@@ -207,8 +207,10 @@ void require_feasible(const Strands& strands, const Clearance& clearance, const 
   if (most > kMostCellsAlongAxis * cell ||
       kTrianglesPerCell * area > double(kMostTriangles) * cell * cell)
     throw InvalidInput(
-        "the tube is too thin for the size of the whole: its surface needs triangles "
-        "of size " +
+        std::string(region.radius() > kUsualPartOfRoom * clearance.room
+                        ? "what a tube of this radius leaves free"
+                        : "the tube") +
+        " is too thin for the size of the whole: the surface needs triangles of size " +
         as_text(cell) + " where all is " + as_text(most) + " large; " + advice +
         (strands.outer.exists() ? "give a closer outer surface, or " : "") +
         "draw the graph with more room (" + clearance.place + ")");

@@ -117,7 +117,7 @@ def run(folder, program):
             message = report["error"]["message"]
             # Rounded to few digits, some are no surfaces any more.
             kind = invalid if any(text in message for text in (
-                "intersects itself", "collinear", "same point", "twice")) else refused
+                "intersects itself", "lie on a line", "are equal", "twice")) else refused
             kind.append(f"{path.name}: {message}")
             continue
         if report["boundary_genera"] != genera(path):

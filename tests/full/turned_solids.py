@@ -125,9 +125,10 @@ def run(folder, program):
         if not report["ball"]:
             info = subprocess.run([program, "info", str(path), "--json"], capture_output=True,
                                   text=True)
-            found = json.loads(info.stdout).get("homology")
-            if found is not None and str(sum(genera(path))) not in json.dumps(found):
-                wrong.append(f"{path.name}: homology {found}")
+            rank = sum(genera(path))
+            found, wanted = json.loads(info.stdout)["H1"], "Z" if rank == 1 else f"{rank} Z"
+            if found != wanted:
+                wrong.append(f"{path.name}: H1 is {found}, not {wanted}")
     for line in refused + wrong:
         print(line)
     print(f"{total} solids: {len(refused)} refused, {len(wrong)} wrong, "

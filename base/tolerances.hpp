@@ -53,6 +53,11 @@ inline constexpr double kOrientationRounding = 0x1p-49;
 /// that keep this distance do not meet whatever the last bits do.
 inline constexpr double kSweepClearance = 1e-9;
 
+/// New points that a mesher puts on a surface lie this far from its triangles at most, in parts of
+/// the largest coordinate: they are rounded, some after a few operations. What is narrower than
+/// that is not told apart by the doubles that describe it.
+inline constexpr double kOnSurface = 1e-12;
+
 /// Boxes that a ray misses by less than this part of its length are looked into all the same. Each
 /// coordinate of the ray spans at least a third of the others, so its parameter has an error of
 /// some ten roundings of 2^-53.

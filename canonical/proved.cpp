@@ -52,6 +52,8 @@ ComparisonProof prove_comparison(const Comparison& comparison, const Context& co
   if (comparison.verdict == Verdict::kUnresolved) return {false, "", "nothing was decided"};
   if (by == "boundary" || by == "orientability" || by == "homology") return {true, "integers", ""};
   if (by == "triangulation") return {true, by, ""};
+  if (!comparison.first || !comparison.second)
+    return {false, "", "it was decided by " + by + ", which is not proved"};
   const CanonicalProof a = prove_canonical(*comparison.first, context);
   const CanonicalProof b = prove_canonical(*comparison.second, context);
   if (!a.metric.proved || !b.metric.proved)

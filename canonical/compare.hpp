@@ -14,8 +14,8 @@ std::string_view to_string(Verdict verdict);
 /// Whether two manifolds are homeomorphic, and how it was decided.
 struct Comparison {
   Verdict verdict = Verdict::kUnresolved;
-  /// What decided: "boundary", "orientability", "homology", "volume", "decomposition",
-  /// "triangulation"; empty if nothing did.
+  /// What decided: "boundary", "orientability", "homology", "orthospectrum", "volume",
+  /// "decomposition", "triangulation"; empty if nothing did.
   std::string decided_by;
   std::string message;  ///< one sentence for a person
   structure::Advice advice = structure::Advice::kNone;  ///< where nothing was found
@@ -36,8 +36,8 @@ struct Comparison {
 enum class Orientations { kKnown, kNotKnown };
 
 /// Invariants are compared from the cheapest on: the boundary components (what is not a sphere among
-/// the vertex links), orientability, first homology, volume, canonical decomposition. Where that of
-/// one or both was not found, a triangulation is looked for that moves reach from both.
+/// the vertex links), orientability, first homology, for large triangulations the shortest orthogonal
+/// arcs, volume, canonical decomposition. Where that of one or both was not found, a triangulation is looked for that moves reach from both.
 /// "Different" by volume or by decomposition and "homeomorphic" by decomposition rest on
 /// floating-point metrics and on tilt signs with the margins of FaceKinds.
 /// Throws InvalidInput for triangulations that structure::solve refuses, unless the boundary,

@@ -13,6 +13,7 @@
 
 #include "base/output_file.hpp"
 #include "canonical/census.hpp"
+#include "canonical/census_proofs.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/canonize_options.hpp"
@@ -44,7 +45,8 @@ struct CensusCommand {
   canonical::CensusQuery query;
   std::string volume;
   bool has_boundary = false, has_homology = false, has_cells = false;  ///< also if empty
-  bool json = false, quiet = false;
+  std::string proofs;  ///< file to read or write
+  bool json = false, quiet = false, check = false, prove = false;
 };
 
 /// The journal of an earlier run and the stream that goes on with it.
@@ -296,6 +298,32 @@ int look_up(CensusCommand& command) {
   return kSuccess;
 }
 
+/// Every proof again, by other code than made it.
+int check_proofs(const CensusCommand& command) {
+  const ChosenCensus chosen(command.in);
+  const Census& census = chosen.get();
+  std::optional<std::vector<canonical::CensusProof>> proofs;
+  if (!command.proofs.empty()) proofs = canonical::parse_census_proofs(read_file(command.proofs));
+  Context context = interruptible();
+  context.threads = command.classify.threads;
+  const canonical::CensusCheck check = canonical::check_census(
+      census, proofs ? *proofs : canonical::shipped_census_proofs(), context);
+  if (check.stopped) write_message("tripus: interrupted before all proofs were checked\n");
+  for (const std::string& failure : check.failures) write_output(printable(failure) + "\n");
+  write_output(
+      fmt::format("{} of {} manifolds have a valid proof\n", check.valid, census.manifolds.size()));
+  return check.failures.empty() && !check.stopped ? kSuccess : kNoAnswer;
+}
+
+int write_proofs(const CensusCommand& command) {
+  const ChosenCensus chosen(command.in);
+  const Context context = interruptible();
+  const auto proofs =
+      canonical::prove_census(chosen.get(), context);
+  write_text(command.proofs.empty() ? "-" : command.proofs, canonical::to_tsv(proofs));
+  return context.stop_requested() ? kNoAnswer : kSuccess;
+}
+
 void add_query_options(CLI::App& verb, CensusCommand& command) {
   CLI::Option* names =
       verb.add_option("NAME", command.names,
@@ -362,13 +390,26 @@ void add_census(CLI::App& program, Command& chosen) {
   auto command = std::make_shared<CensusCommand>();
   command->classify.canonize.retriangulation.budget = canonical::kCensusBudget;
   add_query_options(*verb, *command);
+  auto* check = verb->add_flag("--check", command->check,
+                               "check the proof of every manifold by other code than made it");
+  auto* prove = verb->add_flag("--prove", command->prove,
+                               "prove the metrics of all manifolds, and write the proofs");
+  check->excludes(prove);
+  verb->add_option("--proofs", command->proofs,
+                   "file of proofs that --check reads (default: the shipped one) or --prove\n"
+                   "writes (default: standard output)")
+      ->option_text("FILE");
   add_making_options(*verb, *command);
   verb->footer(kCensusHelp);
   verb->final_callback([command, verb, &chosen] {
     command->has_boundary = verb->get_option("--boundary")->count() > 0;
     command->has_homology = verb->get_option("--homology")->count() > 0;
     command->has_cells = verb->get_option("--cells")->count() > 0;
-    chosen = [command] { return command->lists.empty() ? look_up(*command) : make(*command); };
+    chosen = [command] {
+      if (command->check) return check_proofs(*command);
+      if (command->prove) return write_proofs(*command);
+      return command->lists.empty() ? look_up(*command) : make(*command);
+    };
   });
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/output_file.hpp"
 #include "cli/answer.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
@@ -37,6 +38,7 @@ struct SolveCommandOptions {
   bool components = false;
   MetricSearch search;
   std::string output;
+  bool prove = false;
 };
 
 /// Cone angles [E] with the ones that were asked for changed; empty if none were.
@@ -80,6 +82,20 @@ void write_solved(const SolveCommandOptions& command, Solved& solved) {
                            subject.best_signature());
 }
 
+/// The answer, with its proof if one is asked for.
+Outcome answer_of(const SolveCommandOptions& command, const Solved& solved) {
+  std::optional<structure::ProofText> proof;
+  if (command.prove) {
+    proof = structure::prove_report(solved.subject.triangulation, solved.report, 0,
+                                    interruptible());
+  }
+  const structure::ProofText* given = proof ? &*proof : nullptr;
+  return {command.common.json
+              ? report_as_json(solved.subject, solved.report, solved.search(), given)
+              : report_as_text(solved.subject, solved.report, solved.search(), given),
+          solved.is_geometric() ? kSuccess : kNoAnswer, solved.subject.notes};
+}
+
 Outcome solve_subject(const SolveCommandOptions& command, Subject subject) {
   structure::SolveOptions options = command.solve;
   options.cone_angles = cone_angles_of(command.cone_angles, subject.triangulation.edge_count());
@@ -100,9 +116,7 @@ Outcome solve_subject(const SolveCommandOptions& command, Subject subject) {
   Solved solved = find_metric(std::move(subject), options, command.search);
   if (history) history->close();
   write_solved(command, solved);
-  return {command.common.json ? report_as_json(solved.subject, solved.report, solved.search())
-                              : report_as_text(solved.subject, solved.report, solved.search()),
-          solved.is_geometric() ? kSuccess : kNoAnswer, solved.subject.notes};
+  return answer_of(command, solved);
 }
 
 /// A component as a subject of its own, its finite vertices removed.
@@ -233,6 +247,11 @@ void add_solve(CLI::App& program, Command& chosen) {
   verb->add_flag("--angle-structure", solve.angle_structure,
                  "also print an exact rational strict angle structure, if there is one")
       ->option_text(" ");
+  verb->add_flag("--prove", command->prove,
+                 "also prove what was found, with every rounding accounted for; see\n"
+                 "`tripus prove --help`")
+      ->option_text(" ")
+      ->excludes(verb->get_option("--cone-angle"));
   auto* components = verb->add_flag("--components", command->components,
                                     "solve each connected component by itself")
                          ->option_text(" ");

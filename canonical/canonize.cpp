@@ -130,8 +130,8 @@ class Canonizer {
       answer_.message = answer_.report.message;
       return std::nullopt;
     }
-    structure::Retriangulation found = structure::retriangulate(
-        triangulation, answer_.report, solve_, options_.retriangulation);
+    structure::Retriangulation found =
+        structure::retriangulate(triangulation, answer_.report, solve_, options_.retriangulation);
     if (found.report.outcome != Outcome::kGeometric) {
       answer_.message = found.report.message;
       answer_.advice = found.report.advice;

@@ -46,7 +46,7 @@ struct CanonizeAnswer {
   /// smaller and carries the metric, or else the input. Without a manifold that of the input, with
   /// the evidence there is.
   structure::Report report;
-  std::string message;  ///< one sentence for a person
+  std::string message;                                  ///< one sentence for a person
   structure::Advice advice = structure::Advice::kNone;  ///< where nothing was found
 };
 

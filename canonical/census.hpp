@@ -35,8 +35,8 @@ struct Census {
   std::vector<CensusEntry> manifolds;
   std::vector<std::string> unresolved;  ///< triangulations; ascending
 
-  /// By isometry signature or by the isomorphism signature of a listed triangulation, with or without
-  /// a sign, or by name; null if there is none. Linear search.
+  /// By isometry signature or by the isomorphism signature of a listed triangulation, with or
+  /// without a sign, or by name; null if there is none. Linear search.
   const CensusEntry* find(std::string_view text) const;
 };
 
@@ -90,8 +90,8 @@ struct JournalText {
 /// or if there is none but a torn one: it is then some other file.
 JournalText parse_journal(std::string_view text);
 
-/// The table: a comment with the counts, a header line, one manifold a line; then a comment for each
-/// unresolved triangulation, "# unresolved cPcbbbihq".
+/// The table: a comment with the counts, a header line, one manifold a line; then a comment for
+/// each unresolved triangulation, "# unresolved cPcbbbihq".
 std::string to_tsv(const Census& census);
 /// Line ends may be those of any system. Throws InvalidInput, naming the line.
 Census parse_tsv(std::string_view text);
@@ -113,7 +113,8 @@ struct CensusQuery {
   std::string cells;     ///< "4 tetrahedra", "pyramid + 2 tetrahedra"
   std::optional<std::size_t> tetrahedra;
 };
-/// Throws InvalidInput for a part of the query that cannot be read, and for an empty range of volumes.
+/// Throws InvalidInput for a part of the query that cannot be read, and for an empty range of
+/// volumes.
 std::vector<const CensusEntry*> select(const Census& census, const CensusQuery& query);
 
 /// "g2+g3" from "g3 + g2", "3,2", "genus 2 + genus 3". Throws InvalidInput.

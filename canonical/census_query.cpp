@@ -67,7 +67,8 @@ std::multiset<std::pair<std::string, std::size_t>> cells_of(std::string_view tex
     if (!count || *count == 0 || !is_cell_type_name(part)) {
       throw InvalidInput(quoted(std::string(text)) +
                          " are no cells; write them as \"1 octahedron\" or \"2 tetrahedra + 1 "
-                         "pyramid\"; the names are " + known_cell_names());
+                         "pyramid\"; the names are " +
+                         known_cell_names());
     }
     cells.emplace(part, *count);
   }
@@ -126,14 +127,13 @@ const CensusEntry* Census::find(std::string_view text) const {
 
 std::vector<const CensusEntry*> select(const Census& census, const CensusQuery& query) {
   if (!(query.least_volume <= query.greatest_volume)) {
-    throw InvalidInput(fmt::format("there is no volume from {} to {}", query.least_volume,
-                                   query.greatest_volume));
+    throw InvalidInput(
+        fmt::format("there is no volume from {} to {}", query.least_volume, query.greatest_volume));
   }
   const std::string boundary = query.boundary.empty() ? "" : parse_boundary(query.boundary);
   const std::string homology =
-      query.homology.empty()
-          ? ""
-          : topology::to_string(topology::parse_abelian_group(query.homology));
+      query.homology.empty() ? ""
+                             : topology::to_string(topology::parse_abelian_group(query.homology));
   std::multiset<std::pair<std::string, std::size_t>> cells;
   if (!query.cells.empty()) cells = cells_of(query.cells);
   std::vector<const CensusEntry*> result;

@@ -135,7 +135,8 @@ Census parse_tsv(std::string_view text) {
   for (std::string_view line : split(text, '\n')) {
     ++number;
     if (line.ends_with('\r')) line.remove_suffix(1);
-    if (line.starts_with(kUnresolved)) census.unresolved.emplace_back(line.substr(kUnresolved.size()));
+    if (line.starts_with(kUnresolved))
+      census.unresolved.emplace_back(line.substr(kUnresolved.size()));
     if (line.empty() || line.front() == '#') continue;
     if (!header && line != kColumns) {
       throw InvalidInput(

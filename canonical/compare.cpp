@@ -26,10 +26,10 @@ std::vector<std::string> boundary_components(const Triangulation& triangulation)
   for (std::size_t v = 0; v < triangulation.vertex_count(); ++v) {
     const topology::VertexLink& link = triangulation.link(v);
     if (link.euler_characteristic == 2) continue;  // filled in
-    result.push_back(link.orientable ? fmt::format("genus {}{}", link.genus(),
-                                                   link.genus() == 1 ? " (a cusp)" : "")
-                                     : fmt::format("non-orientable of Euler characteristic {}",
-                                                   link.euler_characteristic));
+    result.push_back(
+        link.orientable
+            ? fmt::format("genus {}{}", link.genus(), link.genus() == 1 ? " (a cusp)" : "")
+            : fmt::format("non-orientable of Euler characteristic {}", link.euler_characteristic));
   }
   std::ranges::sort(result);
   return result;

@@ -17,7 +17,7 @@ struct Comparison {
   /// What decided: "boundary", "orientability", "homology", "orthospectrum", "volume",
   /// "decomposition", "triangulation"; empty if nothing did.
   std::string decided_by;
-  std::string message;  ///< one sentence for a person
+  std::string message;                                  ///< one sentence for a person
   structure::Advice advice = structure::Advice::kNone;  ///< where nothing was found
   /// The isometry as a map of the cells of the first manifold to those of the second.
   std::optional<CellMap> isometry;
@@ -35,13 +35,13 @@ struct Comparison {
 /// nothing about them; an isometry of chiral manifolds then may keep or reverse them.
 enum class Orientations { kKnown, kNotKnown };
 
-/// Invariants are compared from the cheapest on: the boundary components (what is not a sphere among
-/// the vertex links), orientability, first homology, for large triangulations the shortest orthogonal
-/// arcs, volume, canonical decomposition. Where that of one or both was not found, a triangulation is looked for that moves reach from both.
-/// "Different" by volume or by decomposition and "homeomorphic" by decomposition rest on
-/// floating-point metrics and on tilt signs with the margins of FaceKinds.
-/// Throws InvalidInput for triangulations that structure::solve refuses, unless the boundary,
-/// orientability or homology decides.
+/// Invariants are compared from the cheapest on: the boundary components (what is not a sphere
+/// among the vertex links), orientability, first homology, for large triangulations the shortest
+/// orthogonal arcs, volume, canonical decomposition. Where that of one or both was not found, a
+/// triangulation is looked for that moves reach from both. "Different" by volume or by
+/// decomposition and "homeomorphic" by decomposition rest on floating-point metrics and on tilt
+/// signs with the margins of FaceKinds. Throws InvalidInput for triangulations that
+/// structure::solve refuses, unless the boundary, orientability or homology decides.
 Comparison compare(const topology::Triangulation& first, const topology::Triangulation& second,
                    const CanonizeOptions& options = {},
                    Orientations orientations = Orientations::kKnown);

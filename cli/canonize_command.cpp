@@ -59,8 +59,9 @@ std::string as_text(const Subject& subject, const canonical::CanonizeAnswer& ans
     text += manifold_as_text(*answer.manifold);
     if (!subject.orientation_known && answer.manifold->decomposition.is_orientable() &&
         !answer.manifold->isometries.is_amphicheiral)
-      text += "  the orientation is not known, since the INPUT is a signature without + or -: the "
-              "sign\n  above is that of INPUT+\n";
+      text +=
+          "  the orientation is not known, since the INPUT is a signature without + or -: the "
+          "sign\n  above is that of INPUT+\n";
     if (proof != nullptr)
       text += fmt::format("  {:<14}{}\n", "proof", canonical::proof_message(*proof));
     return text;

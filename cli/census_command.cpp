@@ -45,7 +45,7 @@ struct CensusCommand {
   canonical::CensusQuery query;
   std::string volume;
   bool has_boundary = false, has_homology = false, has_cells = false;  ///< also if empty
-  std::string proofs;  ///< file to read or write
+  std::string proofs;                                                  ///< file to read or write
   bool json = false, quiet = false, check = false, prove = false;
 };
 
@@ -96,8 +96,8 @@ struct Inputs {
   std::size_t refused = 0;
 };
 
-/// Every line is an INPUT, as for the other batches. What cannot be read is named, and the rest goes
-/// on.
+/// Every line is an INPUT, as for the other batches. What cannot be read is named, and the rest
+/// goes on.
 Inputs read_lists(const std::vector<std::string>& paths) {
   Inputs inputs;
   for (const std::string& path : paths)
@@ -193,16 +193,16 @@ int make(CensusCommand& command) {
   }
   const Census census = canonical::make_census(lines);
   if (census.manifolds.empty() && census.unresolved.empty())
-    throw InvalidInput(fmt::format("all of the {} were refused: no census was made",
-                                   counted(total + inputs.refused, "triangulation",
-                                           "triangulations")));
+    throw InvalidInput(
+        fmt::format("all of the {} were refused: no census was made",
+                    counted(total + inputs.refused, "triangulation", "triangulations")));
   write_census(command, census);
   if (!path.empty() && command.journal.empty()) std::filesystem::remove(path);
   const std::string summary = fmt::format(
       "{} triangulations: {} manifolds; {} carry their metric, {} after moves, {} unresolved, {} "
       "refused{}\n",
-      total + inputs.refused, census.manifolds.size(), own, moved, census.unresolved.size(), refused,
-      resumed == 0 ? "" : fmt::format(" ({} known from an earlier run)", resumed));
+      total + inputs.refused, census.manifolds.size(), own, moved, census.unresolved.size(),
+      refused, resumed == 0 ? "" : fmt::format(" ({} known from an earlier run)", resumed));
   write_message(command.quiet ? "" : summary);
   if (command.tsv.empty() && command.database.empty()) write_text("-", canonical::to_tsv(census));
   return kSuccess;
@@ -245,9 +245,10 @@ std::vector<const canonical::CensusEntry*> find_names(const CensusCommand& comma
     if (entry == nullptr && !canonical::is_census_name(name))
       entry = census.find(topology::isosig(load_manifold_input(name).gluings));
     if (entry == nullptr) {
-      throw InvalidInput(fmt::format("{} is not in the census; tripus identify looks for the manifold "
-                                     "and not the triangulation",
-                                     tripus::quoted(name)));
+      throw InvalidInput(
+          fmt::format("{} is not in the census; tripus identify looks for the manifold "
+                      "and not the triangulation",
+                      tripus::quoted(name)));
     }
     found.push_back(entry);
   }
@@ -275,8 +276,7 @@ std::vector<const canonical::CensusEntry*> select(CensusCommand& command, const 
 int look_up(CensusCommand& command) {
   const ChosenCensus chosen(command.in);
   const Census& census = chosen.get();
-  const auto found =
-      command.names.empty() ? select(command, census) : find_names(command, census);
+  const auto found = command.names.empty() ? select(command, census) : find_names(command, census);
   if (found.empty()) {
     write_message(fmt::format("tripus: nothing found: {}\n", canonical::describe(census)));
     return kNoAnswer;
@@ -318,8 +318,7 @@ int check_proofs(const CensusCommand& command) {
 int write_proofs(const CensusCommand& command) {
   const ChosenCensus chosen(command.in);
   const Context context = interruptible();
-  const auto proofs =
-      canonical::prove_census(chosen.get(), context);
+  const auto proofs = canonical::prove_census(chosen.get(), context);
   write_text(command.proofs.empty() ? "-" : command.proofs, canonical::to_tsv(proofs));
   return context.stop_requested() ? kNoAnswer : kSuccess;
 }
@@ -379,7 +378,8 @@ constexpr const char* kCensusHelp =
     "Without --from it looks in a census. Manifolds of the shipped census keep their names in any\n"
     "other; what is not in it is called by its signature. All names are INPUTs.\n"
     "\n"
-    "Exit status: 0 found, or made; 1 nothing was found, or interrupted; 2 bad usage or bad input,\n"
+    "Exit status: 0 found, or made; 1 nothing was found, or interrupted; 2 bad usage or bad "
+    "input,\n"
     "3 a failure of the program itself.";
 
 }  // namespace

@@ -103,7 +103,7 @@ Outcome check_one(const CheckOptions& options) {
 
 void add_check(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
-      "check", "check a certificate of \"infeasible\", or a proof, by other code than made it");
+      "check", "check a certificate of \"infeasible\" or a proof, by independent code");
   auto options = std::make_shared<CheckOptions>();
   verb->add_option("CERTIFICATE", options->certificate,
                    "the JSON of a certificate or of a proof, or an answer that has one")

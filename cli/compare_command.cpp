@@ -65,8 +65,12 @@ std::string as_json(const CompareCommand& command, const Comparison& comparison,
   const bool unknown = !comparison.orientations_known;
   fmt::format_to(std::back_inserter(out),
                  ", \"keeps_orientation\": {}, \"reverses_orientation\": {}",
-                 unknown ? "null" : comparison.keeps_orientation ? "true" : "false",
-                 unknown ? "null" : comparison.reverses_orientation ? "true" : "false");
+                 unknown                        ? "null"
+                 : comparison.keeps_orientation ? "true"
+                                                : "false",
+                 unknown                           ? "null"
+                 : comparison.reverses_orientation ? "true"
+                                                   : "false");
   append_side(out, "first", command.common.input, comparison.first);
   append_side(out, "second", command.second, comparison.second);
   if (comparison.advice != structure::Advice::kNone) {
@@ -124,8 +128,7 @@ Outcome compare_two(const CompareCommand& command) {
   catch_interrupts();
   canonical::CanonizeOptions options = command.canonize;
   options.solve.stop_requested = &interrupt_requested();
-  const Comparison comparison =
-      compare_subjects(first, second, options);
+  const Comparison comparison = compare_subjects(first, second, options);
   std::vector<std::string> notes = first.notes;
   notes.insert(notes.end(), second.notes.begin(), second.notes.end());
   std::optional<canonical::ComparisonProof> proof;

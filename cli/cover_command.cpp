@@ -233,8 +233,8 @@ int write_covers(const CoverCommand& command, const std::string& input, Sink& si
   DistinctManifolds distinct;
   const auto visit = [&](const Cover& cover) {
     ++number;
-    const Subject subject = make_subject(
-        input, {loaded.name, cover.gluings, loaded.orientation_known, loaded.notes});
+    const Subject subject =
+        make_subject(input, {loaded.name, cover.gluings, loaded.orientation_known, loaded.notes});
     if (command.distinct && !distinct.add(subject)) return !interrupt_requested();
     ++written;
     sink.add(
@@ -256,9 +256,8 @@ int write_covers(const CoverCommand& command, const std::string& input, Sink& si
   } else {
     topology::for_each_cover(base, command.sheets(), visit, stop);
   }
-  for (const std::string& note : command.common.json || command.common.quiet
-                                     ? std::vector<std::string>()
-                                     : loaded.notes)
+  for (const std::string& note :
+       command.common.json || command.common.quiet ? std::vector<std::string>() : loaded.notes)
     write_message(fmt::format("tripus: note: {}: {}\n", printable(input), note));
   if (written < number && !command.common.quiet)
     write_message(fmt::format("tripus: {}: {} left out: the same manifolds as others\n",
@@ -304,8 +303,10 @@ constexpr const char* kFooter =
     "  tripus cover cPcbbbihq --degree 3 | tripus solve --batch - --json\n"
     "Tetrahedron t of INPUT, with T tetrahedra, is number t + T k on sheet k in the table that\n"
     "--json and -o FOLDER/ write. Two covers may be the same manifold: see --distinct.\n"
-    "Signatures have a sign, which keeps the orientation, if INPUT does. Covers of a degree are told by\n"
-    "how loops through faces (tetrahedron.face) permute the sheets; the subgroup is that of the loops\n"
+    "Signatures have a sign, which keeps the orientation, if INPUT does. Covers of a degree are "
+    "told by\n"
+    "how loops through faces (tetrahedron.face) permute the sheets; the subgroup is that of the "
+    "loops\n"
     "which lead from sheet 0 back to it.\n"
     "\nExit status: 0 done, 1 there is no such cover or interrupted, 2 bad usage or bad input,\n"
     "3 a failure of the program itself.";

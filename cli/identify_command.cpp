@@ -28,12 +28,12 @@ std::string message_of(const Identification& found, const IdentifyCommand& comma
   if (found.entry != nullptr) return fmt::format("It is {}.", found.entry->name);
   if (found.by == IdentifiedBy::kNothing) return "Unresolved: " + found.answer->message;
   const canonical::CanonicalManifold& manifold = *found.answer->manifold;
-  return fmt::format("It is not in the census {}: its signature is {}, its volume {:.15g}.",
-                     command.in.empty()
-                         ? "that comes with the program, which ends with four tetrahedra"
-                         : fmt::format("{} of {} manifolds", tripus::quoted(command.in),
-                                       census.manifolds.size()),
-                     manifold.signature.unoriented, manifold.report.volume);
+  return fmt::format(
+      "It is not in the census {}: its signature is {}, its volume {:.15g}.",
+      command.in.empty()
+          ? "that comes with the program, which ends with four tetrahedra"
+          : fmt::format("{} of {} manifolds", tripus::quoted(command.in), census.manifolds.size()),
+      manifold.signature.unoriented, manifold.report.volume);
 }
 
 std::string as_json(const Subject& subject, const Identification& found,
@@ -63,13 +63,11 @@ Outcome identify_one(const IdentifyCommand& command, const Census& census,
                      const std::string& input) {
   const Subject subject = load_solvable_subject(input, interruptible(), require_with_remedy);
   catch_interrupts();
-  const Identification found =
-      canonical::identify(subject.triangulation, census, command.canonize);
+  const Identification found = canonical::identify(subject.triangulation, census, command.canonize);
   const std::string message = message_of(found, command, census);
   std::string text = fmt::format("{}: {}\n", printable(subject.input), message);
   if (found.entry != nullptr) text += "  " + entry_as_text(*found.entry);
-  if (found.entry == nullptr && found.answer &&
-      found.answer->advice != structure::Advice::kNone)
+  if (found.entry == nullptr && found.answer && found.answer->advice != structure::Advice::kNone)
     text += fmt::format("  {}\n", advice_text(found.answer->advice));
   return {command.common.json ? as_json(subject, found, message) : text,
           found.entry != nullptr ? kSuccess : kNoAnswer, subject.notes};

@@ -77,7 +77,8 @@ void add_info(CLI::App& program, Command& chosen) {
     chosen = [options] {
       return answer_inputs(*options, [options](const std::string& input) {
         const Subject subject = load_subject(input, interruptible());
-        return Outcome{options->json ? as_json(subject) : as_text(subject), kSuccess, subject.notes};
+        return Outcome{options->json ? as_json(subject) : as_text(subject), kSuccess,
+                       subject.notes};
       });
     };
   });

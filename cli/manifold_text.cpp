@@ -14,9 +14,9 @@ std::string group_text(const canonical::IsometryGroup& group) {
   std::vector<std::string> parts;
   for (const auto& [order, count] : group.element_orders) {
     if (order > 1)
-      parts.push_back(fmt::format(
-          "{}{} of order {}", count,
-          parts.empty() ? (count == 1 ? " element" : " elements") : "", order));
+      parts.push_back(fmt::format("{}{} of order {}", count,
+                                  parts.empty() ? (count == 1 ? " element" : " elements") : "",
+                                  order));
   }
   return parts.empty() ? group.name : fmt::format("{}; {}", group.name, fmt::join(parts, ", "));
 }

@@ -36,8 +36,8 @@ Solved find_metric(Subject subject, structure::SolveOptions options, const Metri
   options.time_limit -= report.seconds;
   if (geometric || !search.retriangulate || !(options.time_limit > 0) || interrupt_requested())
     return {std::move(subject), std::move(report), std::nullopt};
-  structure::Retriangulation found = structure::retriangulate(
-      subject.triangulation, std::move(report), options, search.options);
+  structure::Retriangulation found =
+      structure::retriangulate(subject.triangulation, std::move(report), options, search.options);
   Subject result = make_subject(subject, found.gluings);
   structure::Report found_report = found.report;
   return {std::move(result), std::move(found_report), std::move(found)};

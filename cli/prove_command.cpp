@@ -57,7 +57,8 @@ Outcome prove_one(const ProveCommandOptions& command, const std::string& input) 
   const bool metric = proof.proved && proof.claim == structure::Proof::Claim::kMetric;
   if (command.common.json) {
     report.message = structure::proof_message(proof);
-    return {report_as_json(subject, report, nullptr, &proof), metric ? kSuccess : kNoAnswer, subject.notes};
+    return {report_as_json(subject, report, nullptr, &proof), metric ? kSuccess : kNoAnswer,
+            subject.notes};
   }
   std::string text = fmt::format("{}: {}\n", printable(subject.input), proof_message(proof));
   if (proof.proved && proof.volume)

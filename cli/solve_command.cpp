@@ -8,6 +8,7 @@
 
 #include "base/output_file.hpp"
 #include "cli/answer.hpp"
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
@@ -86,8 +87,8 @@ void write_solved(const SolveCommandOptions& command, Solved& solved) {
 Outcome answer_of(const SolveCommandOptions& command, const Solved& solved) {
   std::optional<structure::ProofText> proof;
   if (command.prove) {
-    proof = structure::prove_report(solved.subject.triangulation, solved.report, 0,
-                                    interruptible());
+    proof =
+        structure::prove_report(solved.subject.triangulation, solved.report, 0, interruptible());
   }
   const structure::ProofText* given = proof ? &*proof : nullptr;
   return {command.common.json
@@ -187,9 +188,9 @@ int run(SolveCommandOptions& command) {
   }
   structure::find_solve_method(command.solve.method, 1);  // a wrong name is wrong for all inputs
   return answer_inputs(command.common, [&](const std::string& input) {
-    return command.components
-               ? solve_components(command, input)
-               : solve_subject(command, load_solvable_subject(input, interruptible(), require_with_remedy));
+    return command.components ? solve_components(command, input)
+                              : solve_subject(command, load_solvable_subject(input, interruptible(),
+                                                                             require_with_remedy));
   });
 }
 

@@ -36,8 +36,7 @@ auto blame(const std::string& source, Work&& work) {
 std::optional<topology::NamedGluings> find_in_census(const std::string& name) {
   if (!canonical::is_census_name(name)) return std::nullopt;
   const canonical::CensusEntry* entry = canonical::shipped_census().find(name);
-  if (entry == nullptr)
-    throw InvalidInput("there is no " + name + " in the shipped census");
+  if (entry == nullptr) throw InvalidInput("there is no " + name + " in the shipped census");
   return topology::NamedGluings{name, topology::decode_isosig(entry->triangulations.front()),
                                 false};
 }
@@ -71,7 +70,8 @@ std::string beginning_of(const std::string& text) {
   std::string line = text.substr(0, text.find('\n')).substr(0, 64);
   while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
   for (const char c : line)
-    if ((static_cast<unsigned char>(c) < 0x20 && c != '\t') || static_cast<unsigned char>(c) >= 0x7f)
+    if ((static_cast<unsigned char>(c) < 0x20 && c != '\t') ||
+        static_cast<unsigned char>(c) >= 0x7f)
       return {};
   return line.empty() ? "" : ", starting with " + tripus::quoted(line);
 }
@@ -82,7 +82,8 @@ topology::NamedGluings read_single(const std::string& text, const std::string& s
     const topology::TextFormat format = topology::detect_format(text);
     if (format == topology::TextFormat::kJson && is_drawing(text))
       throw InvalidInput(
-          "it is a drawing of a graph in space, and no triangulation: make the surface around it first "
+          "it is a drawing of a graph in space, and no triangulation: make the surface around it "
+          "first "
           "(tripus tube DRAWING -o surface.off), which is an INPUT");
     if (format != topology::TextFormat::kUnknown && format != topology::TextFormat::kIsosig)
       return topology::read_triangulation(text);
@@ -155,17 +156,19 @@ topology::NamedGluings load_as_given(const std::string& input, Wanted wanted,
     return read_single(content, source_of(input));
   }
   if (auto word = read_word(input)) return *std::move(word);
-  throw InvalidInput(quoted(input) +
-                     " is neither a file nor an isomorphism signature (letters, digits, + and -) nor "
-                     "a name of the census");
+  throw InvalidInput(
+      quoted(input) +
+      " is neither a file nor an isomorphism signature (letters, digits, + and -) nor "
+      "a name of the census");
 }
 
 topology::NamedGluings load(const std::string& input, Wanted wanted, const Context& context) {
   topology::NamedGluings loaded = load_as_given(input, wanted, context);
   const StopFlag stop(context);
   blame(source_of(input), [&] {
-    make_ideal(loaded, wanted == Wanted::kAny ? topology::FiniteVertices::kKeep
-                                              : topology::FiniteVertices::kRemove,
+    make_ideal(loaded,
+               wanted == Wanted::kAny ? topology::FiniteVertices::kKeep
+                                      : topology::FiniteVertices::kRemove,
                stop.get());
   });
   return loaded;

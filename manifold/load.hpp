@@ -12,8 +12,8 @@
 
 namespace tripus {
 
-/// Reads an INPUT as typed: a file, `-` for standard input, an isomorphism signature with or without
-/// a sign, or a name of the shipped census. A boundary is coned off, with a note. A surface
+/// Reads an INPUT as typed: a file, `-` for standard input, an isomorphism signature with or
+/// without a sign, or a name of the shipped census. A boundary is coned off, with a note. A surface
 /// or a tetrahedral mesh becomes a small ideal triangulation of its solid (meshing::manifold_of);
 /// of a ball, which has no boundary left when it is filled in, a triangulation with a finite
 /// vertex. Throws InvalidInput if it is none of them or its content cannot be read; Stopped if a

@@ -18,12 +18,14 @@ void make_ideal(topology::NamedGluings& loaded, topology::FiniteVertices finite_
   if (!ideal.is_changed()) return;
   std::string what;
   if (ideal.coned_faces > 0)
-    what = fmt::format("the boundary of {} was coned off, each component of it to a vertex (a "
-                       "sphere is filled in)",
-                       counted(ideal.coned_faces, "open face", "open faces"));
+    what = fmt::format(
+        "the boundary of {} was coned off, each component of it to a vertex (a "
+        "sphere is filled in)",
+        counted(ideal.coned_faces, "open face", "open faces"));
   if (ideal.finite_vertices > 0) {
-    what += fmt::format("{}{} removed by simplifying", what.empty() ? "" : "; ",
-                        counted(ideal.finite_vertices, "finite vertex was", "finite vertices were"));
+    what +=
+        fmt::format("{}{} removed by simplifying", what.empty() ? "" : "; ",
+                    counted(ideal.finite_vertices, "finite vertex was", "finite vertices were"));
   }
   loaded.notes.push_back(fmt::format("{}: {} became {}", what,
                                      counted(ideal.given, "tetrahedron", "tetrahedra"),

@@ -7,8 +7,8 @@
 
 namespace tripus {
 
-/// Makes a triangulation fit for what is done with it (topology::ideal_triangulation), with a note of
-/// what was changed.
+/// Makes a triangulation fit for what is done with it (topology::ideal_triangulation), with a note
+/// of what was changed.
 void make_ideal(topology::NamedGluings& loaded, topology::FiniteVertices finite_vertices,
                 const std::atomic<bool>* stop_requested = nullptr);
 

@@ -18,8 +18,8 @@ struct Subject {
   std::string name;   ///< from the file, may be empty
   topology::Triangulation triangulation;
   std::optional<std::string> isosig;  ///< nothing where it would take too long
-  /// The signature with its sign; nothing where the orientation is not known, and for triangulations
-  /// that are not connected or not orientable.
+  /// The signature with its sign; nothing where the orientation is not known, and for
+  /// triangulations that are not connected or not orientable.
   std::optional<std::string> oriented_isosig = {};
   /// False if the INPUT says nothing about the orientation: a signature without a sign.
   bool orientation_known = true;
@@ -50,8 +50,8 @@ Subject make_subject(const Subject& subject, topology::Gluings gluings);
 /// The kind of a vertex link in a word: geodesic, cusp, finite, or unsupported.
 std::string_view link_kind(const topology::VertexLink& link);
 
-/// The keys that `info` and `solve` share: name, isosig, counts, orientable, edge_valences; and notes
-/// where there are any.
+/// The keys that `info` and `solve` share: name, isosig, counts, orientable, edge_valences; and
+/// notes where there are any.
 void append_subject(JsonText& out, const Subject& subject);
 
 /// , "oriented_isosig": the signature with its sign, or null.

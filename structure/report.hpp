@@ -25,11 +25,11 @@ std::string_view to_string(Outcome outcome);
 /// What to do where no metric was found. The program, not the library, knows by which options.
 enum class Advice {
   kNone,
-  kRetriangulate,        ///< look for another triangulation of the manifold
-  kMoreTime,             ///< raise the limit of time or iterations that ended the run
-  kLooserTolerance,      ///< there is a metric, to the accuracy of doubles, but not to this tolerance
-  kLargerSearch,         ///< a larger budget or another seed for the search of triangulations
-  kMoreSearchTime,       ///< more time for the search of triangulations
+  kRetriangulate,    ///< look for another triangulation of the manifold
+  kMoreTime,         ///< raise the limit of time or iterations that ended the run
+  kLooserTolerance,  ///< there is a metric, to the accuracy of doubles, but not to this tolerance
+  kLargerSearch,     ///< a larger budget or another seed for the search of triangulations
+  kMoreSearchTime,   ///< more time for the search of triangulations
   kLargerTriangulation,  ///< begin with a larger one: the search has seen all that are near
 };
 /// "none", "retriangulate", "more time", ...

@@ -264,7 +264,8 @@ class Search {
     result.start = signature_;
     result.report = std::move(start_);
     result.report.message = fmt::format(
-        "{}, nor on {} other triangulation{} of the manifold with up to {} tetrahedra ({}); nothing "
+        "{}, nor on {} other triangulation{} of the manifold with up to {} tetrahedra ({}); "
+        "nothing "
         "follows about the manifold.",
         why_not_the_start(result.report), tried_, tried_ == 1 ? "" : "s", limit_, reason(end_));
     result.report.outcome = Outcome::kUnresolved;

@@ -218,7 +218,8 @@ Findings triangulations_findings(const std::vector<Table>& tables) {
   };
   findings.paragraph = fmt::format(
       "Of {:.0f} distinct triangulations {:.0f} ({:.1f} %) are geometric, {:.0f} are degenerate, "
-      "{:.0f} are infeasible with semi-angle structures only and {:.0f} with no angle structure, by "
+      "{:.0f} are infeasible with semi-angle structures only and {:.0f} with no angle structure, "
+      "by "
       "exact certificates; {:.0f} are unresolved. {} of the {} with an edge of valence 1 or 2 are "
       "geometric. The volumes of all metrics of one input agree within {:.1e}. The "
       "condition number of the Hessian is {:.3g} in the median and {:.3g} at most (the longest "

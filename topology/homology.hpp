@@ -21,8 +21,8 @@ struct AbelianGroup {
 /// "0", "Z", "2 Z + Z_3", "Z + 2 Z_2 + Z_6": as Regina writes it.
 std::string to_string(const AbelianGroup& group);
 
-/// The group that a text means: "2 Z + Z_3", "2Z+Z_3", "Z^2+Z/3", "Z+Z+Z/3Z", "(Z/2)^2", "0". Factors
-/// need not divide each other. Throws InvalidInput.
+/// The group that a text means: "2 Z + Z_3", "2Z+Z_3", "Z^2+Z/3", "Z+Z+Z/3Z", "(Z/2)^2", "0".
+/// Factors need not divide each other. Throws InvalidInput.
 AbelianGroup parse_abelian_group(std::string_view text);
 
 /// The first homology of the manifold: of the space without its vertices, which is that of the

@@ -26,14 +26,14 @@ std::string isosig(const Gluings& gluings);
 /// visits at most 4 T faces; 1e8 is about a second.
 std::optional<std::string> isosig(const Gluings& gluings, std::size_t work_limit);
 
-/// An isomorphism signature with what it takes to keep the orientation. A connected orientable table
-/// and its mirror image have the same isomorphism signature; the sign tells them apart. `+`: an
-/// isomorphism that keeps the orientation carries decode_isosig(isosig) to the table; `-`: it carries
-/// its mirror image there. Where both do, the sign is `+`. (The orientation of a table is that of
-/// the labels 0123 of tetrahedron 0, see orientation.hpp.)
+/// An isomorphism signature with what it takes to keep the orientation. A connected orientable
+/// table and its mirror image have the same isomorphism signature; the sign tells them apart. `+`:
+/// an isomorphism that keeps the orientation carries decode_isosig(isosig) to the table; `-`: it
+/// carries its mirror image there. Where both do, the sign is `+`. (The orientation of a table is
+/// that of the labels 0123 of tetrahedron 0, see orientation.hpp.)
 struct Isosig {
   std::string isosig;
-  char sign = 0;                ///< '+' or '-'; 0 if not orientable or not connected
+  char sign = 0;                 ///< '+' or '-'; 0 if not orientable or not connected
   bool is_amphicheiral = false;  ///< the table is isomorphic to its mirror image
 
   /// "cPcbbbihq+"; without a sign where there is none.

@@ -188,12 +188,14 @@ Gluings decode_isosig(std::string_view text) {
   if (sign == 0) return gluings;
   const std::string whole = quoted(std::string(detail::trimmed(text)));
   if (components(gluings).size() > 1) {
-    throw InvalidInput("isomorphism signature " + whole + ": a sign at the end keeps the orientation " +
+    throw InvalidInput("isomorphism signature " + whole +
+                       ": a sign at the end keeps the orientation " +
                        "of a connected triangulation, and this has several components");
   }
   if (!is_orientable(gluings)) {
-    throw InvalidInput("isomorphism signature " + whole + ": the triangulation is not orientable, " +
-                       "so the " + sign + " at the end means nothing; leave it out");
+    throw InvalidInput("isomorphism signature " + whole +
+                       ": the triangulation is not orientable, " + "so the " + sign +
+                       " at the end means nothing; leave it out");
   }
   gluings = oriented(gluings);
   return sign == '+' ? gluings : mirrored(gluings);

@@ -21,8 +21,8 @@ bool is_orientable(const Gluings& gluings);
 /// [T] for which tetrahedra `oriented` changes the labels; nothing if it is not orientable.
 std::optional<std::vector<char>> disagreeing_labels(const Gluings& gluings);
 
-/// The same triangulation with the labels 2 and 3 of every tetrahedron exchanged, which reverses the
-/// orientation; an oriented table stays oriented.
+/// The same triangulation with the labels 2 and 3 of every tetrahedron exchanged, which reverses
+/// the orientation; an oriented table stays oriented.
 Gluings mirrored(const Gluings& gluings);
 
 }  // namespace tripus::topology

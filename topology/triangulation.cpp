@@ -44,8 +44,8 @@ void Triangulation::walk_edges() {
         std::uint32_t& slot = edge_class_[6 * walk.t + static_cast<std::size_t>(walk.edge())];
         if (slot != kUnset)
           throw InvalidInput("edge " + std::to_string(std::min(walk.a, walk.b)) +
-                             std::to_string(std::max(walk.a, walk.b)) +
-                             " of tetrahedron " + std::to_string(walk.t) +
+                             std::to_string(std::max(walk.a, walk.b)) + " of tetrahedron " +
+                             std::to_string(walk.t) +
                              " is identified with its own reverse; the midpoint of such an edge "
                              "is not a manifold point, so the gluings must be changed");
         slot = index;

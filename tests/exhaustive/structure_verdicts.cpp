@@ -274,7 +274,8 @@ TEST(Retriangulation, SaysWhenThereIsNothingElseToTry) {
 
 TEST(Retriangulation, SimplifiesFirst) {
   const topology::MoveKind kinds[] = {topology::MoveKind::kTwoThree, topology::MoveKind::kThreeTwo,
-                                      topology::MoveKind::kFourFour, topology::MoveKind::kZeroTwoEdge};
+                                      topology::MoveKind::kFourFour,
+                                      topology::MoveKind::kZeroTwoEdge};
   for (const char* start : {"cPcbbbihq+", "cPcbbbihq-"}) {
     for (std::uint64_t seed = 1; seed <= 15; ++seed) {
       SCOPED_TRACE(seed);

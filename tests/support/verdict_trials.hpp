@@ -13,8 +13,8 @@
 #include "structure/solve.hpp"
 #include "topology/homology.hpp"
 #include "topology/isosig.hpp"
-#include "topology/orientation.hpp"
 #include "topology/moves/moves.hpp"
+#include "topology/orientation.hpp"
 
 // The claims of docs/verdicts.md as trials with counts. The tests run samples of them, the program
 // tests/full/verdicts.cpp all.

@@ -14,8 +14,7 @@ using Permutation = std::vector<int>;
 
 Permutation composed(const Permutation& a, const Permutation& b) {
   Permutation result(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i)
-    result[i] = a[static_cast<std::size_t>(b[i])];
+  for (std::size_t i = 0; i < a.size(); ++i) result[i] = a[static_cast<std::size_t>(b[i])];
   return result;
 }
 
@@ -52,7 +51,9 @@ const std::vector<NamedGroup>& groups() {
       {"Z_2 + Z_2", 4, {{1, 0, 2, 3}, {0, 1, 3, 2}}},
       {"Z_2 + Z_4", 8, {{1, 2, 3, 0, 4, 5}, {0, 1, 2, 3, 5, 4}}},
       {"Z_2 + Z_2 + Z_2", 8, {{1, 0, 2, 3, 4, 5}, {0, 1, 3, 2, 4, 5}, {0, 1, 2, 3, 5, 4}}},
-      {"Z_3 + Z_6", 18, {{1, 2, 0, 3, 4, 5, 6, 7}, {0, 1, 2, 4, 5, 3, 6, 7}, {0, 1, 2, 3, 4, 5, 7, 6}}},
+      {"Z_3 + Z_6",
+       18,
+       {{1, 2, 0, 3, 4, 5, 6, 7}, {0, 1, 2, 4, 5, 3, 6, 7}, {0, 1, 2, 3, 4, 5, 7, 6}}},
       {"dihedral of order 6", 6, {{1, 2, 0}, {0, 2, 1}}},
       {"dihedral of order 8", 8, {{1, 2, 3, 0}, {0, 3, 2, 1}}},
       {"dihedral of order 12", 12, {{1, 2, 0, 3, 4}, {0, 2, 1, 3, 4}, {0, 1, 2, 4, 3}}},
@@ -62,7 +63,9 @@ const std::vector<NamedGroup>& groups() {
       {"symmetric S_4", 24, {{1, 2, 3, 0}, {1, 0, 2, 3}}},
       {"Z_2 x alternating A_4", 24, {{1, 2, 0, 3, 4, 5}, {1, 0, 3, 2, 4, 5}, {0, 1, 2, 3, 5, 4}}},
       {"Z_2 x symmetric S_4", 48, {{1, 2, 3, 0, 4, 5}, {1, 0, 2, 3, 4, 5}, {0, 1, 2, 3, 5, 4}}},
-      {"Z_2 x dihedral of order 8", 16, {{1, 2, 3, 0, 4, 5}, {0, 3, 2, 1, 4, 5}, {0, 1, 2, 3, 5, 4}}},
+      {"Z_2 x dihedral of order 8",
+       16,
+       {{1, 2, 3, 0, 4, 5}, {0, 3, 2, 1, 4, 5}, {0, 1, 2, 3, 5, 4}}},
       {"alternating A_5", 60, {{1, 2, 3, 4, 0}, {1, 2, 0, 3, 4}}},
       {"symmetric S_5", 120, {{1, 2, 3, 4, 0}, {1, 0, 2, 3, 4}}},
       {"non-abelian of order 21", 21, {{1, 2, 3, 4, 5, 6, 0}, {0, 2, 4, 6, 1, 3, 5}}},

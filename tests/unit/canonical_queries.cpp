@@ -30,7 +30,8 @@ TEST(CensusQueries, AreFreeInTheirSpelling) {
 }
 
 TEST(CensusQueries, ThatAreNoneAreRefused) {
-  for (const char* boundary : {"banana", "g", "g1", "g0", "g-2", "g2+", "g2.5", "g99999999999999999999"})
+  for (const char* boundary :
+       {"banana", "g", "g1", "g0", "g-2", "g2+", "g2.5", "g99999999999999999999"})
     EXPECT_THROW(count({.boundary = boundary}), InvalidInput) << boundary;
   for (const char* homology : {"banana", "Z+", "2"})
     EXPECT_THROW(count({.homology = homology}), InvalidInput) << homology;
@@ -59,8 +60,8 @@ TEST(CensusNames, BelongToOneManifold) {
   const CensusEntry& shipped = shipped_census().manifolds.at(100);
   const std::string other = "eLMkbcdddheipi";
   ASSERT_EQ(shipped_census().find(other), nullptr);
-  const Census census = make_census({line_of(other, other),
-                                     line_of(shipped.triangulations.back(), shipped.signature)});
+  const Census census = make_census(
+      {line_of(other, other), line_of(shipped.triangulations.back(), shipped.signature)});
   ASSERT_EQ(census.manifolds.size(), 2u);
   EXPECT_EQ(census.find(shipped.signature)->name, shipped.name);
   // The name claims nothing, and is an input.

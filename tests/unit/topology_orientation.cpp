@@ -17,7 +17,8 @@ namespace {
 
 std::vector<std::string> some_signatures() {
   std::vector<std::string> result = tripus::testing::data_lines("triangulations-2.txt");
-  for (const auto& line : tripus::testing::data_lines("triangulations-3.txt")) result.push_back(line);
+  for (const auto& line : tripus::testing::data_lines("triangulations-3.txt"))
+    result.push_back(line);
   const auto four = tripus::testing::data_lines("triangulations-4.txt");
   for (std::size_t k = 0; k < four.size(); k += 101) result.push_back(four[k]);
   return result;

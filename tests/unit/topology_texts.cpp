@@ -55,9 +55,11 @@ TEST(AbelianGroups, ThatAreNoneAreRefused) {
 
 TEST(ForeignNames, AreKnown) {
   for (const char* name :
-       {"m004", "m003(-3,1)", "s776", "v1234", "t12345", "o9_00001", "o10_150729", "x101", "y042",
-        "L5a1", "L14n12345", "K11n34", "K3a1", "8_19", "4_1", "8^3_2", "7^2_1(1,0)(0,0)", "11a17",
-        "otet08_00010", "ocube01_00002", "odode02_00913", "DT:[(4,6,2)]", "Braid:[1,2,-1]", " m004 "}) {
+       {"m004",          "m003(-3,1)",      "s776",           "v1234",        "t12345",
+        "o9_00001",      "o10_150729",      "x101",           "y042",         "L5a1",
+        "L14n12345",     "K11n34",          "K3a1",           "8_19",         "4_1",
+        "8^3_2",         "7^2_1(1,0)(0,0)", "11a17",          "otet08_00010", "ocube01_00002",
+        "odode02_00913", "DT:[(4,6,2)]",    "Braid:[1,2,-1]", " m004 "}) {
     SCOPED_TRACE(name);
     const auto message = foreign_name(name);
     ASSERT_TRUE(message);

@@ -34,10 +34,10 @@ std::vector<SheetPermutation> permutations_of(const TransitiveAction& action,
   std::vector<SheetPermutation> result;
   for (std::size_t g = 0; g < short_form.kept.size(); ++g) {
     const auto letter = static_cast<Letter>(short_form.kept[g]) + 1;
-    const auto face = static_cast<std::size_t>(std::ranges::find(face_letters, letter) -
-                                               face_letters.begin());
-    result.push_back({static_cast<TetrahedronIndex>(face / 4), static_cast<int>(face % 4),
-                      action.images[g]});
+    const auto face =
+        static_cast<std::size_t>(std::ranges::find(face_letters, letter) - face_letters.begin());
+    result.push_back(
+        {static_cast<TetrahedronIndex>(face / 4), static_cast<int>(face % 4), action.images[g]});
   }
   return result;
 }
@@ -94,8 +94,9 @@ Cover orientable_double_cover(const Triangulation& base) {
   if (!base.is_connected())
     throw InvalidInput("the triangulation is not connected; take its components one by one");
   if (base.is_orientable())
-    throw InvalidInput("the manifold is orientable already: it has no orientable double cover that is "
-                       "connected");
+    throw InvalidInput(
+        "the manifold is orientable already: it has no orientable double cover that is "
+        "connected");
   // A sheet for each orientation: labels of one orientation are glued by odd permutations.
   std::vector<int> shifts;
   for (std::size_t t = 0; t < base.tetrahedron_count(); ++t)

@@ -27,8 +27,8 @@ struct Cover {
   std::size_t deck_group_order = 0;
   /// Of a cyclic cover: its class, in the basis of CyclicClasses. Empty otherwise.
   std::vector<std::int64_t> cyclic_class = {};
-  /// Of other covers: how generators of the fundamental group permute the sheets. The cover is that of
-  /// the subgroup of the loops which begin and end on sheet 0.
+  /// Of other covers: how generators of the fundamental group permute the sheets. The cover is that
+  /// of the subgroup of the loops which begin and end on sheet 0.
   std::vector<SheetPermutation> permutations = {};
 
   bool is_regular() const { return deck_group_order == degree; }
@@ -58,8 +58,8 @@ SearchEnd for_each_cyclic_cover(const Triangulation& base, std::size_t degree,
 Cover cyclic_cover_of_class(const Triangulation& base, std::size_t degree,
                             std::span<const std::int64_t> values);
 
-/// The orientable cover with two sheets of a non-orientable manifold. Throws InvalidInput if the base
-/// is orientable or not connected.
+/// The orientable cover with two sheets of a non-orientable manifold. Throws InvalidInput if the
+/// base is orientable or not connected.
 Cover orientable_double_cover(const Triangulation& base);
 
 /// The cover of an action of the fundamental group.

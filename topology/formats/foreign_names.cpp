@@ -18,8 +18,8 @@ bool fits(std::string_view pattern, std::string_view text) {
       while (!text.empty() && is_digit(text.front())) text.remove_prefix(1);
       continue;
     }
-    const bool good = !text.empty() && (p == '@' ? text.front() == 'a' || text.front() == 'n'
-                                                 : text.front() == p);
+    const bool good = !text.empty() &&
+                      (p == '@' ? text.front() == 'a' || text.front() == 'n' : text.front() == p);
     if (!good) return false;
     text.remove_prefix(1);
   }
@@ -28,8 +28,8 @@ bool fits(std::string_view pattern, std::string_view text) {
 
 /// The tables of SnapPy that have names of this form, by its documentation.
 constexpr std::array<std::string_view, 24> kPatterns{
-    "m#",      "s#",      "v#",      "t#",       "x#",       "y#",       "o#_#",    "L#@#",
-    "K#@#",    "#@#",     "K#_#",    "#_#",      "#^#_#",    "k#_#",     "otet#_#", "ntet#_#",
+    "m#",       "s#",       "v#",      "t#",      "x#",       "y#",       "o#_#",     "L#@#",
+    "K#@#",     "#@#",      "K#_#",    "#_#",     "#^#_#",    "k#_#",     "otet#_#",  "ntet#_#",
     "ocube#_#", "ncube#_#", "ooct#_#", "noct#_#", "odode#_#", "ndode#_#", "oicos#_#", "nicos#_#"};
 
 /// "m003(-3,1)" without what is filled.
@@ -49,14 +49,16 @@ bool starts_with_any(std::string_view text, std::initializer_list<std::string_vi
 std::optional<std::string> foreign_name(std::string_view text) {
   text = detail::trimmed(text);
   const std::string_view name = without_fillings(text);
-  bool found = starts_with_any(text, {"DT:", "DT[", "Braid:", "Braid[", "braid[", "b++", "b+-",
-                                      "b-+", "b--", "b+o", "b-o"});
+  bool found = starts_with_any(
+      text, {"DT:", "DT[", "Braid:", "Braid[", "braid[", "b++", "b+-", "b-+", "b--", "b+o", "b-o"});
   for (const std::string_view pattern : kPatterns) found = found || fits(pattern, name);
   if (!found) return std::nullopt;
   const std::string shown(text);
-  return quoted(shown) + " is a SnapPy name, not a signature: give its signature, which SnapPy tells by "
-         "Manifold('" + std::string(quoted(shown).substr(1, quoted(shown).size() - 2)) +
-         "')" + (name.size() != text.size() ? ".filled_triangulation()" : "") +
+  return quoted(shown) +
+         " is a SnapPy name, not a signature: give its signature, which SnapPy tells by "
+         "Manifold('" +
+         std::string(quoted(shown).substr(1, quoted(shown).size() - 2)) + "')" +
+         (name.size() != text.size() ? ".filled_triangulation()" : "") +
          ".triangulation_isosig(decorated=False)";
 }
 

@@ -31,8 +31,8 @@ class Neighbourhood {
     open_.pop();
     const Triangulation triangulation(here);
     for (const Move& move : all_moves(triangulation, kMoves)) {
-      const auto size = static_cast<std::ptrdiff_t>(here.tetrahedron_count()) +
-                        info(move.kind).tetrahedra;
+      const auto size =
+          static_cast<std::ptrdiff_t>(here.tetrahedron_count()) + info(move.kind).tetrahedra;
       if (size > static_cast<std::ptrdiff_t>(limit_)) continue;
       Gluings next = here;
       apply(next, move);

@@ -18,8 +18,8 @@ struct CommonTriangulationOptions {
 /// A triangulation that moves reach from both of two others, so that all three are of one manifold.
 struct CommonTriangulation {
   std::string isosig;  ///< without a sign
-  /// For orientable ones: whether the moves keep the orientations of the two (those of the labels of
-  /// their tetrahedra 0), reverse them, or, if it is its own mirror image, both.
+  /// For orientable ones: whether the moves keep the orientations of the two (those of the labels
+  /// of their tetrahedra 0), reverse them, or, if it is its own mirror image, both.
   bool keeps_orientation = false, reverses_orientation = false;
 };
 

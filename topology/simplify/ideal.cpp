@@ -42,8 +42,7 @@ IdealTriangulation ideal_triangulation(const Gluings& gluings, FiniteVertices fi
   SimplifyOptions options;
   options.stop_requested = stop_requested;
   Simplified simplified = simplify(oriented(result.gluings), options);
-  result.finite_vertices =
-      before.spheres - count_links(Triangulation(simplified.gluings)).spheres;
+  result.finite_vertices = before.spheres - count_links(Triangulation(simplified.gluings)).spheres;
   if (result.finite_vertices > 0) result.gluings = std::move(simplified.gluings);
   return result;
 }

@@ -22,9 +22,9 @@ enum class FiniteVertices {
 };
 
 /// Cones off the boundary, each component of it to a vertex (a sphere is filled in: cone_boundary),
-/// and removes finite vertices by `simplify`. The orientation is kept; unchanged if there is nothing
-/// to do. When stopped, some finite vertices may be left.
-/// Throws InvalidInput as cone_boundary and the constructor of Triangulation.
+/// and removes finite vertices by `simplify`. The orientation is kept; unchanged if there is
+/// nothing to do. When stopped, some finite vertices may be left. Throws InvalidInput as
+/// cone_boundary and the constructor of Triangulation.
 IdealTriangulation ideal_triangulation(const Gluings& gluings, FiniteVertices finite_vertices,
                                        const std::atomic<bool>* stop_requested = nullptr);
 

@@ -108,10 +108,10 @@ const Census& shipped_census();
 struct CensusQuery {
   double least_volume = 0;
   double greatest_volume = std::numeric_limits<double>::infinity();
-  std::string boundary;  ///< see parse_boundary
-  std::string homology;  ///< see topology::parse_abelian_group
-  std::string cells;     ///< "4 tetrahedra", "pyramid + 2 tetrahedra"
-  std::optional<std::size_t> tetrahedra;
+  std::string boundary = {};  ///< see parse_boundary
+  std::string homology = {};  ///< see topology::parse_abelian_group
+  std::string cells = {};     ///< "4 tetrahedra", "pyramid + 2 tetrahedra"
+  std::optional<std::size_t> tetrahedra = {};
 };
 /// Throws InvalidInput for a part of the query that cannot be read, and for an empty range of
 /// volumes.

@@ -49,7 +49,9 @@ TEST(CensusNames, HaveAForm) {
 
 /// A line as if it had been classified.
 CensusLine line_of(const std::string& triangulation, const std::string& signature) {
-  CensusLine line{.triangulation = triangulation, .resolved = true};
+  CensusLine line;
+  line.triangulation = triangulation;
+  line.resolved = true;
   line.entry.boundary = "g2";
   line.entry.volume = 10;
   line.entry.signature = signature;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "topology/isomorphism.hpp"
+#include "topology/requirements.hpp"
 
 namespace tripus::canonical {
 namespace {
@@ -84,6 +85,7 @@ std::optional<CanonicalManifold> canonize_metric(const Triangulation& triangulat
 }
 
 CanonizeAnswer canonize(const Triangulation& input, const CanonizeOptions& options) {
+  topology::require_geodesic_boundary(input);
   CanonizeAnswer answer;
   structure::SolveOptions solve = options.solve;
   solve.evidence = false;

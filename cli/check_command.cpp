@@ -7,6 +7,7 @@
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/describe.hpp"
 #include "cli/input.hpp"
 #include "cli/json.hpp"
 #include "structure/certificate.hpp"
@@ -52,12 +53,20 @@ std::string as_json(const std::string& input, const Certificate& certificate,
   return fmt::to_string(out);
 }
 
+constexpr const char* kOtherLabels =
+    "its cone angles are not those of INPUT; label INPUT as in \"FILE 0=3,1=2\"";
+
 Outcome check_one(const CheckOptions& options) {
   if (options.certificate == "-" && options.input == "-")
     throw InvalidInput("the certificate and INPUT cannot both come from standard input");
   const Certificate certificate = load_certificate(options.certificate);
-  const topology::Triangulation triangulation(load_input(options.input).gluings);
-  const structure::CheckResult result = structure::check(triangulation, certificate);
+  const Subject subject = load_labelled_subject(options.input);
+  const bool same_labels =
+      topology::completed(subject.cone_angles, subject.triangulation.edge_count()) ==
+      topology::completed(certificate.cone_angles, subject.triangulation.edge_count());
+  const structure::CheckResult result = same_labels
+                                            ? structure::check(subject.triangulation, certificate)
+                                            : structure::CheckResult{false, kOtherLabels};
   return {options.json ? as_json(options.input, certificate, result)
                        : verdict(certificate, result) + "\n",
           result ? kSuccess : kNoAnswer};

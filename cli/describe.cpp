@@ -6,8 +6,10 @@
 #include <fmt/ranges.h>
 
 #include "cli/input.hpp"
+#include "cli/labels.hpp"
 #include "topology/isosig.hpp"
 #include "topology/requirements.hpp"
+#include "topology/vertex_kinds.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -33,9 +35,21 @@ Subject load_solvable_subject(const std::string& input) {
   return make_subject(input, std::move(loaded.name), std::move(loaded.gluings));
 }
 
-std::string objection_to(const topology::Triangulation& triangulation) {
+Subject load_labelled_subject(const std::string& input) {
+  const auto [plain, labels] = split_labels(input);
+  topology::NamedGluings loaded = load_labelled_input(plain);
+  Subject subject = make_subject(input, std::move(loaded.name), std::move(loaded.gluings));
+  subject.cone_angles = std::move(loaded.cone_angles);
+  if (!labels.empty())
+    assign_cone_angles(subject.cone_angles, subject.triangulation.edge_count(),
+                       std::span(&labels, 1), {});
+  return subject;
+}
+
+std::string objection_to(const topology::Triangulation& triangulation,
+                         std::span<const topology::ConeAngle> cone_angles) {
   try {
-    topology::require_solvable(triangulation);
+    topology::require_solvable(triangulation, cone_angles);
     return {};
   } catch (const InvalidInput& error) {
     return error.what();
@@ -69,8 +83,7 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 }
 
 std::string_view link_kind(const topology::VertexLink& link) {
-  if (link.euler_characteristic == 2) return "finite";
-  if (!link.orientable) return "unsupported";
+  if (link.euler_characteristic > 0) return "finite";
   return link.euler_characteristic == 0 ? "cusp" : "geodesic";
 }
 
@@ -109,6 +122,16 @@ void append_vertices(JsonText& out, const topology::Triangulation& m) {
   out.push_back(']');
 }
 
+void append_cone_orders(JsonText& out, const Subject& subject) {
+  if (subject.cone_angles.empty()) return;
+  append(out, ", \"cone_orders\": ");
+  append_array(out, subject.cone_angles, [](JsonText& to, const topology::ConeAngle& k) {
+    const std::string order = k.order_text();
+    const bool fraction = order.find('/') != std::string::npos;
+    append(to, fraction ? "\"" + order + "\"" : order);
+  });
+}
+
 void append_edge_classes(JsonText& out, const topology::Triangulation& triangulation) {
   append(out, "\"edge_classes\": [");
   auto to = std::back_inserter(out);
@@ -132,7 +155,13 @@ std::string one_line(const topology::Triangulation& m) {
   for (std::size_t v = 0; v < m.vertex_count(); ++v) {
     const auto& link = m.link(v);
     const std::string_view kind = link_kind(link);
-    ++links[kind == "geodesic" ? fmt::format("genus {}", link.genus()) : std::string(kind)];
+    std::string name(kind);
+    if (!link.orientable) {
+      name = topology::surface_name(link).substr(2);
+    } else if (kind == "geodesic") {
+      name = fmt::format("genus {}", link.genus());
+    }
+    ++links[name];
   }
   std::vector<std::string> boundary;
   boundary.reserve(links.size());

@@ -69,7 +69,7 @@ topology::NamedGluings solid_of(meshing::MeshFile file, Wanted wanted, const std
     meshing::Manifold manifold = meshing::manifold_of(std::move(file), options);
     if (wanted == Wanted::kWithMetric && manifold.has_only_spheres())
       throw InvalidInput(meshing::ball_message(manifold));
-    return {{}, std::move(manifold.gluings)};
+    return {{}, std::move(manifold.gluings), {}};
   });
 }
 
@@ -96,9 +96,16 @@ topology::NamedGluings load(const std::string& input, Wanted wanted) {
       return solid_of(*std::move(mesh), wanted, source_of(input));
     return read_single(content, source_of(input));
   }
-  if (topology::looks_like_isosig(input)) return {{}, topology::decode_isosig(input)};
+  if (topology::looks_like_isosig(input)) return {{}, topology::decode_isosig(input), {}};
   throw InvalidInput(quoted(input) +
                      " is neither a file nor an isomorphism signature (letters, digits, + and -)");
+}
+
+void refuse_labels(const topology::NamedGluings& loaded, const std::string& input) {
+  if (!topology::all_full(loaded.cone_angles))
+    throw Unsupported(source_of(input) +
+                      " has singular edges (cone angles other than 2 pi), which only info, solve "
+                      "and check know so far");
 }
 
 }  // namespace
@@ -114,13 +121,22 @@ std::string read_file(const std::string& path) {
   return read_all(file, quoted(path));
 }
 
-topology::NamedGluings load_input(const std::string& input) { return load(input, Wanted::kAny); }
+topology::NamedGluings load_input(const std::string& input, Labels labels) {
+  topology::NamedGluings loaded = load(input, Wanted::kAny);
+  if (labels == Labels::kRefused) refuse_labels(loaded, input);
+  return loaded;
+}
 
 topology::NamedGluings load_solvable_input(const std::string& input) {
   topology::NamedGluings loaded = load(input, Wanted::kWithMetric);
+  refuse_labels(loaded, input);
   blame(source_of(input),
-        [&] { topology::require_solvable(topology::Triangulation(loaded.gluings)); });
+        [&] { topology::require_geodesic_boundary(topology::Triangulation(loaded.gluings)); });
   return loaded;
+}
+
+topology::NamedGluings load_labelled_input(const std::string& input) {
+  return load(input, Wanted::kWithMetric);
 }
 
 std::optional<meshing::MeshFile> load_mesh(const std::string& input) {

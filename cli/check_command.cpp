@@ -7,9 +7,10 @@
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/describe.hpp"
-#include "cli/input.hpp"
-#include "cli/json.hpp"
+#include "cli/interrupt.hpp"
+#include "manifold/json_text.hpp"
+#include "manifold/load.hpp"
+#include "manifold/subject.hpp"
 #include "structure/certificate.hpp"
 
 namespace tripus::cli {
@@ -60,7 +61,7 @@ Outcome check_one(const CheckOptions& options) {
   if (options.certificate == "-" && options.input == "-")
     throw InvalidInput("the certificate and INPUT cannot both come from standard input");
   const Certificate certificate = load_certificate(options.certificate);
-  const Subject subject = load_labelled_subject(options.input);
+  const Subject subject = load_labelled_subject(options.input, interruptible());
   const bool same_labels =
       topology::completed(subject.cone_angles, subject.triangulation.edge_count()) ==
       topology::completed(certificate.cone_angles, subject.triangulation.edge_count());

@@ -26,4 +26,11 @@ void catch_interrupts() {
   (void)installed;
 }
 
+Context interruptible() {
+  Context context;
+  context.stop_flag = &requested;
+  context.progress = [](std::string_view, std::size_t) { catch_interrupts(); };
+  return context;
+}
+
 }  // namespace tripus::cli

@@ -10,12 +10,13 @@
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "cli/history_file.hpp"
-#include "cli/input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/lengths_file.hpp"
 #include "cli/numbers.hpp"
 #include "cli/progress.hpp"
 #include "cli/report_text.hpp"
+#include "manifold/labels.hpp"
+#include "manifold/load.hpp"
 #include "structure/method.hpp"
 #include "structure/retriangulate.hpp"
 #include "structure/solve.hpp"
@@ -78,11 +79,25 @@ Outcome solve_subject(const SolveCommandOptions& command, const Subject& subject
   return retriangulate_subject(command, options, subject, std::move(report));
 }
 
+void assign_labels(const SolveCommandOptions& command, Subject& subject) {
+  LabelAssignment labels(subject.cone_angles, subject.triangulation.edge_count());
+  for (const std::string& list : command.cone_orders)
+    labels.assign("--cone-order", list, "EDGE=ORDER, such as 0=3", topology::parse_cone_order);
+  for (const std::string& list : command.cone_angles)
+    labels.assign(
+        "--cone-angle", list, "EDGE=ANGLE, such as 0=2pi/3",
+        [](std::string_view text) -> topology::ConeAngle {
+          const double angle = parse_angle(text);
+          if (angle < 0)
+            throw InvalidInput("a cone angle is not negative; 0 makes the edge parabolic");
+          return angle;
+        });
+}
+
 /// The labels of the command line come on top of those of the input.
 Subject load_subject_with(const SolveCommandOptions& command, const std::string& input) {
-  Subject subject = load_labelled_subject(input);
-  assign_cone_angles(subject.cone_angles, subject.triangulation.edge_count(), command.cone_orders,
-                     command.cone_angles);
+  Subject subject = load_labelled_subject(input, interruptible());
+  assign_labels(command, subject);
   try {
     topology::require_solvable(subject.triangulation, subject.cone_angles);
   } catch (const Unsupported& error) {
@@ -107,7 +122,7 @@ Outcome solve_component(const SolveCommandOptions& command, const std::string& c
 
 /// Each connected component by itself, in the order of their first tetrahedra.
 Outcome solve_components(const SolveCommandOptions& command, const std::string& input) {
-  topology::NamedGluings loaded = load_input(input);
+  topology::NamedGluings loaded = load_input(input, interruptible());
   Outcome all;
   std::vector<std::string> answers;
   std::size_t number = 0;
@@ -115,8 +130,7 @@ Outcome solve_components(const SolveCommandOptions& command, const std::string& 
     const std::string component = fmt::format("component {}", number++);
     const std::string label = fmt::format("{} ({})", input, component);
     Subject subject = make_subject(label, {}, std::move(part));
-    assign_cone_angles(subject.cone_angles, subject.triangulation.edge_count(), command.cone_orders,
-                       command.cone_angles);
+    assign_labels(command, subject);
     const Outcome one = solve_component(command, component, subject);
     all.status = std::max(all.status, one.status);
     answers.push_back(one.text);

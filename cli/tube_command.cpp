@@ -6,17 +6,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/stopped.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
-#include "cli/input.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/json.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/output_file.hpp"
+#include "manifold/json_text.hpp"
+#include "manifold/load.hpp"
 #include "meshing/formats/off.hpp"
-#include "meshing/stopped.hpp"
 #include "meshing/tube/tube_surface.hpp"
 
 namespace tripus::cli {
@@ -133,7 +133,7 @@ int run(const TubeCommand& command) {
       write_output(as_json(command, tube));
     else if (!command.quiet)
       write_message(as_text(command.graph, tube));
-  } catch (const meshing::Stopped&) {
+  } catch (const Stopped&) {
     write_message("tripus: interrupted; nothing was written\n");
     return kNoAnswer;
   }

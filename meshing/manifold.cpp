@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "meshing/stopped.hpp"
+#include "base/stopped.hpp"
 #include "meshing/validate_tetrahedra.hpp"
 #include "topology/cone.hpp"
 #include "topology/simplify/simplify.hpp"

@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/stopped.hpp"
 #include "base/tolerances.hpp"
 #include "meshing/detail/connectivity.hpp"
 #include "meshing/detail/places.hpp"
 #include "meshing/detail/point_location.hpp"
 #include "meshing/detail/points.hpp"
 #include "meshing/predicates.hpp"
-#include "meshing/stopped.hpp"
 
 namespace tripus::meshing {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/input.hpp"
+#include "manifold/load.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -10,13 +10,12 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "cli/interrupt.hpp"
 #include "meshing/manifold.hpp"
 #include "topology/isosig.hpp"
 #include "topology/requirements.hpp"
 #include "topology/triangulation.hpp"
 
-namespace tripus::cli {
+namespace tripus {
 namespace {
 
 /// An error in a content, with where it comes from. Keeps apart what is wrong and what is too much.
@@ -61,11 +60,14 @@ std::optional<meshing::MeshFile> read_as_mesh(const std::string& content,
 /// Which manifolds an INPUT may be.
 enum class Wanted { kAny, kWithMetric };
 
-topology::NamedGluings solid_of(meshing::MeshFile file, Wanted wanted, const std::string& source) {
+topology::NamedGluings solid_of(meshing::MeshFile file, Wanted wanted, const std::string& source,
+                                const Context& context) {
   return blame(source, [&]() -> topology::NamedGluings {
-    catch_interrupts();
+    context.report("read");
+    const StopFlag stop(context);
     meshing::ManifoldOptions options;
-    options.stop_requested = &interrupt_requested();
+    options.stop_requested = stop.get();
+    options.progress = context.progress;
     meshing::Manifold manifold = meshing::manifold_of(std::move(file), options);
     if (wanted == Wanted::kWithMetric && manifold.has_only_spheres())
       throw InvalidInput(meshing::ball_message(manifold));
@@ -87,13 +89,13 @@ std::string read_all(std::istream& in, const std::string& source) {
   return content;
 }
 
-topology::NamedGluings load(const std::string& input, Wanted wanted) {
+topology::NamedGluings load(const std::string& input, Wanted wanted, const Context& context) {
   if (input.empty()) throw InvalidInput("the input is empty; give a signature or a file");
   std::error_code status;
   if (input == "-" || std::filesystem::exists(input, status)) {
     const std::string content = read_file(input);
     if (auto mesh = read_as_mesh(content, input))
-      return solid_of(*std::move(mesh), wanted, source_of(input));
+      return solid_of(*std::move(mesh), wanted, source_of(input), context);
     return read_single(content, source_of(input));
   }
   if (topology::looks_like_isosig(input)) return {{}, topology::decode_isosig(input), {}};
@@ -121,22 +123,22 @@ std::string read_file(const std::string& path) {
   return read_all(file, quoted(path));
 }
 
-topology::NamedGluings load_input(const std::string& input, Labels labels) {
-  topology::NamedGluings loaded = load(input, Wanted::kAny);
-  if (labels == Labels::kRefused) refuse_labels(loaded, input);
+topology::NamedGluings load_input(const std::string& input, const Context& context) {
+  topology::NamedGluings loaded = load(input, Wanted::kAny, context);
+  refuse_labels(loaded, input);
   return loaded;
 }
 
-topology::NamedGluings load_solvable_input(const std::string& input) {
-  topology::NamedGluings loaded = load(input, Wanted::kWithMetric);
+topology::NamedGluings load_solvable_input(const std::string& input, const Context& context) {
+  topology::NamedGluings loaded = load(input, Wanted::kWithMetric, context);
   refuse_labels(loaded, input);
   blame(source_of(input),
         [&] { topology::require_geodesic_boundary(topology::Triangulation(loaded.gluings)); });
   return loaded;
 }
 
-topology::NamedGluings load_labelled_input(const std::string& input) {
-  return load(input, Wanted::kWithMetric);
+topology::NamedGluings load_labelled_input(const std::string& input, const Context& context) {
+  return load(input, Wanted::kWithMetric, context);
 }
 
 std::optional<meshing::MeshFile> load_mesh(const std::string& input) {
@@ -144,4 +146,4 @@ std::optional<meshing::MeshFile> load_mesh(const std::string& input) {
   return read_as_mesh(read_file(input), input);
 }
 
-}  // namespace tripus::cli
+}  // namespace tripus

@@ -44,6 +44,11 @@ void require_spherical_link(const Triangulation& triangulation, std::size_t vert
                        ", the quotient of a sphere by a map without fixed points; such a point is "
                        "not one of a manifold, nor of an orbifold with singular edges: take the "
                        "orientable double cover");
+  if (link.euler_characteristic < 2)
+    throw InvalidInput(
+        link_place(triangulation, vertex) + " is " + surface_name(link) +
+        ", which carries no metric of positive curvature, but its cone angles, of more "
+        "than 2 pi, ask for one; make them smaller");
   const auto points = cone_points(triangulation, vertex, cone_angles);
   if (points.size() == 1 || (points.size() == 2 && points[0] != points[1]))
     throw InvalidInput(link_place(triangulation, vertex) + " is a sphere with " +

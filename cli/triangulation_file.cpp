@@ -1,10 +1,7 @@
 #include "cli/triangulation_file.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-
 #include "base/error.hpp"
+#include "base/output_file.hpp"
 #include "topology/formats/json.hpp"
 
 namespace tripus::cli {
@@ -23,10 +20,7 @@ void write_triangulation_file(const std::string& path, const std::string& name,
     throw InvalidInput("the signature would take too long to compute; write .json");
   const std::string text =
       path.ends_with(".sig") ? *isosig + "\n" : topology::write_json({name, gluings});
-  errno = 0;
-  std::ofstream out(path, std::ios::binary);
-  out << text << std::flush;
-  if (!out) throw InvalidInput("cannot write " + quoted(path) + ": " + std::strerror(errno));
+  write_file(path, text);
 }
 
 }  // namespace tripus::cli

@@ -21,6 +21,9 @@ struct Subject {
   std::vector<topology::ConeAngle> cone_angles = {};  ///< [E]; empty if nothing is labelled
 };
 
+/// Faces visited before the search for a signature is given up: some tenths of a second.
+inline constexpr std::size_t kSignatureWorkLimit = 20'000'000;
+
 /// Loads an INPUT (load_input) and computes its signature.
 Subject load_subject(const std::string& input, const Context& context = {});
 /// The same for what needs a metric; see load_solvable_input.

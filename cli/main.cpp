@@ -84,6 +84,7 @@ void add_verbs(CLI::App& program, Command& command) {
   add_check(program, command);
   add_study(program, command);
   add_embed(program, command);
+  add_orthospectrum(program, command);
   add_view(program, command);
   add_tube(program, command);
   add_methods(program, command);

@@ -38,6 +38,7 @@ struct Manifold {
   std::size_t triangles = 0;                          ///< of the input, 0 for a tetrahedral mesh
   std::size_t turned = 0;  ///< triangles that did not agree with most of their component
   TetrahedralMesh mesh;
+  bool mesh_is_exact = true;  ///< false: some of its tetrahedra are only right before rounding
 
   /// Whether the boundary is nothing but spheres: the solid is then a ball, or a ball with balls
   /// taken out, and carries no metric with geodesic boundary.

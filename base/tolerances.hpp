@@ -26,6 +26,11 @@ inline constexpr double kNearlyFlat = 1e-3;
 /// 1e-11; where lengths run off to infinity it is of order 1 however small max|K| becomes.
 inline constexpr double kMaxDistanceToMetric = 1e-2;
 
+/// Where a vertex is finite, edges longer than this are not believed: at a vertex that runs off to
+/// infinity angles are those of an ideal one to within e^(-2l), 4e-11 at this length, so that
+/// max|K| comes below its tolerance without a metric a little farther out.
+inline constexpr double kLongestFiniteEdge = 12;
+
 /// An angle structure whose margin (radians) is below this is not used as a starting point: the
 /// linear programme is solved in floating point with feasibility tolerances of 1e-7.
 inline constexpr double kAngleMargin = 1e-6;

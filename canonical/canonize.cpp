@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "topology/isomorphism.hpp"
+#include "topology/requirements.hpp"
 
 namespace tripus::canonical {
 namespace {
@@ -103,6 +104,7 @@ std::vector<double> cell_edge_lengths(const CanonicalManifold& manifold) {
 }
 
 CanonizeAnswer canonize(const Triangulation& input, const CanonizeOptions& options) {
+  topology::require_geodesic_boundary(input);
   CanonizeAnswer answer;
   structure::SolveOptions solve = options.solve;
   solve.evidence = false;

@@ -140,8 +140,8 @@ std::string_view to_string(Verdict verdict) {
 
 Comparison compare(const Triangulation& first, const Triangulation& second,
                    const CanonizeOptions& options) {
-  topology::require_solvable(first);
-  topology::require_solvable(second);
+  topology::require_geodesic_boundary(first);
+  topology::require_geodesic_boundary(second);
   if (auto decided = compare_topology(first, second)) return *decided;
   if (std::max(first.tetrahedron_count(), second.tetrahedron_count()) > kSlowToCanonize)
     if (auto decided = compare_arcs(first, second, options.solve)) return *decided;

@@ -1,5 +1,4 @@
 // tripus solve: find the metric.
-#include <charconv>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -16,11 +15,13 @@
 #include "cli/numbers.hpp"
 #include "cli/progress.hpp"
 #include "cli/report_text.hpp"
+#include "manifold/labels.hpp"
 #include "manifold/load.hpp"
 #include "structure/method.hpp"
 #include "structure/retriangulate.hpp"
 #include "structure/solve.hpp"
 #include "topology/components.hpp"
+#include "topology/requirements.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -29,6 +30,7 @@ struct SolveCommandOptions {
   CommonOptions common;
   structure::SolveOptions solve;
   std::string lengths_file;
+  std::vector<std::string> cone_orders;  ///< EDGE=ORDER
   std::vector<std::string> cone_angles;  ///< EDGE=ANGLE
   std::string history;
   bool components = false;
@@ -36,34 +38,6 @@ struct SolveCommandOptions {
   bool prove = false;
   structure::RetriangulateOptions search;
 };
-
-/// Cone angles [E] with the ones that were asked for changed; empty if none were.
-std::vector<double> cone_angles_of(const std::vector<std::string>& assignments,
-                                   std::size_t edge_count) {
-  std::vector<double> angles;
-  if (!assignments.empty()) angles.assign(edge_count, parse_angle("2pi"));
-  for (const std::string& assignment : assignments) {
-    const std::size_t equals = assignment.find('=');
-    const std::string_view number = std::string_view(assignment).substr(0, equals);
-    std::size_t edge = 0;
-    const auto [end, code] = std::from_chars(number.data(), number.data() + number.size(), edge);
-    if (equals == std::string::npos || code != std::errc() ||
-        end != number.data() + number.size()) {
-      throw InvalidInput("--cone-angle " + tripus::quoted(assignment) +
-                         ": write EDGE=ANGLE, such as 0=2pi/3");
-    }
-    if (edge >= edge_count) {
-      throw InvalidInput(fmt::format("--cone-angle {}: there are only the edge classes 0 to {}",
-                                     tripus::quoted(assignment), edge_count - 1));
-    }
-    try {
-      angles[edge] = parse_angle(std::string_view(assignment).substr(equals + 1));
-    } catch (const InvalidInput& error) {
-      throw InvalidInput("--cone-angle " + tripus::quoted(assignment) + ": " + error.what());
-    }
-  }
-  return angles;
-}
 
 /// The answer, with its proof if one is asked for.
 Outcome answer_of(const SolveCommandOptions& command, const Subject& subject,
@@ -91,7 +65,7 @@ Outcome retriangulate_subject(const SolveCommandOptions& command, structure::Sol
 
 Outcome solve_subject(const SolveCommandOptions& command, const Subject& subject) {
   structure::SolveOptions options = command.solve;
-  options.cone_angles = cone_angles_of(command.cone_angles, subject.triangulation.edge_count());
+  options.cone_angles = subject.cone_angles;
   catch_interrupts();
   options.stop_requested = &interrupt_requested();
   std::optional<HistoryFile> history;
@@ -116,6 +90,40 @@ Outcome solve_subject(const SolveCommandOptions& command, const Subject& subject
   return retriangulate_subject(command, options, subject, std::move(report));
 }
 
+void assign_labels(const SolveCommandOptions& command, Subject& subject) {
+  LabelAssignment labels(subject.cone_angles, subject.triangulation.edge_count());
+  for (const std::string& list : command.cone_orders)
+    labels.assign("--cone-order", list, "EDGE=ORDER, such as 0=3", topology::parse_cone_order);
+  for (const std::string& list : command.cone_angles)
+    labels.assign(
+        "--cone-angle", list, "EDGE=ANGLE, such as 0=2pi/3",
+        [](std::string_view text) -> topology::ConeAngle {
+          const double angle = parse_angle(text);
+          if (angle < 0)
+            throw InvalidInput("a cone angle is not negative; 0 makes the edge parabolic");
+          return angle;
+        });
+}
+
+/// The labels of the command line come on top of those of the input.
+Subject load_subject_with(const SolveCommandOptions& command, const std::string& input) {
+  Subject subject = load_labelled_subject(input, Balls::kRefused, interruptible());
+  assign_labels(command, subject);
+  try {
+    topology::require_solvable(subject.triangulation, subject.cone_angles);
+    if (command.prove) {
+      topology::require_geodesic_boundary(subject.triangulation);
+      if (!topology::all_full(subject.cone_angles))
+        throw Unsupported("--prove does not know cone angles other than 2 pi so far");
+    }
+  } catch (const Unsupported& error) {
+    throw Unsupported(fmt::format("{}: {}", tripus::quoted(input), error.what()));
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format("{}: {}", tripus::quoted(input), error.what()));
+  }
+  return subject;
+}
+
 /// As solve_subject, but says which component could not be solved.
 Outcome solve_component(const SolveCommandOptions& command, const std::string& component,
                         const Subject& subject) {
@@ -137,8 +145,9 @@ Outcome solve_components(const SolveCommandOptions& command, const std::string& 
   for (topology::Gluings& part : topology::components(loaded.gluings)) {
     const std::string component = fmt::format("component {}", number++);
     const std::string label = fmt::format("{} ({})", input, component);
-    const Outcome one =
-        solve_component(command, component, make_subject(label, {}, std::move(part)));
+    Subject subject = make_subject(label, {}, std::move(part));
+    assign_labels(command, subject);
+    const Outcome one = solve_component(command, component, subject);
     all.status = std::max(all.status, one.status);
     answers.push_back(one.text);
   }
@@ -171,9 +180,8 @@ int run(SolveCommandOptions& command) {
   }
   structure::find_solve_method(command.solve.method, 1);  // a wrong name is wrong for all inputs
   return answer_inputs(command.common, [&](const std::string& input) {
-    return command.components
-               ? solve_components(command, input)
-               : solve_subject(command, load_solvable_subject(input, interruptible()));
+    return command.components ? solve_components(command, input)
+                              : solve_subject(command, load_subject_with(command, input));
   });
 }
 
@@ -210,9 +218,15 @@ void add_solve(CLI::App& program, Command& chosen) {
   verb->add_option("--time-limit", solve.time_limit, "stop after so many seconds for one INPUT")
       ->option_text("S")
       ->check(positive_number());
+  verb->add_option("--cone-order", command->cone_orders,
+                   "make an edge class singular of order N = 2, 3, ... or a fraction\n"
+                   "such as 5/2 (cone angle 2pi/N), or parabolic (N = 0): 0=2,1=3;\n"
+                   "may be repeated; `tripus info` numbers the edge classes from 0")
+      ->option_text("EDGE=N")
+      ->allow_extra_args(false);
   verb->add_option("--cone-angle", command->cone_angles,
                    "cone angle around an edge class instead of 2pi, such as 0=2pi/3;\n"
-                   "may be repeated; `tripus info` numbers the edge classes from 0")
+                   "may be repeated")
       ->option_text("EDGE=ANGLE")
       ->allow_extra_args(false);
   auto* history = verb->add_option("--history", command->history,
@@ -239,6 +253,7 @@ void add_solve(CLI::App& program, Command& chosen) {
       ->check(whole_number(std::numeric_limits<int>::max()))
       ->needs(retriangulate);
   verb->get_option("--cone-angle")->excludes(retriangulate);
+  verb->get_option("--cone-order")->excludes(retriangulate);
   verb->add_flag("--angle-structure", solve.angle_structure,
                  "also print an exact rational strict angle structure, if there is one")
       ->option_text(" ");

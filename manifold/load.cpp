@@ -71,7 +71,7 @@ topology::NamedGluings solid_of(meshing::MeshFile file, Wanted wanted, const std
     meshing::Manifold manifold = meshing::manifold_of(std::move(file), options);
     if (wanted == Wanted::kWithMetric && manifold.has_only_spheres())
       throw InvalidInput(meshing::ball_message(manifold));
-    return {{}, std::move(manifold.gluings)};
+    return {{}, std::move(manifold.gluings), {}};
   });
 }
 
@@ -98,9 +98,16 @@ topology::NamedGluings load(const std::string& input, Wanted wanted, const Conte
       return solid_of(*std::move(mesh), wanted, source_of(input), context);
     return read_single(content, source_of(input));
   }
-  if (topology::looks_like_isosig(input)) return {{}, topology::decode_isosig(input)};
+  if (topology::looks_like_isosig(input)) return {{}, topology::decode_isosig(input), {}};
   throw InvalidInput(quoted(input) +
                      " is neither a file nor an isomorphism signature (letters, digits, + and -)");
+}
+
+void refuse_labels(const topology::NamedGluings& loaded, const std::string& input) {
+  if (!topology::all_full(loaded.cone_angles))
+    throw Unsupported(source_of(input) +
+                      " has singular edges (cone angles other than 2 pi), which only info, solve "
+                      "and check know so far");
 }
 
 }  // namespace
@@ -117,14 +124,22 @@ std::string read_file(const std::string& path) {
 }
 
 topology::NamedGluings load_input(const std::string& input, const Context& context) {
-  return load(input, Wanted::kAny, context);
+  topology::NamedGluings loaded = load(input, Wanted::kAny, context);
+  refuse_labels(loaded, input);
+  return loaded;
 }
 
 topology::NamedGluings load_solvable_input(const std::string& input, const Context& context) {
   topology::NamedGluings loaded = load(input, Wanted::kWithMetric, context);
+  refuse_labels(loaded, input);
   blame(source_of(input),
-        [&] { topology::require_solvable(topology::Triangulation(loaded.gluings)); });
+        [&] { topology::require_geodesic_boundary(topology::Triangulation(loaded.gluings)); });
   return loaded;
+}
+
+topology::NamedGluings load_labelled_input(const std::string& input, Balls balls,
+                                           const Context& context) {
+  return load(input, balls == Balls::kAllowed ? Wanted::kAny : Wanted::kWithMetric, context);
 }
 
 std::optional<meshing::MeshFile> load_mesh(const std::string& input) {

@@ -13,11 +13,18 @@ namespace tripus {
 /// or a tetrahedral mesh becomes a small ideal triangulation of its solid (meshing::manifold_of);
 /// of a ball, which has no boundary left when it is filled in, a triangulation with a finite
 /// vertex. Throws InvalidInput if it is none of them or its content cannot be read; Stopped if a
-/// stop is requested meanwhile. Reports its progress once the content has been read.
+/// stop is requested meanwhile; Unsupported for a file with cone angles other than 2 pi. Reports
+/// its progress once the content has been read.
 topology::NamedGluings load_input(const std::string& input, const Context& context = {});
-/// The same for what needs a metric. Throws also, naming the input, what
-/// topology::require_solvable throws, and InvalidInput for a ball.
+/// The same for what needs a metric with geodesic boundary. Throws also, naming the input, what
+/// topology::require_geodesic_boundary throws, and InvalidInput for a ball.
 topology::NamedGluings load_solvable_input(const std::string& input, const Context& context = {});
+/// Whether a surface that bounds a ball is let through: there is a triangulation, but no metric.
+enum class Balls { kAllowed, kRefused };
+/// The same with the cone angles of a file, for what knows them and vertices of every kind: of the
+/// above it throws only InvalidInput for a ball, and that only if balls are refused.
+topology::NamedGluings load_labelled_input(const std::string& input, Balls balls,
+                                           const Context& context = {});
 
 /// The surface or tetrahedral mesh in a file, or in standard input for `-`; nothing if the content
 /// has no mesh format. Throws InvalidInput if the content cannot be read.

@@ -2,14 +2,14 @@
 
 #include <utility>
 
-#include "manifold/load.hpp"
+#include "manifold/labels.hpp"
 #include "topology/isosig.hpp"
 
 namespace tripus {
 Subject make_subject(std::string input, std::string name, topology::Gluings gluings) {
   topology::Triangulation triangulation(std::move(gluings));
   auto isosig = topology::isosig(triangulation.gluings(), kSignatureWorkLimit);
-  return {std::move(input), std::move(name), std::move(triangulation), std::move(isosig)};
+  return {std::move(input), std::move(name), std::move(triangulation), std::move(isosig), {}};
 }
 
 Subject load_subject(const std::string& input, const Context& context) {
@@ -22,9 +22,19 @@ Subject load_solvable_subject(const std::string& input, const Context& context) 
   return make_subject(input, std::move(loaded.name), std::move(loaded.gluings));
 }
 
+Subject load_labelled_subject(const std::string& input, Balls balls, const Context& context) {
+  const auto [plain, labels] = split_labels(input);
+  topology::NamedGluings loaded = load_labelled_input(plain, balls, context);
+  Subject subject = make_subject(input, std::move(loaded.name), std::move(loaded.gluings));
+  subject.cone_angles = std::move(loaded.cone_angles);
+  if (!labels.empty())
+    LabelAssignment(subject.cone_angles, subject.triangulation.edge_count())
+        .assign("the label", labels, "EDGE=ORDER, such as 0=3", topology::parse_cone_order);
+  return subject;
+}
+
 std::string_view link_kind(const topology::VertexLink& link) {
-  if (link.euler_characteristic == 2) return "finite";
-  if (!link.orientable) return "unsupported";
+  if (link.euler_characteristic > 0) return "finite";
   return link.euler_characteristic == 0 ? "cusp" : "geodesic";
 }
 
@@ -61,6 +71,16 @@ void append_vertices(JsonText& out, const topology::Triangulation& m) {
                    link.orientable, link_kind(link), link.triangle_count);
   }
   out.push_back(']');
+}
+
+void append_cone_orders(JsonText& out, const Subject& subject) {
+  if (subject.cone_angles.empty()) return;
+  append(out, ", \"cone_orders\": ");
+  append_array(out, subject.cone_angles, [](JsonText& to, const topology::ConeAngle& k) {
+    const std::string order = k.order_text();
+    const bool fraction = order.find('/') != std::string::npos;
+    append(to, fraction ? "\"" + order + "\"" : order);
+  });
 }
 
 void append_edge_classes(JsonText& out, const topology::Triangulation& triangulation) {

@@ -92,8 +92,8 @@ class Mesh(ProgramTest):
         self.run_program("tube", "trefoil.json", "-o", "torus.off")
         text = self.run_program("mesh", "torus.off")
         self.assertEqual(text.status, 0)
-        self.assertRegex(text.text, "not solvable +the link .* is a torus; cusps are not")
-        for verb in ("solve", "canonize", "identify"):
+        self.assertNotIn("not solvable", text.text)
+        for verb in ("canonize", "identify"):
             self.assert_refused(verb, "torus.off", says='"torus.off": the link', kind="unsupported")
         self.assert_refused("compare", TRIPUS, "torus.off", says='"torus.off": the link')
         self.assert_refused("compare", "cPcbbbiht", TRIPUS, says='"cPcbbbiht": the link')

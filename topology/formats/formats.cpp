@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "topology/detail/text.hpp"
 #include "topology/formats/json.hpp"
+#include "topology/formats/orb.hpp"
 #include "topology/formats/regina.hpp"
 #include "topology/formats/snappea.hpp"
 #include "topology/isosig.hpp"
@@ -21,6 +22,7 @@ struct Format {
 };
 
 bool starts_json(std::string_view text) { return text.front() == '{' || text.front() == '['; }
+bool starts_orb(std::string_view text) { return text.starts_with("% orb"); }
 bool starts_snappea(std::string_view text) { return text.front() == '%'; }
 bool starts_xml(std::string_view text) { return text.front() == '<'; }
 bool holds_table(std::string_view text) {
@@ -29,12 +31,13 @@ bool holds_table(std::string_view text) {
 }
 
 NamedGluings read_isosig(std::string_view text) {
-  return {std::string(detail::trimmed(text)), decode_isosig(text)};
+  return {std::string(detail::trimmed(text)), decode_isosig(text), {}};
 }
 
 /// The first that matches is taken. A new format is one file and one line here.
 constexpr std::array kFormats{
     Format{TextFormat::kJson, "JSON", starts_json, read_json},
+    Format{TextFormat::kOrb, "Orb triangulation", starts_orb, read_orb},
     Format{TextFormat::kSnappea, "SnapPea triangulation", starts_snappea, read_snappea},
     Format{TextFormat::kReginaXml, "Regina data file", starts_xml, read_regina_xml},
     Format{TextFormat::kReginaTable, "Regina gluing table", holds_table, read_regina_table},

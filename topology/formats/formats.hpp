@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "topology/cone_angle.hpp"
 #include "topology/gluings.hpp"
 
 namespace tripus::topology {
@@ -14,12 +15,14 @@ namespace tripus::topology {
 struct NamedGluings {
   std::string name;  ///< empty if the file has none
   Gluings gluings;
+  std::vector<ConeAngle> cone_angles = {};  ///< [E] of Triangulation(gluings); empty if unlabelled
 };
 
 enum class TextFormat {
   kIsosig,
   kJson,
   kSnappea,
+  kOrb,
   kReginaXml,
   kReginaTable,
   kGzip,     ///< recognised in order to be refused with advice

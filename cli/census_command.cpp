@@ -316,7 +316,7 @@ void add_census(CLI::App& program, Command& chosen) {
                     ->option_text(" ");
   check->excludes(prove);
   verb->add_option("--proofs", command->proofs,
-                   "file of proofs that --check reads (default: the shipped one) or --prove\n"
+                   "file of proofs that --check reads (default: the shipped one) or\n--prove "
                    "writes (default: standard output)")
       ->option_text("FILE");
   add_making_options(*verb, *command);

@@ -1,16 +1,18 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "meshing/formats/read_mesh.hpp"
 #include "topology/formats/formats.hpp"
 
 namespace tripus::cli {
 
-/// Reads an INPUT as typed: a file, `-` for standard input, or an isomorphism signature. A surface
+/// Reads an INPUT as typed: a file, FILE#LABEL for one of the triangulations in a Regina data file,
+/// `-` for standard input, or an isomorphism signature. What of a file is not read, or was mended,
+/// is said on standard error. A surface
 /// or a tetrahedral mesh becomes a small ideal triangulation of its solid (meshing::manifold_of);
 /// of a ball, which has no boundary left when it is filled in, a triangulation with a finite
 /// vertex. Throws InvalidInput if it is none of them or its content cannot be read;
@@ -20,11 +22,14 @@ topology::NamedGluings load_input(const std::string& input);
 /// topology::require_solvable throws, and InvalidInput for a ball.
 topology::NamedGluings load_solvable_input(const std::string& input);
 
-/// The surface or tetrahedral mesh in a file, or in standard input for `-`; nothing if the content
-/// has no mesh format. Throws InvalidInput if the content cannot be read.
-std::optional<meshing::MeshFile> load_mesh(const std::string& input);
+/// The surface or tetrahedral mesh in a file, or in standard input for `-`.
+/// Throws InvalidInput if the content has no mesh format or cannot be read.
+meshing::MeshFile load_mesh(const std::string& input);
 
-/// The whole of a file, or of standard input for `-`.
+/// The lines of a batch file; of a Regina data file FILE#LABEL for each of its triangulations.
+std::vector<topology::BatchLine> read_batch_file(const std::string& path);
+
+/// The whole of a file, or of standard input for `-`, decompressed if it is gzip's.
 /// Throws InvalidInput, naming the file and the system's reason.
 std::string read_file(const std::string& path);
 

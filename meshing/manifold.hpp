@@ -37,6 +37,7 @@ struct Manifold {
   std::size_t points = 0;                             ///< of the input
   std::size_t triangles = 0;                          ///< of the input, 0 for a tetrahedral mesh
   std::size_t turned = 0;  ///< triangles that did not agree with most of their component
+  std::vector<std::string> notes;  ///< what was not read, and what was mended
   TetrahedralMesh mesh;
 
   /// Whether the boundary is nothing but spheres: the solid is then a ball, or a ball with balls
@@ -44,7 +45,7 @@ struct Manifold {
   bool has_only_spheres() const;
 };
 
-/// Checks a surface or a tetrahedral mesh (require_valid), fills the surface with tetrahedra, cones
+/// Mends and checks a surface or a tetrahedral mesh (mend, require_valid), fills the surface with tetrahedra, cones
 /// off the boundary and simplifies. Deterministic for a seed.
 /// Throws what these throw: InvalidInput, Unsupported, Stopped.
 Manifold manifold_of(MeshFile file, const ManifoldOptions& options = {});

@@ -1,10 +1,10 @@
 #include "base/compression.hpp"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <limits>
+
+#include <zlib.h>
 
 #include "base/error.hpp"
 
@@ -29,8 +29,7 @@ class Inflater {
     if (inflateReset(&stream_) != Z_OK) throw InternalError("zlib could not be started");
     std::array<unsigned char, 1 << 16> block;
     for (int status = Z_OK; status != Z_STREAM_END;) {
-      const std::size_t given =
-          std::min<std::size_t>(data.size(), std::numeric_limits<int>::max());
+      const std::size_t given = std::min<std::size_t>(data.size(), std::numeric_limits<int>::max());
       // zlib does not write to its input.
       stream_.next_in = reinterpret_cast<unsigned char*>(const_cast<char*>(data.data()));
       stream_.avail_in = static_cast<uInt>(given);

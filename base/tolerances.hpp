@@ -54,8 +54,8 @@ inline constexpr double kOrientationRounding = 0x1p-49;
 inline constexpr double kSweepClearance = 1e-9;
 
 /// Points on open edges that lie closer together than this, relative to the size of the surface or
-/// of its coordinates, may become one if that closes it: text with six digits is off by 5e-6, single
-/// precision by 6e-8. The least distance that does is taken, from the first of these on.
+/// of its coordinates, may become one if that closes it: text with six digits is off by 5e-6,
+/// single precision by 6e-8. The least distance that does is taken, from the first of these on.
 inline constexpr double kLeastWelding = 1e-12;
 inline constexpr double kMostWelding = 1e-5;
 /// But no more than this part of the size, however far away the origin is.

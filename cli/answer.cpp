@@ -2,12 +2,12 @@
 
 #include <new>
 
+#include "base/stopped.hpp"
 #include "cli/arguments.hpp"
 #include "cli/batch.hpp"
-#include "cli/json.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
-#include "meshing/stopped.hpp"
+#include "manifold/json_text.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -34,7 +34,7 @@ Answer error_answer(const std::string& input, bool json, const std::exception& e
 }
 
 int status_of(const std::exception& error) {
-  if (dynamic_cast<const meshing::Stopped*>(&error) != nullptr) return kNoAnswer;
+  if (dynamic_cast<const Stopped*>(&error) != nullptr) return kNoAnswer;
   return dynamic_cast<const InvalidInput*>(&error) != nullptr ? kBadInput : kInternalFailure;
 }
 

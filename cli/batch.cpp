@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 
 #include "cli/exit_status.hpp"
-#include "cli/input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "manifold/load.hpp"
 
 namespace tripus::cli {
 namespace {

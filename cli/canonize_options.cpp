@@ -37,7 +37,7 @@ void add_canonical_verb(CLI::App& program, const char* name, const char* descrip
   verb->final_callback([command, answer, &chosen] {
     chosen = [command, answer] {
       return answer_inputs(command->common, [command, answer](const std::string& input) {
-        const Subject subject = load_solvable_subject(input);
+        const Subject subject = load_solvable_subject(input, interruptible());
         catch_interrupts();
         return answer(*command, subject);
       });

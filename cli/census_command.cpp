@@ -15,13 +15,13 @@
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
-#include "cli/input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/manifold_text.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/output_file.hpp"
 #include "cli/progress.hpp"
+#include "manifold/load.hpp"
 #include "topology/formats/formats.hpp"
 
 namespace tripus::cli {

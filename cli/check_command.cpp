@@ -7,8 +7,9 @@
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
-#include "cli/input.hpp"
-#include "cli/json.hpp"
+#include "cli/interrupt.hpp"
+#include "manifold/json_text.hpp"
+#include "manifold/load.hpp"
 #include "structure/certificate.hpp"
 
 namespace tripus::cli {
@@ -56,7 +57,7 @@ Outcome check_one(const CheckOptions& options) {
   if (options.certificate == "-" && options.input == "-")
     throw InvalidInput("the certificate and INPUT cannot both come from standard input");
   const Certificate certificate = load_certificate(options.certificate);
-  const topology::Triangulation triangulation(load_input(options.input).gluings);
+  const topology::Triangulation triangulation(load_input(options.input, interruptible()).gluings);
   const structure::CheckResult result = structure::check(triangulation, certificate);
   return {options.json ? as_json(options.input, certificate, result)
                        : verdict(certificate, result) + "\n",

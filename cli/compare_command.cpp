@@ -74,8 +74,8 @@ std::string as_text(const Comparison& comparison) {
 Outcome compare_two(const CompareCommand& command) {
   if (command.common.input == "-" && command.second == "-")
     throw InvalidInput("the two manifolds cannot both come from standard input");
-  const Subject first = load_solvable_subject(command.common.input);
-  const Subject second = load_solvable_subject(command.second);
+  const Subject first = load_solvable_subject(command.common.input, interruptible());
+  const Subject second = load_solvable_subject(command.second, interruptible());
   catch_interrupts();
   canonical::CanonizeOptions options = command.canonize;
   options.solve.stop_requested = &interrupt_requested();

@@ -16,12 +16,12 @@
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/help.hpp"
-#include "cli/input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/output_file.hpp"
 #include "cli/progress.hpp"
+#include "manifold/load.hpp"
 #include "topology/covers/covers.hpp"
 #include "topology/formats/json.hpp"
 #include "topology/homology.hpp"
@@ -156,7 +156,7 @@ std::string no_cover(const CoverCommand& command, const topology::Triangulation&
 /// Writes the covers of one INPUT; the exit status it deserves.
 int write_covers(const CoverCommand& command, const std::string& input, Sink& sink,
                  Progress& progress) {
-  const topology::NamedGluings loaded = load_input(input);
+  const topology::NamedGluings loaded = load_input(input, interruptible());
   const topology::Triangulation base(loaded.gluings);
   catch_interrupts();
   if (command.sheets() > kMostTetrahedra / base.tetrahedron_count())

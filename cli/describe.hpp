@@ -3,26 +3,10 @@
 #include <optional>
 #include <string>
 
-#include "cli/json.hpp"
-#include "structure/report.hpp"
+#include "manifold/subject.hpp"
 #include "topology/triangulation.hpp"
 
 namespace tripus::cli {
-
-/// A triangulation as the program received it.
-struct Subject {
-  std::string input;  ///< as typed
-  std::string name;   ///< from the file, may be empty
-  topology::Triangulation triangulation;
-  std::optional<std::string> isosig;  ///< nothing where it would take too long
-};
-
-/// Loads an INPUT and computes its signature.
-Subject load_subject(const std::string& input);
-/// The same for what needs a metric; see load_solvable_input.
-Subject load_solvable_subject(const std::string& input);
-/// The same for gluings that are already there.
-Subject make_subject(std::string input, std::string name, topology::Gluings gluings);
 
 /// Text from outside made fit for a terminal: control characters as \xHH, all else as it is.
 std::string printable(std::string_view text);
@@ -34,20 +18,8 @@ std::string signature_text(const Subject& subject);
 /// "1 edge class", "2 edge classes".
 std::string counted(std::size_t count, std::string_view one, std::string_view many);
 
-/// The kind of a vertex link in a word: geodesic, cusp, finite, or unsupported.
-std::string_view link_kind(const topology::VertexLink& link);
-
 /// Why `solve` would refuse it; empty if it would not.
 std::string objection_to(const topology::Triangulation& triangulation);
-
-/// The keys that `info` and `solve` share: name, isosig, counts, orientable, edge_valences.
-void append_subject(JsonText& out, const Subject& subject);
-
-/// , "vertices": [...]: the links by vertex class.
-void append_vertices(JsonText& out, const topology::Triangulation& triangulation);
-
-/// "edge_classes": [[6] per tetrahedron].
-void append_edge_classes(JsonText& out, const topology::Triangulation& triangulation);
 
 /// One line for people: "2 tetrahedra, 1 edge class (valence 12), orientable, boundary of genus 2".
 std::string one_line(const topology::Triangulation& triangulation);

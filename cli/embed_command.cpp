@@ -135,7 +135,7 @@ Outcome embed_one(const EmbedCommand& command, const std::string& input) {
         fmt::format("-o and --circles would both write {}; give one of them another name",
                     quoted(command.circles)));
   }
-  const Subject subject = load_solvable_subject(input);
+  const Subject subject = load_solvable_subject(input, interruptible());
   catch_interrupts();
   structure::SolveOptions solve;
   solve.stop_requested = &interrupt_requested();

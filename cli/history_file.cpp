@@ -13,7 +13,7 @@ namespace tripus::cli {
 HistoryFile::HistoryFile(const std::string& path)
     : path_(path), file_(std::fopen(path.c_str(), "w")) {
   if (file_ == nullptr)
-    throw InvalidInput("cannot write the history to " + quoted(path) + ": " + std::strerror(errno));
+    throw InvalidInput("cannot write the history to " + tripus::quoted(path) + ": " + std::strerror(errno));
   std::setvbuf(file_, nullptr, _IOLBF, BUFSIZ);  // whoever watches a long run sees every row
   std::fputs(
       "iteration,evaluations,seconds,max_curvature,energy,volume,shortest_edge,longest_edge\n",
@@ -37,7 +37,7 @@ void HistoryFile::close() {
   const bool failed = std::ferror(file_) != 0;
   const bool closed = std::fclose(file_) == 0;
   file_ = nullptr;
-  if (failed || !closed) throw Error("cannot write the history to " + quoted(path_));
+  if (failed || !closed) throw Error("cannot write the history to " + tripus::quoted(path_));
 }
 
 }  // namespace tripus::cli

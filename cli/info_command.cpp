@@ -5,6 +5,7 @@
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
+#include "cli/interrupt.hpp"
 #include "topology/homology.hpp"
 
 namespace tripus::cli {
@@ -73,7 +74,7 @@ void add_info(CLI::App& program, Command& chosen) {
   verb->final_callback([options, &chosen] {
     chosen = [options] {
       return answer_inputs(*options, [options](const std::string& input) {
-        const Subject subject = load_subject(input);
+        const Subject subject = load_subject(input, interruptible());
         return Outcome{options->json ? as_json(subject) : as_text(subject), kSuccess};
       });
     };

@@ -13,8 +13,8 @@
 #include "cli/commands.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/help.hpp"
-#include "cli/json.hpp"
 #include "cli/output.hpp"
+#include "manifold/json_text.hpp"
 
 namespace {
 
@@ -42,8 +42,8 @@ bool wants_json(const std::vector<std::string>& arguments) {
 void report_failure(bool json, std::string_view kind, std::string_view message) {
   write_message(fmt::format("tripus: {}\n", message));
   if (!json) return;
-  JsonText out;
-  append_error(out, "", kind, message);
+  tripus::JsonText out;
+  tripus::append_error(out, "", kind, message);
   write_output({out.data(), out.size()});
   write_output("\n");
   flush_output();
@@ -130,7 +130,7 @@ int main(int argc, char** argv) {
     write_message(fmt::format("tripus: {}\n", error.what()));
   } catch (const std::exception& error) {
     try {
-      report_failure(wants_json(arguments), error_kind(error), error.what());
+      report_failure(wants_json(arguments), tripus::error_kind(error), error.what());
     } catch (const OutputError&) {
       return kInternalFailure;
     }

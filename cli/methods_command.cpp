@@ -3,11 +3,11 @@
 
 #include "cli/commands.hpp"
 #include "cli/exit_status.hpp"
-#include "cli/json.hpp"
 #include "cli/output.hpp"
 #include "energies/energies.hpp"
 #include "integrators/flow.hpp"
 #include "integrators/stepper.hpp"
+#include "manifold/json_text.hpp"
 #include "solver/method.hpp"
 
 namespace tripus::cli {

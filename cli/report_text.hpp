@@ -3,17 +3,13 @@
 #include <string>
 
 #include "cli/describe.hpp"
+#include "manifold/report_json.hpp"
 #include "structure/report.hpp"
 #include "structure/retriangulate.hpp"
 
 namespace tripus::cli {
 
-/// The JSON of `tripus solve`, with its keys in the documented order; no line end. After a
-/// retriangulation, subject and report are those of the triangulation that it ended with.
-std::string report_as_json(const Subject& subject, const structure::Report& report,
-                           const structure::Retriangulation* retriangulation = nullptr);
-
-/// The same for people, over several lines.
+/// The JSON of `report_as_json` for people, over several lines.
 std::string report_as_text(const Subject& subject, const structure::Report& report,
                            const structure::Retriangulation* retriangulation = nullptr);
 

@@ -11,12 +11,12 @@
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
-#include "cli/input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/triangulation_file.hpp"
+#include "manifold/load.hpp"
 #include "topology/cone.hpp"
 #include "topology/simplify/simplify.hpp"
 
@@ -79,7 +79,7 @@ std::string as_text(const topology::Simplified& result, const Stages& stages,
 }
 
 Outcome simplify_one(const SimplifyCommand& command, const std::string& input) {
-  topology::NamedGluings loaded = load_input(input);
+  topology::NamedGluings loaded = load_input(input, interruptible());
   catch_interrupts();
   Stages stages{{"given", loaded.gluings.tetrahedron_count()}};
   const topology::Gluings coned = topology::cone_boundary(loaded.gluings);

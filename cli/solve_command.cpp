@@ -11,12 +11,12 @@
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "cli/history_file.hpp"
-#include "cli/input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/lengths_file.hpp"
 #include "cli/numbers.hpp"
 #include "cli/progress.hpp"
 #include "cli/report_text.hpp"
+#include "manifold/load.hpp"
 #include "structure/method.hpp"
 #include "structure/retriangulate.hpp"
 #include "structure/solve.hpp"
@@ -119,7 +119,7 @@ Outcome solve_component(const SolveCommandOptions& command, const std::string& c
 
 /// Each connected component by itself, in the order of their first tetrahedra.
 Outcome solve_components(const SolveCommandOptions& command, const std::string& input) {
-  topology::NamedGluings loaded = load_input(input);
+  topology::NamedGluings loaded = load_input(input, interruptible());
   Outcome all;
   std::vector<std::string> answers;
   std::size_t number = 0;
@@ -160,8 +160,9 @@ int run(SolveCommandOptions& command) {
   }
   structure::find_solve_method(command.solve.method, 1);  // a wrong name is wrong for all inputs
   return answer_inputs(command.common, [&](const std::string& input) {
-    return command.components ? solve_components(command, input)
-                              : solve_subject(command, load_solvable_subject(input));
+    return command.components
+               ? solve_components(command, input)
+               : solve_subject(command, load_solvable_subject(input, interruptible()));
   });
 }
 

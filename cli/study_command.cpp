@@ -13,12 +13,12 @@
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/help.hpp"
-#include "cli/input.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/json.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "manifold/json_text.hpp"
+#include "manifold/load.hpp"
 #include "studies/study.hpp"
 #include "topology/isosig.hpp"
 
@@ -49,7 +49,7 @@ void load(const std::string& input, std::vector<studies::StudyInput>& out) {
       return;
     }
   }
-  auto gluings = load_input(input);
+  auto gluings = load_input(input, interruptible());
   out.push_back({gluings.name.empty() ? input : gluings.name, std::move(gluings.gluings)});
 }
 

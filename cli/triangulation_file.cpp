@@ -20,9 +20,9 @@ struct Ending {
 };
 
 /// A new format is one line here.
-constexpr std::array kEndings{
-    Ending{".json", topology::write_json}, Ending{".sig", nullptr},
-    Ending{".rga", topology::write_regina_xml}, Ending{".tri", topology::write_snappea}};
+constexpr std::array kEndings{Ending{".json", topology::write_json}, Ending{".sig", nullptr},
+                              Ending{".rga", topology::write_regina_xml},
+                              Ending{".tri", topology::write_snappea}};
 
 const Ending* find_ending(const std::string& path) {
   for (const Ending& each : kEndings)

@@ -6,25 +6,26 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/stopped.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
-#include "cli/input.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/json.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/output_file.hpp"
+#include "manifold/json_text.hpp"
+#include "manifold/load.hpp"
 #include "meshing/formats/read_graph.hpp"
 #include "meshing/formats/write_surface.hpp"
-#include "meshing/stopped.hpp"
 #include "meshing/tube/tube_surface.hpp"
 
 namespace tripus::cli {
 namespace {
 
 constexpr const char* kGraphHelp =
-    "GRAPH is a file (or - for standard input): Geomview's VECT, lines (l) of a Wavefront OBJ, points\n"
+    "GRAPH is a file (or - for standard input): Geomview's VECT, lines (l) of a Wavefront OBJ, "
+    "points\n"
     "as three numbers a line with empty lines between polylines, or JSON:\n"
     "  {\"vertices\": [[x,y,z], ...], \"edges\": [[[x,y,z], ...], ...], \"outer\": ...}\n"
     "Each edge is a list of points. Its ends are vertices; or it ends where it begins, a knot; or "
@@ -119,9 +120,9 @@ int run(const TubeCommand& command) {
     throw InvalidInput(
         "--json and the surface cannot both go to standard output; name a file "
         "with -o");
-  const meshing::SurfaceFormat& format =
-      command.output == "-" ? meshing::surface_formats().front()
-                            : meshing::surface_format_of(command.output);
+  const meshing::SurfaceFormat& format = command.output == "-"
+                                             ? meshing::surface_formats().front()
+                                             : meshing::surface_format_of(command.output);
   catch_interrupts();
   std::optional<OutputFile> file;
   if (command.output != "-") file.emplace(command.output);
@@ -138,7 +139,7 @@ int run(const TubeCommand& command) {
       write_output(as_json(command, tube));
     else if (!command.quiet)
       write_message(as_text(command.graph, tube));
-  } catch (const meshing::Stopped&) {
+  } catch (const Stopped&) {
     write_message("tripus: interrupted; nothing was written\n");
     return kNoAnswer;
   }
@@ -153,7 +154,8 @@ void add_tube(CLI::App& program, Command& chosen) {
   verb->add_option("GRAPH", command->graph, "file with a graph in space, or -")
       ->option_text(" ")
       ->required();
-  verb->add_option("-o,--output", command->output, "file to write, .off, .obj, .ply or .stl, or - (OFF)")
+  verb->add_option("-o,--output", command->output,
+                   "file to write, .off, .obj, .ply or .stl, or - (OFF)")
       ->option_text("FILE")
       ->required();
   verb->add_option("--radius", command->radius,

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/stopped.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
@@ -15,7 +16,6 @@
 #include "cli/report_text.hpp"
 #include "cli/view_pages.hpp"
 #include "embedding/universal_cover.hpp"
-#include "meshing/stopped.hpp"
 #include "structure/solve.hpp"
 #include "viewer/egl/offscreen.hpp"
 #include "viewer/window/window.hpp"
@@ -136,7 +136,7 @@ Outcome draw_picture(const Developed& developed, const ViewCommand& command) {
   const viewer::Image image =
       viewer::render_picture(scene, command.picture, command.width, command.height);
   const std::size_t drawn = scene.cells.size() - image.cells_left;
-  if (drawn == 0) throw meshing::Stopped();  // no picture is better than an empty one
+  if (drawn == 0) throw Stopped();  // no picture is better than an empty one
   viewer::write_png(image, command.png);
   return picture_written(developed, command, drawn);
 }
@@ -146,7 +146,7 @@ PageRequest page_request(const ViewCommand& command) {
 }
 
 Outcome view_one(const ViewCommand& command, const std::string& input) {
-  Developed developed{load_solvable_subject(input), {}, {}};
+  Developed developed{load_solvable_subject(input, interruptible()), {}, {}};
   catch_interrupts();
   structure::SolveOptions solve;
   solve.stop_requested = &interrupt_requested();

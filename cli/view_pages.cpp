@@ -11,9 +11,9 @@
 
 #include <fmt/format.h>
 
-#include "cli/input.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/report_text.hpp"
+#include "manifold/load.hpp"
 #include "structure/solve.hpp"
 #include "viewer/web/gallery.hpp"
 #include "viewer/web/page.hpp"
@@ -112,7 +112,7 @@ class Gallery {
  private:
   Outcome make(const topology::BatchLine& line, viewer::GalleryEntry& entry) {
     if (line.text == "-") throw InvalidInput(kNoStandardInput);
-    const Subject subject = load_solvable_subject(line.text);
+    const Subject subject = load_solvable_subject(line.text, interruptible());
     structure::SolveOptions options;
     options.stop_requested = &interrupt_requested();
     const structure::Report report = structure::solve(subject.triangulation, options);

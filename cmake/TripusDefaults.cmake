@@ -28,5 +28,6 @@ find_program(TRIPUS_CCACHE ccache)
 if(TRIPUS_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # One cache serves every checkout.
   set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}"
-      CCACHE_NOHASHDIR=1 "${TRIPUS_CCACHE}")
+      CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+      "${TRIPUS_CCACHE}")
 endif()

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/tolerances.hpp"
 #include "embedding/detail/orientations.hpp"
 #include "embedding/developing_map.hpp"
 #include "topology/dual_graph.hpp"
@@ -132,6 +133,15 @@ std::vector<double> relator_bounds(const Holonomy& holonomy) {
     bounds.push_back(or_infinity(bound));
   }
   return bounds;
+}
+
+bool RelatorDefect::holds() const { return defect <= tolerance::kRelator; }
+
+RelatorDefect relator_defect(const Holonomy& holonomy) {
+  const auto largest = [](const std::vector<double>& values) {
+    return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+  };
+  return {largest(relator_defects(holonomy)), largest(relator_bounds(holonomy))};
 }
 
 }  // namespace tripus::embedding

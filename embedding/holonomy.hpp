@@ -44,4 +44,13 @@ std::vector<double> relator_defects(const Holonomy& holonomy);
 /// Bounds on these, to first order, for each relator. Source: docs/theory.md (72).
 std::vector<double> relator_bounds(const Holonomy& holonomy);
 
+/// How well the relators hold in the frame of tetrahedron 0.
+struct RelatorDefect {
+  double defect = 0;  ///< largest of relator_defects
+  double bound = 0;   ///< largest of relator_bounds
+  /// Within tolerance::kRelator: double precision holds the representation.
+  bool holds() const;
+};
+RelatorDefect relator_defect(const Holonomy& holonomy);
+
 }  // namespace tripus::embedding

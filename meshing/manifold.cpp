@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/stopped.hpp"
 #include "meshing/mend.hpp"
-#include "meshing/stopped.hpp"
 #include "meshing/validate_tetrahedra.hpp"
 #include "topology/cone.hpp"
 #include "topology/simplify/simplify.hpp"

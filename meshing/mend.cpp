@@ -12,8 +12,8 @@
 #include "meshing/detail/point_hash.hpp"
 #include "meshing/predicates.hpp"
 
-// Mending is by trial: a trial changes a copy, and is kept only if every edge is then in exactly two
-// triangles. So nothing is welded, split or left out that was good as it stood.
+// Mending is by trial: a trial changes a copy, and is kept only if every edge is then in exactly
+// two triangles. So nothing is welded, split or left out that was good as it stood.
 
 namespace tripus::meshing {
 namespace {
@@ -113,8 +113,7 @@ std::size_t count_unused(std::size_t points, const Cells& cells) {
 
 /// Drops the points that no cell has; `point_of` is shortened alongside.
 template <class Cells>
-void drop_unused(std::vector<Point>& points, Cells& cells,
-                        std::vector<std::uint32_t>& point_of) {
+void drop_unused(std::vector<Point>& points, Cells& cells, std::vector<std::uint32_t>& point_of) {
   std::vector<std::uint32_t> number(points.size(), kNone);
   for (const auto& cell : cells)
     for (const std::uint32_t corner : cell) number[corner] = 0;
@@ -226,8 +225,7 @@ std::vector<std::string> attempt(Patch& patch, const Trial& trial) {
       notes.push_back(counted(split, "triangle", "triangles") +
                       " split at points in the middle of a side");
   }
-  if (flat > 0)
-    notes.push_back(counted(flat, "triangle", "triangles") + " without area left out");
+  if (flat > 0) notes.push_back(counted(flat, "triangle", "triangles") + " without area left out");
   return notes;
 }
 
@@ -262,7 +260,8 @@ std::vector<std::uint32_t> picked(const std::vector<std::uint32_t>& all,
 /// Carries lines and numbers over to what is left.
 void keep_places(SourceLines& lines, const std::vector<std::uint32_t>& point_of,
                  const std::vector<std::uint32_t>& cell_of) {
-  lines.point_numbers = lines.point_numbers.empty() ? point_of : picked(lines.point_numbers, point_of);
+  lines.point_numbers =
+      lines.point_numbers.empty() ? point_of : picked(lines.point_numbers, point_of);
   lines.cell_numbers = lines.cell_numbers.empty() ? cell_of : picked(lines.cell_numbers, cell_of);
   lines.points = picked(lines.points, point_of);
   lines.cells = picked(lines.cells, cell_of);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "base/stopped.hpp"
 #include "meshing/detail/triangle_tree.hpp"
 #include "meshing/predicates.hpp"
-#include "meshing/stopped.hpp"
 
 namespace tripus::meshing {
 namespace {

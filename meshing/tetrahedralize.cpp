@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/stopped.hpp"
 #include "meshing/detail/child_process.hpp"
 #include "meshing/detail/find_tetgen.hpp"
 #include "meshing/detail/split.hpp"
 #include "meshing/detail/tetgen_protocol.hpp"
 #include "meshing/predicates.hpp"
-#include "meshing/stopped.hpp"
 
 namespace tripus::meshing {
 namespace {

@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/stopped.hpp"
 #include "base/tolerances.hpp"
 #include "meshing/detail/connectivity.hpp"
 #include "meshing/detail/places.hpp"
 #include "meshing/detail/point_location.hpp"
 #include "meshing/detail/points.hpp"
 #include "meshing/predicates.hpp"
-#include "meshing/stopped.hpp"
 
 namespace tripus::meshing {
 namespace {
@@ -194,8 +194,7 @@ Region require_valid(SurfaceMesh mesh, const SourceLines& lines,
   require_different_triangles(mesh, places);
   throw_if_stopped(stop_requested);
   const Connectivity connectivity = detail::require_closed_manifold(
-      mesh.triangles, mesh.points.size(), [&](std::size_t t) { return places.cell(t); },
-      places);
+      mesh.triangles, mesh.points.size(), [&](std::size_t t) { return places.cell(t); }, places);
   require_no_crossing(mesh, places, stop_requested);
   Region region;
   region.surface = std::move(mesh);

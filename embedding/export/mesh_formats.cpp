@@ -8,7 +8,7 @@ std::span<const MeshFormat> mesh_formats() {
   static constexpr std::array<MeshFormat, 8> formats{{
       {"obj", "Wavefront OBJ: a group for each cell", write_obj},
       {"ply", "binary PLY: colour, cell and tetrahedron of each point", write_ply},
-      {"off", "Geomview's OFF, with the colours of the triangles", write_off},
+      {"off", "Geomview's OFF", write_off},
       {"stl", "binary STL, in single precision", write_stl},
       {"glb", "glTF 2.0, binary: a mesh and a colour for each tetrahedron", write_glb},
       {"gltf", "the same as text", write_gltf},

@@ -33,15 +33,15 @@ std::size_t write_obj(std::ostream& out, const Tessellation& tessellation);
 /// (int). Faces: vertex_indices. Its header counts, so it is written to the end.
 std::size_t write_ply(std::ostream& out, const Tessellation& tessellation);
 
-/// OFF: each triangle with its colour, 0 to 255. It counts, so it is written to the end.
+/// OFF, without colours. It counts, so it is written to the end.
 std::size_t write_off(std::ostream& out, const Tessellation& tessellation);
 
 /// STL, binary; coordinates in single precision. It counts, so it is written to the end.
 std::size_t write_stl(std::ostream& out, const Tessellation& tessellation);
 
-/// glTF 2.0, as text with its numbers in base64, and as one binary file: a mesh for each tetrahedron
-/// with all its cells, in its colour; coordinates in single precision. Held in memory, and written
-/// to the end.
+/// glTF 2.0, as text with its numbers in base64, and as one binary file: a mesh for each
+/// tetrahedron with all its cells, in its colour; coordinates in single precision. Held in memory,
+/// and written to the end.
 std::size_t write_gltf(std::ostream& out, const Tessellation& tessellation);
 std::size_t write_glb(std::ostream& out, const Tessellation& tessellation);
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "embedding/colour.hpp"
 #include "embedding/export/mesh_formats.hpp"
 
 namespace tripus::embedding {
@@ -23,10 +22,9 @@ std::size_t write_off(std::ostream& out, const Tessellation& tessellation) {
   }
   std::size_t first = 0;
   for (std::size_t c = 0; c < cell_count && out; ++c) {
-    const Colour colour = tetrahedron_colour(tessellation.cells()[c].tetrahedron);
+    // No colours: some readers take them for corners.
     for (const auto& [p, q, r] : tessellation.triangles(c))
-      fmt::format_to(std::back_inserter(text), "3 {} {} {} {} {} {}\n", first + p, first + q,
-                     first + r, colour[0], colour[1], colour[2]);
+      fmt::format_to(std::back_inserter(text), "3 {} {} {}\n", first + p, first + q, first + r);
     write();
     first += point_count(tessellation.subdivisions(c));
   }

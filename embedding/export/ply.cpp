@@ -9,8 +9,9 @@
 
 namespace tripus::embedding {
 
-// Everything that is told stands at the points, each of which belongs to one cell: some readers refuse
-// binary faces with properties beside their corners, and colours of points are what all know.
+// Everything that is told stands at the points, each of which belongs to one cell: some readers
+// refuse binary faces with properties beside their corners, and colours of points are what all
+// know.
 std::size_t write_ply(std::ostream& out, const Tessellation& tessellation) {
   out << fmt::format(
       "ply\nformat binary_little_endian 1.0\n"

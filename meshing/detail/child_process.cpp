@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
-#include "meshing/stopped.hpp"
+#include "base/stopped.hpp"
 
 extern char** environ;
 

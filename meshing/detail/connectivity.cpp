@@ -77,8 +77,7 @@ std::vector<std::uint32_t> mates(const std::vector<Triangle>& triangles, const N
 
 /// The triangles around each point, walked across the mates, must be all that have it.
 void require_fans(const std::vector<Triangle>& triangles, std::size_t point_count,
-                  const std::vector<std::uint32_t>& mate, const Name& name,
-                  const Places& places) {
+                  const std::vector<std::uint32_t>& mate, const Name& name, const Places& places) {
   std::vector<bool> seen(3 * triangles.size(), false);  // corners
   std::vector<std::uint32_t> first(point_count, kNone);
   for (std::uint32_t start = 0; start < 3 * triangles.size(); ++start) {

@@ -60,8 +60,7 @@ void Faces::finish(SurfaceFile& file) const {
         counted(cut, "face", "faces") + " of more than three corners cut into triangles" +
         (bent > 0 ? ", " + std::to_string(bent) + " of them not planar" : std::string()));
   if (small > 0)
-    file.notes.push_back(counted(small, "face", "faces") +
-                         " of fewer than three corners left out");
+    file.notes.push_back(counted(small, "face", "faces") + " of fewer than three corners left out");
 }
 
 std::string counted(std::size_t count, std::string_view one, std::string_view many) {

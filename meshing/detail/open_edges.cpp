@@ -92,8 +92,7 @@ class Candidates {
     std::vector<OnSide> found;
     for (; end != ends_.end() && coordinate(*end) <= high && work > 0; ++end, --work) {
       if (*end == a || *end == b) continue;
-      const double along =
-          place_on(mesh_.points[a], mesh_.points[b], mesh_.points[*end], distance);
+      const double along = place_on(mesh_.points[a], mesh_.points[b], mesh_.points[*end], distance);
       if (along > 0) found.push_back({along, *end});
     }
     std::sort(found.begin(), found.end(),

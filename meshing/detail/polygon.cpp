@@ -8,9 +8,7 @@
 namespace tripus::meshing::detail {
 namespace {
 
-Point difference(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
+Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -21,8 +19,8 @@ Point normal_of(const std::vector<Point>& points, std::span<const std::uint32_t>
   Point normal{};
   const Point& origin = points[corners[0]];
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    const Point part = cross(difference(points[corners[i]], origin),
-                             difference(points[corners[i + 1]], origin));
+    const Point part =
+        cross(difference(points[corners[i]], origin), difference(points[corners[i + 1]], origin));
     for (std::size_t k = 0; k < 3; ++k) normal[k] += part[k];
   }
   return normal;
@@ -118,7 +116,8 @@ bool is_planar(const std::vector<Point>& points, std::span<const std::uint32_t> 
     for (const double x : points[corner]) largest = std::max(largest, std::fabs(x));
   const Point& origin = points[corners[0]];
   return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
-    return std::fabs(dot(difference(points[corner], origin), normal)) <= tolerance::kPlanarFace * largest * length;
+    return std::fabs(dot(difference(points[corner], origin), normal)) <=
+           tolerance::kPlanarFace * largest * length;
   });
 }
 

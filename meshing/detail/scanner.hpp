@@ -96,9 +96,7 @@ class Scanner {
     return rest_.front() == '\n' ||
            (rest_.front() == '\r' && (rest_.size() == 1 || rest_[1] != '\n'));
   }
-  std::size_t line_end() const {
-    return std::min(rest_.find_first_of("\r\n"), rest_.size());
-  }
+  std::size_t line_end() const { return std::min(rest_.find_first_of("\r\n"), rest_.size()); }
   void skip(bool within_line) {
     while (!rest_.empty()) {
       const char c = rest_.front();

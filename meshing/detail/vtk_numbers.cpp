@@ -15,9 +15,9 @@ namespace {
 
 /// What may follow an array: sections, and parts of them.
 constexpr std::array<std::string_view, 22> kKeys{
-    "points",     "cells",       "cell_types",          "polygons",      "vertices", "lines",
-    "field",      "point_data",  "triangle_strips",     "cell_data",     "metadata", "offsets",
-    "scalars",    "vectors",     "connectivity",        "normals",       "tensors",  "dataset",
+    "points",     "cells",        "cell_types",          "polygons",     "vertices", "lines",
+    "field",      "point_data",   "triangle_strips",     "cell_data",    "metadata", "offsets",
+    "scalars",    "vectors",      "connectivity",        "normals",      "tensors",  "dataset",
     "global_ids", "pedigree_ids", "texture_coordinates", "color_scalars"};
 
 constexpr bool is_count(std::string_view word) {
@@ -77,8 +77,7 @@ VtkNumbers::Type VtkNumbers::find_type(std::string_view name) const {
 
 void VtkNumbers::require_room(std::uint64_t count, std::size_t bytes) const {
   if (count > text_.room(bytes))
-    text_.fail(std::to_string(count) +
-               " numbers announced, more than the file is long enough for");
+    text_.fail(std::to_string(count) + " numbers announced, more than the file is long enough for");
 }
 
 /// At the start of the block: whether its numbers take 8 bytes each and not 4.
@@ -91,7 +90,8 @@ bool VtkNumbers::is_wide(std::uint64_t count) const {
 
 template <class Number>
 std::vector<Number> VtkNumbers::take(std::uint64_t count, Type type) {
-  require_room(count, is_binary_ ? std::max<std::size_t>(type.bits == 0 ? 4 : type.bits / 8, 1) : 2);
+  require_room(count,
+               is_binary_ ? std::max<std::size_t>(type.bits == 0 ? 4 : type.bits / 8, 1) : 2);
   std::vector<Number> numbers;
   numbers.reserve(count);
   lines_.clear();
@@ -117,7 +117,8 @@ std::vector<Number> VtkNumbers::take(std::uint64_t count, Type type) {
   };
   for (std::uint64_t i = 0; i < count; ++i) {
     if (type.kind == Type::kFloat) {
-      type.bits == 32 ? append(bytes.take<float>("a number")) : append(bytes.take<double>("a number"));
+      type.bits == 32 ? append(bytes.take<float>("a number"))
+                      : append(bytes.take<double>("a number"));
     } else if (type.bits == 64) {
       append(bytes.take<std::int64_t>("a number"));
     } else if (type.bits == 32) {

@@ -95,7 +95,8 @@ class Numbers {
   double real() { return is_binary_ ? read<double>() : text_.number("a coordinate"); }
   void require_room(std::uint64_t count, std::size_t bytes) const {
     if (count > text_.room(is_binary_ ? bytes : 2))
-      text_.fail(std::to_string(count) + " entries announced, more than the file is long enough for");
+      text_.fail(std::to_string(count) +
+                 " entries announced, more than the file is long enough for");
   }
 
  private:
@@ -208,11 +209,11 @@ class Reader {
     const auto found = std::find_if(kElements.begin(), kElements.end(),
                                     [&](const Element& e) { return e.type == type; });
     if (found == kElements.end() || found->use == Element::kRefuse)
-      in_.text().fail("an element of Gmsh's type " + std::to_string(type) +
-               (found == kElements.end() ? std::string()
-                                         : " (" + std::string(found->name) + ")") +
-               "; only triangles, quadrilaterals and tetrahedra are read: cut the cells into "
-               "tetrahedra first");
+      in_.text().fail(
+          "an element of Gmsh's type " + std::to_string(type) +
+          (found == kElements.end() ? std::string() : " (" + std::string(found->name) + ")") +
+          "; only triangles, quadrilaterals and tetrahedra are read: cut the cells into "
+          "tetrahedra first");
     return *found;
   }
 
@@ -290,8 +291,8 @@ MeshFile read_gmsh(std::string_view text) { return Reader(text).read(); }
 
 std::string write_gmsh(const TetrahedralMesh& mesh) {
   const std::vector<Triangle> boundary = boundary_triangles(mesh);
-  std::string out = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" +
-                    std::to_string(mesh.points.size()) + "\n";
+  std::string out =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" + std::to_string(mesh.points.size()) + "\n";
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     out += std::to_string(i + 1) + " ";
     detail::append_numbers(out, mesh.points[i]);

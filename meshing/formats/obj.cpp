@@ -14,14 +14,13 @@ using detail::Scanner;
 
 /// Lines that say nothing about the surface, and may come first.
 constexpr std::array<std::string_view, 26> kSkipped{
-    "vt",        "vn",       "vp",       "o",          "g",         "s",     "mg",
-    "usemtl",    "mtllib",   "usemap",   "maplib",     "l",         "p",     "lod",
-    "bevel",     "c_interp", "d_interp", "shadow_obj", "trace_obj", "ctech", "stech",
-    "illum",     "call",     "csh",      "bmat",       "step"};
+    "vt",        "vn",     "vp",    "o",     "g",    "s",     "mg",       "usemtl",   "mtllib",
+    "usemap",    "maplib", "l",     "p",     "lod",  "bevel", "c_interp", "d_interp", "shadow_obj",
+    "trace_obj", "ctech",  "stech", "illum", "call", "csh",   "bmat",     "step"};
 /// Curves and curved surfaces.
 constexpr std::array<std::string_view, 17> kCurved{
-    "cstype", "deg",  "curv", "curv2", "surf", "parm", "trim", "hole", "scrv",
-    "sp",     "end",  "con",  "bsp",   "bzp",  "cdc",  "cdp",  "res"};
+    "cstype", "deg", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv",
+    "sp",     "end", "con",  "bsp",   "bzp",  "cdc",  "cdp",  "res"};
 
 template <class Words>
 bool is_in(const Words& words, std::string_view word) {
@@ -139,8 +138,8 @@ class Reader {
 
 /// A corner begins with a digit or a sign.
 bool is_number(std::string_view word) {
-  return !word.empty() && (std::string_view("+-.0123456789").find(word.front()) !=
-                           std::string_view::npos);
+  return !word.empty() &&
+         (std::string_view("+-.0123456789").find(word.front()) != std::string_view::npos);
 }
 
 }  // namespace

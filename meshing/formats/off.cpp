@@ -204,26 +204,31 @@ SurfaceFile read_text(const Header& header, const Scanner& in) {
   std::optional<InvalidInput> problem;
   for (const bool small : {false, true})
     for (const bool has_edges : {true, false})
-      for (Layout layout : {Layout{has_edges, false, false, small},
-                            Layout{has_edges, false, true, small},
-                            Layout{has_edges, true, true, small}}) {
+      for (Layout layout :
+           {Layout{has_edges, false, false, small}, Layout{has_edges, false, true, small},
+            Layout{has_edges, true, true, small}}) {
         try {
           return TextReader(header, in, layout).read();
         } catch (const InvalidInput& error) {
           // Of the file as most write it: with edges, colours behind the faces.
-          if (!problem || (small && has_edges && layout.face_colours &&
-                           layout.points_by_line == more))
+          if (!problem ||
+              (small && has_edges && layout.face_colours && layout.points_by_line == more))
             problem = error;
         }
       }
   throw *problem;
 }
 
-/// Integers and floats of four bytes, the most significant first.
-SurfaceFile read_binary(Header header, const Scanner& in) {
+/// Geomview's own form has the most significant byte first and a count of colours behind each face;
+/// OpenMesh writes neither.
+struct BinaryLayout {
+  bool is_big_endian = true, has_colour_counts = true;
+};
+
+SurfaceFile read_binary(Header header, const Scanner& in, BinaryLayout layout) {
   Scanner text = in;
   text.next_line();
-  Bytes bytes("OFF", text.rest(), true);
+  Bytes bytes("OFF", text.rest(), layout.is_big_endian);
   const auto natural = [&](std::string_view what) {
     const auto value = bytes.take<std::int32_t>(what);
     if (value < 0) bytes.fail(std::to_string(value) + " as " + std::string(what));
@@ -251,12 +256,27 @@ SurfaceFile read_binary(Header header, const Scanner& in) {
     for (std::uint32_t k = 0; k < sides; ++k)
       corners.push_back(bytes.index(bytes.take<std::int32_t>("an index"), points));
     collected.add(corners, 0);
+    if (!layout.has_colour_counts) continue;
     const std::uint32_t colours = natural("the number of components of a colour");
     bytes.require_room(colours, 4, "components of a colour");
     bytes.skip(4 * std::size_t{colours});
   }
+  if (!bytes.rest().empty()) bytes.fail("bytes after the last face");
   collected.finish(file);
   return file;
+}
+
+SurfaceFile read_binary(const Header& header, const Scanner& in) {
+  std::optional<InvalidInput> problem;
+  for (const BinaryLayout layout : {BinaryLayout{true, true}, BinaryLayout{false, false},
+                                    BinaryLayout{false, true}, BinaryLayout{true, false}}) {
+    try {
+      return read_binary(header, in, layout);
+    } catch (const InvalidInput& error) {
+      if (!problem) problem = error;
+    }
+  }
+  throw *problem;
 }
 
 }  // namespace

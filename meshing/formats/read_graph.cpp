@@ -34,8 +34,8 @@ bool starts_json_graph(std::string_view content) {
 }
 bool starts_points(std::string_view content) {
   const std::string_view word = first_word(content);
-  return !word.empty() && std::string_view("+-.0123456789").find(word.front()) !=
-                              std::string_view::npos;
+  return !word.empty() &&
+         std::string_view("+-.0123456789").find(word.front()) != std::string_view::npos;
 }
 
 /// The first that matches is taken. A new format is one file and one line here.

@@ -89,8 +89,8 @@ const Format* find_format(std::string_view content, std::string_view name) {
 std::string companion_of(std::string_view name) {
   const std::size_t dot = name.rfind('.');
   const bool is_upper = name.find_first_of("NE", dot) != std::string_view::npos;
-  const std::string_view other = ends_with(name, ".node") ? (is_upper ? ".ELE" : ".ele")
-                                                          : (is_upper ? ".NODE" : ".node");
+  const std::string_view other =
+      ends_with(name, ".node") ? (is_upper ? ".ELE" : ".ele") : (is_upper ? ".NODE" : ".node");
   return std::string(name.substr(0, dot)) + std::string(other);
 }
 

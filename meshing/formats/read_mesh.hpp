@@ -29,8 +29,8 @@ struct TetrahedralFile {
 using MeshFile = std::variant<SurfaceFile, TetrahedralFile>;
 
 /// The format of a mesh file, or nothing if it is none. Recognised by its content; the name decides
-/// only for TetGen's pair of files (.node, .ele), which have no mark, and for binary STL whose length
-/// does not fit.
+/// only for TetGen's pair of files (.node, .ele), which have no mark, and for binary STL whose
+/// length does not fit.
 std::optional<std::string_view> detect_mesh_format(std::string_view content, std::string_view name);
 
 /// Reads another file by its name; for the other half of TetGen's pair.

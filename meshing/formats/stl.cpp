@@ -178,8 +178,8 @@ bool starts_stl(std::string_view data, bool by_name) {
 }
 
 SurfaceFile read_stl(std::string_view text) {
-  const bool fits =
-      text.size() >= kBegin && text.size() == kBegin + kFacet * announced(text) && announced(text) > 0;
+  const bool fits = text.size() >= kBegin && text.size() == kBegin + kFacet * announced(text) &&
+                    announced(text) > 0;
   return !fits && is_text(text) ? read_text(text) : read_binary(text);
 }
 

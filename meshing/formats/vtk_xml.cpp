@@ -45,11 +45,11 @@ struct Type {
   enum { kSigned, kUnsigned, kFloat } kind;
 };
 constexpr std::array kTypes{
-    Type{"Float32", 4, Type::kFloat},   Type{"Float64", 8, Type::kFloat},
-    Type{"Int8", 1, Type::kSigned},     Type{"UInt8", 1, Type::kUnsigned},
-    Type{"Int16", 2, Type::kSigned},    Type{"UInt16", 2, Type::kUnsigned},
-    Type{"Int32", 4, Type::kSigned},    Type{"UInt32", 4, Type::kUnsigned},
-    Type{"Int64", 8, Type::kSigned},    Type{"UInt64", 8, Type::kUnsigned},
+    Type{"Float32", 4, Type::kFloat}, Type{"Float64", 8, Type::kFloat},
+    Type{"Int8", 1, Type::kSigned},   Type{"UInt8", 1, Type::kUnsigned},
+    Type{"Int16", 2, Type::kSigned},  Type{"UInt16", 2, Type::kUnsigned},
+    Type{"Int32", 4, Type::kSigned},  Type{"UInt32", 4, Type::kUnsigned},
+    Type{"Int64", 8, Type::kSigned},  Type{"UInt64", 8, Type::kUnsigned},
 };
 
 double take(Bytes& in, const Type& type) {
@@ -234,8 +234,9 @@ MeshFile read_vtk_xml(std::string_view text) {
   const pugi::xml_node file = document.child("VTKFile");
   const std::string type(attribute(file, "type"));
   if (type != "UnstructuredGrid" && type != "PolyData")
-    fail("a data set of kind " + quoted(type.substr(0, 40)) +
-         "; expected UnstructuredGrid or PolyData: extract its surface, or merge its blocks, first");
+    fail(
+        "a data set of kind " + quoted(type.substr(0, 40)) +
+        "; expected UnstructuredGrid or PolyData: extract its surface, or merge its blocks, first");
   const Coding coding = coding_of(file, parts.appended);
   std::vector<Point> points;
   detail::Cells cells;

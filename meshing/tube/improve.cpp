@@ -3,7 +3,7 @@
 #include <queue>
 #include <tuple>
 
-#include "meshing/stopped.hpp"
+#include "base/stopped.hpp"
 
 namespace tripus::meshing::tube {
 namespace {

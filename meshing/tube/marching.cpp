@@ -13,7 +13,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "meshing/stopped.hpp"
+#include "base/stopped.hpp"
 #include "meshing/tube/detail/edge_vertices.hpp"
 
 namespace tripus::meshing::tube {

@@ -85,9 +85,9 @@ void survive(const std::string& content, const std::string& name) {
 }
 
 TEST(MeshingBroken, CutAndChangedFilesAreSurvived) {
-  for (const char* name : {"touching.off", "open-edge.obj", "open-edge.stl", "nan-binary.stl",
-                           "fraction.ply", "cut-binary.ply", "overlap.mesh", "wrong-index.vtk",
-                           "wrong-index.msh"}) {
+  for (const char* name :
+       {"touching.off", "open-edge.obj", "open-edge.stl", "nan-binary.stl", "fraction.ply",
+        "cut-binary.ply", "overlap.mesh", "wrong-index.vtk", "wrong-index.msh"}) {
     const std::string good = content_of(kFolder + name);
     for (std::size_t i = 0; i < good.size(); ++i) {
       survive(good.substr(0, i), name);

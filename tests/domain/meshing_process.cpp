@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
-#include "meshing/stopped.hpp"
+#include "base/stopped.hpp"
 #include "meshing/tetrahedralize.hpp"
 #include "tests/support/sample_surfaces.hpp"
 

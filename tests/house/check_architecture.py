@@ -31,9 +31,10 @@ USES = {
     "canonical": ["structure"],
     "meshing": ["topology"],
     "embedding": ["structure"],
+    "manifold": ["canonical", "meshing", "embedding"],
     "viewer": ["embedding"],
     "studies": ["structure", "canonical"],
-    "cli": ["canonical", "meshing", "embedding", "viewer", "studies"],
+    "cli": ["manifold", "viewer", "studies"],
 }
 
 HIDDEN = re.compile(

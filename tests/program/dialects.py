@@ -65,6 +65,11 @@ class Dialects(ProgramTest):
         data += b"".join(struct.pack(">3f", *map(float, p)) for p in points)
         data += b"".join(struct.pack(">5i", 3, *f, 0) for f in faces)
         self.mesh("binary.off", data)
+        # As OpenMesh writes it.
+        data = b"OFF BINARY\n" + struct.pack("<3i", len(points), len(faces), 0)
+        data += b"".join(struct.pack("<3f", *map(float, p)) for p in points)
+        data += b"".join(struct.pack("<4i", 3, *f) for f in faces)
+        self.mesh("little-endian.off", data)
 
     def test_off_headers_and_colours(self):
         points, faces = surface()

@@ -44,7 +44,8 @@ TEST(OffDialects, AreReadByTokens) {
         "OFF\n4 4\n0.5 0 0 9 8 7\n1 0 0 9 8 7\n0 1 0 9 8 7\n0 0 1 9 8 7\n" + faces,
         "NOFF\n4 4 6\n0.5 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n0 0 1 0 0 1\n" + faces,
         "4OFF\n4 4 6\n1 0 0 2\n1 0 0 1\n0 1 0 1\n0 0 1 1\n" + faces,
-        "nOFF 3\n4 4 6\n" + points + faces, "4nOFF 3 4 4 6\n1 0 0 2\n1 0 0 1\n0 1 0 1\n0 0 1 1\n" + faces,
+        "nOFF 3\n4 4 6\n" + points + faces,
+        "4nOFF 3 4 4 6\n1 0 0 2\n1 0 0 1\n0 1 0 1\n0 0 1 1\n" + faces,
         "OFF\n4 5 6\n" + points + "2 0 1\n" + faces}) {
     SCOPED_TRACE(text);
     EXPECT_EQ(read(text).mesh, kTetrahedron);
@@ -56,8 +57,9 @@ TEST(OffDialects, AreReadByTokens) {
 }
 
 TEST(OffDialects, CountsOnThreeLinesDoNotMoveThePoints) {
-  const SurfaceFile file = read("OFF\n4\n4\n0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n"
-                                "3 0 3 2\n3 1 2 3\n");
+  const SurfaceFile file = read(
+      "OFF\n4\n4\n0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n"
+      "3 0 3 2\n3 1 2 3\n");
   EXPECT_EQ(file.mesh.points[1], (Point{1, 0, 0}));
   EXPECT_EQ(file.lines.points[0], 5u);
 }
@@ -126,14 +128,16 @@ TEST(VtkDialects, OldIndicesOfEightBytesAreReadAsWell) {
 
 TEST(VtkDialects, SectionsInAnyOrder) {
   const SurfaceFile file = read(
-      "# vtk DataFile Version 3.0\nx\nASCII\nFIELD f 2\na 1 2 double\n1 2\nb 1 1 string\ntwo words\n"
+      "# vtk DataFile Version 3.0\nx\nASCII\nFIELD f 2\na 1 2 double\n1 2\nb 1 1 string\ntwo "
+      "words\n"
       "DATASET UNSTRUCTURED_GRID\nCELL_TYPES 3\n6 9 1\nCELLS 3 12\n4 0 2 1 3\n4 0 1 3 2\n1 0\n"
       "POINTS 4 int\n0 0 0 1 0 0 0 1 0 0 0 1\n");
   EXPECT_EQ(file.mesh.triangles.size(), 4u);
   EXPECT_EQ(file.mesh.triangles[0], (Triangle{0, 2, 1}));
   EXPECT_EQ(file.mesh.triangles[1], (Triangle{1, 2, 3}));
   ASSERT_EQ(file.notes.size(), 4u);
-  EXPECT_EQ(file.notes[3], "1 face of more than three corners cut into triangles, 1 of them not planar");
+  EXPECT_EQ(file.notes[3],
+            "1 face of more than three corners cut into triangles, 1 of them not planar");
 }
 
 TEST(PlyDialects, StripsAndFacesBeforePoints) {
@@ -142,8 +146,7 @@ TEST(PlyDialects, StripsAndFacesBeforePoints) {
       "element vertex 4\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
       "10 0 2 1 3 -1 0 3 2 -1 0\n"
       "0.5 0 0\n1 0 0\n0 1 0\n0 0 1\n");
-  EXPECT_EQ(file.mesh.triangles,
-            (std::vector<Triangle>{{0, 2, 1}, {1, 2, 3}, {0, 3, 2}}));
+  EXPECT_EQ(file.mesh.triangles, (std::vector<Triangle>{{0, 2, 1}, {1, 2, 3}, {0, 3, 2}}));
 }
 
 TEST(GmshDialects, VersionFour) {
@@ -173,8 +176,9 @@ TEST(VtkXmlDialects, TextAndCompressedBase64) {
        {encode_base64(length + numbers), encode_base64(length) + encode_base64(numbers)}) {
     std::string mixed = text;
     const std::string from = "<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">3 6 9 12";
-    mixed.replace(mixed.find(from), from.size(),
-                  "<DataArray type=\"Int32\" Name=\"offsets\" format=\"binary\">\n " + coded + "\n");
+    mixed.replace(
+        mixed.find(from), from.size(),
+        "<DataArray type=\"Int32\" Name=\"offsets\" format=\"binary\">\n " + coded + "\n");
     EXPECT_EQ(read(mixed).mesh, kTetrahedron);
   }
 }
@@ -279,7 +283,8 @@ TEST(Mending, MergesSplitPointsAndKeepsTheNumbersOfTheFile) {
     (void)require_valid(open.mesh, open.lines);
     ADD_FAILURE();
   } catch (const InvalidInput& error) {
-    EXPECT_NE(std::string(error.what()).find("edge 3-4 is open"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("edge 3-4 is open"), std::string::npos)
+        << error.what();
   }
 }
 

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "meshing/stopped.hpp"
+#include "base/stopped.hpp"
 #include "meshing/tube/detail/clearance.hpp"
 #include "meshing/tube/tube_surface.hpp"
 #include "tests/support/sample_graphs.hpp"

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "base/stopped.hpp"
 #include "meshing/manifold.hpp"
-#include "meshing/stopped.hpp"
 #include "meshing/validate.hpp"
 #include "meshing/validate_tetrahedra.hpp"
 #include "tests/support/sample_surfaces.hpp"

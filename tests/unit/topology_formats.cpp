@@ -100,6 +100,13 @@ TEST(Formats, ReadsBothGenerationsOfReginaAndItsTable) {
   EXPECT_NE(std::string(kDetail).find(table), std::string::npos) << table;
 }
 
+// The heading of Regina 7.4.1.
+TEST(Formats, ReadsTheTableOfNewerRegina) {
+  std::string table = kDetail;
+  table.replace(table.find("glued to:   "), 12, "gluing:     ");
+  EXPECT_EQ(read_triangulation(table).gluings, regina_sample());
+}
+
 // Regina nests packets: the link below a triangulation is not part of it.
 TEST(Formats, LeavesNestedPacketsOfReginaAlone) {
   std::string nested = kThirdGeneration;
@@ -173,7 +180,8 @@ TEST(Formats, ReadsSnappeaInFreeForm) {
 }
 
 TEST(Formats, ReadsSignaturesWithWhatProgramsAdd) {
-  for (const char* text : {"cPcbbbiht_BaCB", "cPcbbbiht.qa", "cPcbbbiht_BaCB(0,0)", "cPcbbbiht(0,0)"})
+  for (const char* text :
+       {"cPcbbbiht_BaCB", "cPcbbbiht.qa", "cPcbbbiht_BaCB(0,0)", "cPcbbbiht(0,0)"})
     EXPECT_EQ(isosig(read_triangulation(text).gluings), "cPcbbbiht") << text;
   for (const char* text : {"cPcbbbiht_BaCB(1,2)", "cPcbbbiht(-3,0)", "cPcbbbiht_BaCB(0,0)(0.5,0)"})
     EXPECT_THROW((void)read_triangulation(text), Unsupported) << text;

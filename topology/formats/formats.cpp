@@ -27,6 +27,7 @@ bool starts_json(std::string_view text) { return text.front() == '{' || text.fro
 bool starts_snappea(std::string_view text) { return text.front() == '%'; }
 bool holds_table(std::string_view text) {
   return text.find("glued to:") != std::string_view::npos ||
+         text.find("|  gluing:") != std::string_view::npos ||
          (text.starts_with("Tet") && text.find("face:") != std::string_view::npos);
 }
 
@@ -115,8 +116,7 @@ std::string label_list(const std::vector<NamedGluings>& all) {
   std::string list;
   for (std::size_t i = 0; i < std::min(all.size(), kMostShown); ++i)
     list += (i == 0 ? "" : ", ") + quoted(all[i].name);
-  if (all.size() > kMostShown)
-    list += " and " + std::to_string(all.size() - kMostShown) + " more";
+  if (all.size() > kMostShown) list += " and " + std::to_string(all.size() - kMostShown) + " more";
   return list;
 }
 

@@ -52,8 +52,7 @@ NamedGluings read_signature(std::string_view text) {
   NamedGluings result{std::string(signature), decode_isosig(signature)};
   if (behind.starts_with('_'))
     result.notes.push_back("the peripheral curves of the decorated signature not read");
-  if (behind.starts_with('.'))
-    result.notes.push_back("the locks of the signature not read");
+  if (behind.starts_with('.')) result.notes.push_back("the locks of the signature not read");
   return result;
 }
 

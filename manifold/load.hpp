@@ -1,26 +1,25 @@
 #pragma once
 
-#include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "base/context.hpp"
 #include "meshing/formats/read_mesh.hpp"
 #include "topology/formats/formats.hpp"
 
-namespace tripus::cli {
+namespace tripus {
 
 /// Reads an INPUT as typed: a file, FILE#LABEL for one of the triangulations in a Regina data file,
 /// `-` for standard input, or an isomorphism signature. What of a file is not read, or was mended,
-/// is said on standard error. A surface
-/// or a tetrahedral mesh becomes a small ideal triangulation of its solid (meshing::manifold_of);
-/// of a ball, which has no boundary left when it is filled in, a triangulation with a finite
-/// vertex. Throws InvalidInput if it is none of them or its content cannot be read;
-/// meshing::Stopped if interrupted.
-topology::NamedGluings load_input(const std::string& input);
+/// the context is told as notes. A surface or a tetrahedral mesh becomes a small ideal
+/// triangulation of its solid (meshing::manifold_of); of a ball, which has no boundary left when it
+/// is filled in, a triangulation with a finite vertex. Throws InvalidInput if it is none of them or
+/// its content cannot be read; Stopped if a stop is requested meanwhile. Reports its progress once
+/// the content has been read.
+topology::NamedGluings load_input(const std::string& input, const Context& context = {});
 /// The same for what needs a metric. Throws also, naming the input, what
 /// topology::require_solvable throws, and InvalidInput for a ball.
-topology::NamedGluings load_solvable_input(const std::string& input);
+topology::NamedGluings load_solvable_input(const std::string& input, const Context& context = {});
 
 /// The surface or tetrahedral mesh in a file, or in standard input for `-`.
 /// Throws InvalidInput if the content has no mesh format or cannot be read.
@@ -33,4 +32,4 @@ std::vector<topology::BatchLine> read_batch_file(const std::string& path);
 /// Throws InvalidInput, naming the file and the system's reason.
 std::string read_file(const std::string& path);
 
-}  // namespace tripus::cli
+}  // namespace tripus

@@ -1,13 +1,13 @@
-#include "cli/json.hpp"
+#include "manifold/json_text.hpp"
 
 #include <cmath>
 
 #include <nlohmann/json.hpp>
 
+#include "base/stopped.hpp"
 #include "base/version.hpp"
-#include "meshing/stopped.hpp"
 
-namespace tripus::cli {
+namespace tripus {
 
 void append_string(JsonText& out, std::string_view text) {
   const nlohmann::json value(text);
@@ -33,7 +33,7 @@ void append_header(JsonText& out, std::string_view input) {
 std::string_view error_kind(const std::exception& error) {
   if (dynamic_cast<const Unsupported*>(&error) != nullptr) return "unsupported";
   if (dynamic_cast<const InvalidInput*>(&error) != nullptr) return "invalid-input";
-  if (dynamic_cast<const meshing::Stopped*>(&error) != nullptr) return "interrupted";
+  if (dynamic_cast<const Stopped*>(&error) != nullptr) return "interrupted";
   return "internal";
 }
 
@@ -47,4 +47,4 @@ void append_error(JsonText& out, std::string_view input, std::string_view kind,
   append(out, "}}");
 }
 
-}  // namespace tripus::cli
+}  // namespace tripus

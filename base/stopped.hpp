@@ -4,9 +4,9 @@
 
 #include "base/error.hpp"
 
-namespace tripus::meshing {
+namespace tripus {
 
-/// The caller asked for the end through `stop_requested`: there is nothing to return.
+/// A stop was requested before there was anything to return.
 class Stopped : public Error {
  public:
   Stopped() : Error("interrupted") {}
@@ -16,4 +16,4 @@ inline void throw_if_stopped(const std::atomic<bool>* stop_requested) {
   if (stop_requested != nullptr && stop_requested->load(std::memory_order_relaxed)) throw Stopped();
 }
 
-}  // namespace tripus::meshing
+}  // namespace tripus

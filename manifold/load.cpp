@@ -1,4 +1,4 @@
-#include "cli/input.hpp"
+#include "manifold/load.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -12,14 +12,12 @@
 
 #include "base/compression.hpp"
 #include "base/error.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/output.hpp"
 #include "meshing/manifold.hpp"
 #include "topology/formats/signature.hpp"
 #include "topology/requirements.hpp"
 #include "topology/triangulation.hpp"
 
-namespace tripus::cli {
+namespace tripus {
 namespace {
 
 /// An error in a content, with where it comes from. Keeps apart what is wrong and what is too much.
@@ -63,8 +61,8 @@ topology::NamedGluings read_single(const std::string& text, const std::string& s
     auto all = read_all_of(text);
     if (label) return topology::pick_triangulation(std::move(all), *label);
     if (all.size() == 1) return std::move(all.front());
-    throw InvalidInput("it holds " + std::to_string(all.size()) + " triangulations, with the labels " +
-                       topology::label_list(all) +
+    throw InvalidInput("it holds " + std::to_string(all.size()) +
+                       " triangulations, with the labels " + topology::label_list(all) +
                        "; choose one as FILE#LABEL or FILE#NUMBER, or give the file to --batch to "
                        "run them all");
   });
@@ -83,11 +81,14 @@ std::optional<meshing::MeshFile> read_as_mesh(const std::string& content,
 /// Which manifolds an INPUT may be.
 enum class Wanted { kAny, kWithMetric };
 
-topology::NamedGluings solid_of(meshing::MeshFile file, Wanted wanted, const std::string& source) {
+topology::NamedGluings solid_of(meshing::MeshFile file, Wanted wanted, const std::string& source,
+                                const Context& context) {
   return blame(source, [&]() -> topology::NamedGluings {
-    catch_interrupts();
+    context.report("read");
+    const StopFlag stop(context);
     meshing::ManifoldOptions options;
-    options.stop_requested = &interrupt_requested();
+    options.stop_requested = stop.get();
+    options.progress = context.progress;
     meshing::Manifold manifold = meshing::manifold_of(std::move(file), options);
     if (wanted == Wanted::kWithMetric && manifold.has_only_spheres())
       throw InvalidInput(meshing::ball_message(manifold));
@@ -132,13 +133,13 @@ std::optional<Place> find_file(const std::string& input) {
   return std::nullopt;
 }
 
-topology::NamedGluings load(const std::string& input, Wanted wanted) {
+topology::NamedGluings load(const std::string& input, Wanted wanted, const Context& context) {
   if (input.empty()) throw InvalidInput("the input is empty; give a signature or a file");
   if (const auto place = find_file(input)) {
     const std::string content = read_file(place->file);
     if (!place->label)
       if (auto mesh = read_as_mesh(content, input))
-        return solid_of(*std::move(mesh), wanted, source_of(input));
+        return solid_of(*std::move(mesh), wanted, source_of(input), context);
     return read_single(content, source_of(place->file), place->label);
   }
   if (topology::looks_like_signature(input)) {
@@ -150,10 +151,10 @@ topology::NamedGluings load(const std::string& input, Wanted wanted) {
                      " is neither a file nor an isomorphism signature (letters, digits, + and -)");
 }
 
-/// The notes go to standard error, so that answers stay what they are.
-void tell_notes(const topology::NamedGluings& loaded, const std::string& input) {
-  for (const std::string& note : loaded.notes)
-    write_message("tripus: note: " + source_of(input) + ": " + note + "\n");
+void tell_notes(const topology::NamedGluings& loaded, const std::string& input,
+                const Context& context) {
+  if (!context.note) return;
+  for (const std::string& note : loaded.notes) context.note(source_of(input) + ": " + note);
 }
 
 }  // namespace
@@ -185,17 +186,17 @@ std::vector<topology::BatchLine> read_batch_file(const std::string& path) {
   return lines;
 }
 
-topology::NamedGluings load_input(const std::string& input) {
-  topology::NamedGluings loaded = load(input, Wanted::kAny);
-  tell_notes(loaded, input);
+topology::NamedGluings load_input(const std::string& input, const Context& context) {
+  topology::NamedGluings loaded = load(input, Wanted::kAny, context);
+  tell_notes(loaded, input, context);
   return loaded;
 }
 
-topology::NamedGluings load_solvable_input(const std::string& input) {
-  topology::NamedGluings loaded = load(input, Wanted::kWithMetric);
+topology::NamedGluings load_solvable_input(const std::string& input, const Context& context) {
+  topology::NamedGluings loaded = load(input, Wanted::kWithMetric, context);
   blame(source_of(input),
         [&] { topology::require_solvable(topology::Triangulation(loaded.gluings)); });
-  tell_notes(loaded, input);
+  tell_notes(loaded, input, context);
   return loaded;
 }
 
@@ -207,8 +208,8 @@ meshing::MeshFile load_mesh(const std::string& input) {
     const topology::TextFormat format = topology::detect_format(content);
     if (format == topology::TextFormat::kUnknown) refuse_unknown();
     throw InvalidInput("it is a triangulation (" + std::string(topology::format_name(format)) +
-                       ") and no mesh; a triangulation is made smaller by tripus simplify");
+                       ") and no mesh");
   });
 }
 
-}  // namespace tripus::cli
+}  // namespace tripus

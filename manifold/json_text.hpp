@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 
-namespace tripus::cli {
+namespace tripus {
 
 /// A JSON text in the making. Numbers are printed with the digits that round-trip.
 using JsonText = fmt::memory_buffer;
@@ -48,4 +48,4 @@ std::string_view error_kind(const std::exception& error);
 void append_error(JsonText& out, std::string_view input, std::string_view kind,
                   std::string_view message);
 
-}  // namespace tripus::cli
+}  // namespace tripus

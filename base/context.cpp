@@ -1,0 +1,23 @@
+#include "base/context.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace tripus {
+
+double Context::seconds_left() const {
+  if (!deadline) return std::numeric_limits<double>::infinity();
+  return std::max(0.0, std::chrono::duration<double>(*deadline - Clock::now()).count());
+}
+
+StopFlag::StopFlag(const Context& context) {
+  if (!context.stop.stop_possible()) {
+    flag_ = context.stop_flag;
+    return;
+  }
+  own_ = context.stop_requested();
+  flag_ = &own_;
+  callback_.emplace(context.stop, Raise{&own_});
+}
+
+}  // namespace tripus

@@ -1,0 +1,90 @@
+#include "manifold/report_json.hpp"
+
+#include <fmt/format.h>
+
+namespace tripus {
+namespace {
+
+using structure::Report;
+using structure::VertexReport;
+
+void append_number_key(JsonText& out, std::string_view key, double value) {
+  fmt::format_to(std::back_inserter(out), ", \"{}\": ", key);
+  append_number(out, value);
+}
+
+void append_vertex(JsonText& out, const VertexReport& vertex) {
+  fmt::format_to(std::back_inserter(out),
+                 "{{\"link_euler_characteristic\": {}, \"genus\": {}, \"kind\": \"{}\"",
+                 vertex.link_euler_characteristic, vertex.genus, vertex.kind);
+  append_number_key(out, "area", vertex.area);
+  out.push_back('}');
+}
+
+void append_retriangulation(JsonText& out, const structure::Retriangulation& found) {
+  append(out, ", \"retriangulation\": {\"from\": ");
+  append_string(out, found.start);
+  fmt::format_to(std::back_inserter(out),
+                 ", \"tried\": {}, \"ended\": \"{}\", \"path\": ", found.tried,
+                 structure::to_string(found.end));
+  append_array(out, found.path, [](JsonText& to, const topology::Move& move) {
+    append_string(to, topology::to_string(move));
+  });
+  append(out, ", \"volumes\": ");
+  append_array(out, found.volumes, [](JsonText& to, const structure::OtherVolume& other) {
+    append(to, "{\"isosig\": ");
+    append_string(to, other.isosig);
+    fmt::format_to(std::back_inserter(to), ", \"outcome\": \"{}\"",
+                   structure::to_string(other.outcome));
+    append_number_key(to, "volume", other.volume);
+    to.push_back('}');
+  });
+  out.push_back('}');
+}
+
+}  // namespace
+
+std::string report_as_json(const Subject& subject, const Report& report,
+                           const structure::Retriangulation* retriangulation) {
+  JsonText out;
+  append_header(out, subject.input);
+  append_subject(out, subject);
+  append(out, ", \"vertices\": ");
+  append_array(out, report.vertices, append_vertex);
+  fmt::format_to(std::back_inserter(out),
+                 ", \"outcome\": \"{}\", \"method\": \"{}\", \"iterations\": {}, "
+                 "\"evaluations\": {}",
+                 structure::to_string(report.outcome), report.method, report.iterations,
+                 report.evaluations);
+  append_number_key(out, "seconds", report.seconds);
+  append_number_key(out, "max_curvature", report.max_curvature);
+  append_number_key(out, "volume", report.volume);
+  append(out, ", \"edge_lengths\": ");
+  append_numbers(out, report.edge_lengths);
+  append(out, ", \"dihedral_angles\": ");
+  append_array(out, report.dihedral_angles,
+               [](JsonText& to, const auto& angles) { append_numbers(to, angles); });
+  append(out, ", ");
+  append_edge_classes(out, subject.triangulation);
+  append(out, ", \"flat_tetrahedra\": ");
+  append_array(out, report.flat_tetrahedra, [](JsonText& to, std::size_t t) {
+    fmt::format_to(std::back_inserter(to), "{}", t);
+  });
+  append(out, ", \"certificate\": ");
+  append(out, report.certificate ? structure::to_json(*report.certificate) : "null");
+  if (report.strict_angles) {
+    append(out, ", \"angle_structure\": ");
+    append(out, structure::to_json(*report.strict_angles));
+  }
+  if (retriangulation != nullptr) append_retriangulation(out, *retriangulation);
+  if (!report.advice.empty()) {
+    append(out, ", \"advice\": ");
+    append_string(out, report.advice);
+  }
+  append(out, ", \"message\": ");
+  append_string(out, report.message);
+  out.push_back('}');
+  return fmt::to_string(out);
+}
+
+}  // namespace tripus

@@ -7,9 +7,9 @@ namespace tripus {
 
 /// Root of everything that the library throws.
 ///
-/// Three kinds of failure are kept apart: our own bug is an assertion (or an
-/// InternalError where it can be detected cheaply), the caller's input is an
-/// InvalidInput, and a mathematical outcome ("no metric") is returned, never thrown.
+/// Four kinds of failure are kept apart: our own bug is an assertion (or an InternalError where it
+/// can be detected cheaply), the caller's input is an InvalidInput, a failure of the system (file,
+/// disk, process) an IoError, and a mathematical outcome ("no metric") is returned, never thrown.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -26,6 +26,13 @@ class InvalidInput : public Error {
 class Unsupported : public InvalidInput {
  public:
   using InvalidInput::InvalidInput;
+};
+
+/// The system failed: a full disk, a file that cannot be opened or written, a helper program that
+/// ends badly. The message names the file and the system's reason.
+class IoError : public Error {
+ public:
+  using Error::Error;
 };
 
 /// A promise of ours was broken: please report it.

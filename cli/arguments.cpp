@@ -51,4 +51,8 @@ CLI::Validator file_name(std::vector<std::string> endings) {
           ""};
 }
 
+std::string problem_of_name(const std::string& name) {
+  return name.empty() ? "the name of the file is empty" : "";
+}
+
 }  // namespace tripus::cli

@@ -16,6 +16,9 @@ std::vector<std::string> shield_signatures(std::vector<std::string> arguments);
 /// For INPUT options: takes the space of shield_signatures off.
 CLI::Validator unshield();
 
+/// What is wrong with the name of a file to write, as a check of an option: it must not be empty.
+std::string problem_of_name(const std::string& name);
+
 /// For an option: the name of a file with one of these endings, such as ".png", in any case.
 CLI::Validator file_name(std::vector<std::string> endings);
 

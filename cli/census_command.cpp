@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "base/output_file.hpp"
 #include "canonical/census.hpp"
 #include "cli/canonize_options.hpp"
 #include "cli/commands.hpp"
@@ -19,7 +20,6 @@
 #include "cli/manifold_text.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
-#include "cli/output_file.hpp"
 #include "cli/progress.hpp"
 #include "manifold/load.hpp"
 #include "topology/formats/formats.hpp"
@@ -92,9 +92,7 @@ void write_text(const std::string& path, const std::string& text) {
     write_output(text);
     return;
   }
-  OutputFile file(path);
-  file.open() << text;
-  file.close();
+  write_file(path, text);
 }
 
 /// Before the work, not after it.

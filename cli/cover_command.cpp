@@ -11,7 +11,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/output_file.hpp"
 #include "cli/answer.hpp"
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
@@ -19,7 +21,6 @@
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
-#include "cli/output_file.hpp"
 #include "cli/progress.hpp"
 #include "manifold/load.hpp"
 #include "topology/covers/covers.hpp"

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/output_file.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
@@ -14,7 +15,6 @@
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
-#include "cli/output_file.hpp"
 #include "cli/report_text.hpp"
 #include "embedding/developing_map.hpp"
 #include "embedding/export/circle_svg.hpp"
@@ -129,8 +129,7 @@ Outcome embed_one(const EmbedCommand& command, const std::string& input) {
   std::optional<OutputFile> file, circles;
   if (!command.output.empty()) file.emplace(command.output);
   if (!command.circles.empty()) circles.emplace(command.circles);
-  std::error_code unknown;
-  if (file && circles && std::filesystem::equivalent(command.output, command.circles, unknown)) {
+  if (file && circles && file->is_same_as(*circles)) {
     throw InvalidInput(
         fmt::format("-o and --circles would both write {}; give one of them another name",
                     quoted(command.circles)));

@@ -13,7 +13,8 @@ namespace tripus::cli {
 HistoryFile::HistoryFile(const std::string& path)
     : path_(path), file_(std::fopen(path.c_str(), "w")) {
   if (file_ == nullptr)
-    throw InvalidInput("cannot write the history to " + tripus::quoted(path) + ": " + std::strerror(errno));
+    throw InvalidInput("cannot write the history to " + tripus::quoted(path) + ": " +
+                       std::strerror(errno));
   std::setvbuf(file_, nullptr, _IOLBF, BUFSIZ);  // whoever watches a long run sees every row
   std::fputs(
       "iteration,evaluations,seconds,max_curvature,energy,volume,shortest_edge,longest_edge\n",

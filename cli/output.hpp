@@ -7,9 +7,9 @@
 namespace tripus::cli {
 
 /// Standard output cannot be written (a full disk): there is no point in writing about it there.
-class OutputError : public Error {
+class OutputError : public IoError {
  public:
-  using Error::Error;
+  using IoError::IoError;
 };
 
 /// Writes to standard output. Throws OutputError.

@@ -7,13 +7,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/output_file.hpp"
 #include "cli/answer.hpp"
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
-#include "cli/output_file.hpp"
 #include "cli/progress.hpp"
 #include "cli/triangulation_file.hpp"
 #include "manifold/load.hpp"

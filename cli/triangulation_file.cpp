@@ -1,11 +1,9 @@
 #include "cli/triangulation_file.hpp"
 
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 
 #include "base/error.hpp"
+#include "base/output_file.hpp"
 #include "topology/formats/json.hpp"
 #include "topology/formats/regina.hpp"
 #include "topology/formats/snappea.hpp"
@@ -46,11 +44,7 @@ void write_triangulation_file(const std::string& path, const std::string& name,
   const Ending& ending = *find_ending(path);
   if (!ending.write && !isosig)
     throw InvalidInput("the signature would take too long to compute; write .json");
-  const std::string text = ending.write ? ending.write({name, gluings}) : *isosig + "\n";
-  errno = 0;
-  std::ofstream out(path, std::ios::binary);
-  out << text << std::flush;
-  if (!out) throw InvalidInput("cannot write " + quoted(path) + ": " + std::strerror(errno));
+  write_file(path, ending.write ? ending.write({name, gluings}) : *isosig + "\n");
 }
 
 }  // namespace tripus::cli

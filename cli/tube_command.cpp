@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/output_file.hpp"
 #include "base/stopped.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
@@ -13,7 +14,6 @@
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
-#include "cli/output_file.hpp"
 #include "manifold/json_text.hpp"
 #include "manifold/load.hpp"
 #include "meshing/formats/read_graph.hpp"

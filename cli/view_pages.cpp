@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "base/output_file.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/report_text.hpp"
 #include "manifold/load.hpp"
@@ -21,15 +22,6 @@
 
 namespace tripus::cli {
 namespace {
-
-void write_file(const std::string& path, const std::string& text) {
-  errno = 0;
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file)
-    throw InvalidInput("cannot write " + tripus::quoted(path) + ": " + std::strerror(errno));
-}
 
 /// What to call a manifold: its name in the file, or what was typed.
 const std::string& name_of(const Subject& subject) {

@@ -10,7 +10,7 @@ function(tripus_add_module name)
   cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target tripus_${name})
   if(arg_SOURCES)
-    add_library(${target} STATIC ${arg_SOURCES})
+    add_library(${target} ${arg_SOURCES})  # static, or shared with BUILD_SHARED_LIBS
     set(scope PUBLIC)
   else()
     add_library(${target} INTERFACE)
@@ -27,7 +27,8 @@ function(tripus_add_module name)
     target_link_libraries(${target} PRIVATE ${arg_PRIVATE})
   endif()
   install(TARGETS ${target} EXPORT tripusTargets
-          ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+          ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+          LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
   install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/"
           DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/tripus/${name}"
           FILES_MATCHING PATTERN "*.hpp" PATTERN "detail" EXCLUDE)

@@ -8,11 +8,11 @@
 
 int main() {
   using namespace tripus;
-  const cli::Subject subject = cli::load_subject("cPcbbbihq");
+  const Subject subject = load_subject("cPcbbbihq");
   structure::SolveOptions options;
   options.initial_lengths = cli::parse_lengths("1.5  # the one edge");
   options.cone_angles = {cli::parse_angle("2pi")};
   const structure::Report report = structure::solve(subject.triangulation, options);
-  std::puts(cli::report_as_json(subject, report).c_str());
+  std::puts(report_as_json(subject, report).c_str());
   return report.outcome == structure::Outcome::kGeometric ? 0 : 1;
 }

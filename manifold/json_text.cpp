@@ -34,6 +34,7 @@ std::string_view error_kind(const std::exception& error) {
   if (dynamic_cast<const Unsupported*>(&error) != nullptr) return "unsupported";
   if (dynamic_cast<const InvalidInput*>(&error) != nullptr) return "invalid-input";
   if (dynamic_cast<const Stopped*>(&error) != nullptr) return "interrupted";
+  if (dynamic_cast<const IoError*>(&error) != nullptr) return "system";
   return "internal";
 }
 

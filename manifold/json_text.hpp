@@ -40,8 +40,7 @@ void append_numbers(JsonText& out, std::span<const double> values);
 /// {"tripus": ..., "input": ..., the start of every answer; no closing brace.
 void append_header(JsonText& out, std::string_view input);
 
-/// The kind of an error, as in its JSON: usage, invalid-input, unsupported,
-/// interrupted, internal.
+/// The kind of an error, as in its JSON: invalid-input, unsupported, interrupted, system, internal.
 std::string_view error_kind(const std::exception& error);
 
 /// The whole object of an error.

@@ -6,13 +6,6 @@
 #include "topology/isosig.hpp"
 
 namespace tripus {
-namespace {
-
-/// Faces visited before the search for the signature is given up: some tenths of a second.
-constexpr std::size_t kSignatureWorkLimit = 20'000'000;
-
-}  // namespace
-
 Subject make_subject(std::string input, std::string name, topology::Gluings gluings) {
   topology::Triangulation triangulation(std::move(gluings));
   auto isosig = topology::isosig(triangulation.gluings(), kSignatureWorkLimit);

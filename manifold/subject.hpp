@@ -18,6 +18,9 @@ struct Subject {
   std::optional<std::string> isosig;  ///< nothing where it would take too long
 };
 
+/// Faces visited before the search for a signature is given up: some tenths of a second.
+inline constexpr std::size_t kSignatureWorkLimit = 20'000'000;
+
 /// Loads an INPUT (load_input) and computes its signature.
 Subject load_subject(const std::string& input, const Context& context = {});
 /// The same for what needs a metric; see load_solvable_input.

@@ -1,15 +1,13 @@
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <thread>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/error.hpp"
+#include "base/output_file.hpp"
 #include "base/version.hpp"
 #include "studies/study.hpp"
 #include "studies/write_report.hpp"
@@ -103,21 +101,10 @@ std::vector<Table> collect(const Plan& plan, const RowStore& store) {
   return tables;
 }
 
-/// Whole or not at all: a reader never sees half a file.
-void write_file(const std::filesystem::path& path, const std::string& text) {
-  const std::filesystem::path draft = path.string() + ".part";
-  std::ofstream out(draft, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out)
-    throw Error("cannot write " + tripus::quoted(draft.string()) + ": " + std::strerror(errno));
-  std::filesystem::rename(draft, path);
-}
-
 void write_results(const ReportSource& source, const std::filesystem::path& folder,
                    RunResult& result) {
   const auto write = [&](const std::string& name, const std::string& text) {
-    write_file(folder / name, text);
+    write_file((folder / name).string(), text);
     result.files.push_back(name);
   };
   for (const Table& table : source.tables) write(table.layout().name + ".csv", to_csv(table));

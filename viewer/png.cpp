@@ -1,8 +1,5 @@
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
-
+#include "base/error.hpp"
+#include "base/output_file.hpp"
 #include "viewer/picture.hpp"
 
 // The encoder is compiled here, and nowhere else; its own warnings are not ours to mend.
@@ -28,11 +25,7 @@ void write_png(const Image& image, const std::string& path) {
   if (stbi_write_png_to_func(append, &encoded, image.width, image.height, 4, image.pixels.data(),
                              4 * image.width) == 0)
     throw InternalError("the picture could not be encoded as PNG");
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"),
-                                                             &std::fclose);
-  if (!file || std::fwrite(encoded.data(), 1, encoded.size(), file.get()) != encoded.size() ||
-      std::fflush(file.get()) != 0)
-    throw InvalidInput("cannot write " + quoted(path) + ": " + std::strerror(errno));
+  write_file(path, {reinterpret_cast<const char*>(encoded.data()), encoded.size()});
 }
 
 }  // namespace tripus::viewer

@@ -1,11 +1,11 @@
 // Prints the volume of the tripus.
 #include <cstdio>
 
-#include "structure/solve.hpp"
-#include "topology/isosig.hpp"
+#include <tripus/tripus.hpp>
 
 int main() {
-  const auto report = tripus::structure::solve(
-      tripus::topology::Triangulation(tripus::topology::decode_isosig("cPcbbbihq")));
-  std::printf("%.17g\n", report.volume);
+  const auto M = tripus::load("cPcbbbihq");
+  const auto* metric = M.metric();
+  if (metric == nullptr) return 1;
+  std::printf("%.17g\n", metric->volume());
 }

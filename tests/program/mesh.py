@@ -131,7 +131,7 @@ class Mesh(ProgramTest):
         (self.folder / "full.json").symlink_to("/dev/full")
         late = self.run_program("mesh", "ball.off", "-o", "full.json")
         self.assertEqual((late.status, late.err),
-                         (2, 'tripus: cannot write "full.json": No space left on device\n'))
+                         (3, 'tripus: cannot write "full.json": No space left on device\n'))
         self.assert_refused("mesh", "ball.off", "--tetrahedra", "-1", says="--tetrahedra")
         self.assert_refused("mesh", "ball.off", "--max-volume", "0", says="--max-volume")
 

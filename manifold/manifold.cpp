@@ -1,0 +1,261 @@
+#include "manifold/manifold.hpp"
+
+#include <list>
+#include <mutex>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/output_file.hpp"
+#include "manifold/load.hpp"
+#include "manifold/report_json.hpp"
+#include "manifold/subject.hpp"
+#include "topology/isosig.hpp"
+
+namespace tripus {
+namespace {
+
+/// A value that is made when first asked for, by one thread while the others wait.
+template <class T>
+class Once {
+ public:
+  /// `make` returns the value and whether it is final; one that is not is made again when asked for
+  /// again. Values stay where they are, so references to earlier ones remain good.
+  template <class Make>
+  const T& get(Make&& make) {
+    const std::lock_guard lock(mutex_);
+    if (!final_) {
+      auto [value, is_final] = make();
+      values_.push_back(std::move(value));
+      final_ = is_final;
+    }
+    return values_.back();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::list<T> values_;
+  bool final_ = false;
+};
+
+bool was_cut_short(const structure::Report& report) {
+  return report.termination == solver::Termination::kInterrupted ||
+         report.termination == solver::Termination::kTimeLimit;
+}
+
+}  // namespace
+
+/// What copies of a manifold share.
+struct Manifold::State {
+  State(topology::Triangulation given, std::string given_name, std::string given_input)
+      : triangulation(std::move(given)),
+        name(std::move(given_name)),
+        input(std::move(given_input)) {}
+
+  struct Solved {
+    Solved(const topology::Triangulation& triangulation, structure::Report found)
+        : report(std::move(found)), metric(triangulation, report) {}
+    structure::Report report;
+    Metric metric;
+  };
+
+  topology::Triangulation triangulation;
+  std::string name;
+  std::string input;
+  mutable Once<std::optional<std::string>> signature;
+  mutable Once<topology::AbelianGroup> homology;
+  mutable Once<std::unique_ptr<Solved>> solved;
+  mutable Once<canonical::CanonizeAnswer> canonical;
+
+  const Solved& solve(const Manifold& manifold, const Context& context) const {
+    return *solved.get([&] {
+      auto result = std::make_unique<Solved>(triangulation, manifold.solve({}, context));
+      const bool is_final = !was_cut_short(result->report);
+      return std::pair(std::move(result), is_final);
+    });
+  }
+};
+
+Manifold::Manifold(topology::Triangulation triangulation, std::string name, std::string input)
+    : state_(std::make_shared<const State>(std::move(triangulation), std::move(name),
+                                           std::move(input))) {}
+
+Manifold::Manifold(topology::Triangulation triangulation, std::string name)
+    : Manifold(std::move(triangulation), std::move(name), {}) {}
+
+Manifold::Manifold(topology::Gluings gluings, std::string name)
+    : Manifold(topology::Triangulation(std::move(gluings)), std::move(name), {}) {}
+
+Manifold load(const std::string& input, const Context& context) {
+  topology::NamedGluings loaded = load_input(input, context);
+  return {topology::Triangulation(std::move(loaded.gluings)), std::move(loaded.name), input};
+}
+
+const std::string& Manifold::name() const { return state_->name; }
+
+std::string Manifold::label() const {
+  if (!state_->input.empty()) return state_->input;
+  if (!state_->name.empty()) return state_->name;
+  return signature().value_or("");
+}
+
+const topology::Triangulation& Manifold::triangulation() const { return state_->triangulation; }
+
+std::vector<topology::VertexLink> Manifold::links() const {
+  std::vector<topology::VertexLink> result;
+  for (std::size_t v = 0; v < triangulation().vertex_count(); ++v)
+    result.push_back(triangulation().link(v));
+  return result;
+}
+
+const std::optional<std::string>& Manifold::signature() const {
+  return state_->signature.get([&] {
+    return std::pair(topology::isosig(triangulation().gluings(), kSignatureWorkLimit), true);
+  });
+}
+
+const topology::AbelianGroup& Manifold::homology() const {
+  return state_->homology.get(
+      [&] { return std::pair(topology::first_homology(triangulation()), true); });
+}
+
+topology::FundamentalGroup Manifold::fundamental_group() const {
+  return topology::fundamental_group(triangulation());
+}
+
+Manifold Manifold::simplified(const topology::SimplifyOptions& options,
+                              const Context& context) const {
+  const StopFlag stop(context);
+  topology::SimplifyOptions with_stop = options;
+  with_stop.stop_requested = stop.get();
+  if (!with_stop.progress) with_stop.progress = context.progress;
+  return Manifold(topology::simplify(triangulation().gluings(), with_stop).gluings, name());
+}
+
+std::vector<Manifold> Manifold::covers(std::size_t degree, const Context& context) const {
+  const StopFlag stop(context);
+  std::vector<Manifold> result;
+  topology::for_each_cover(
+      triangulation(), degree,
+      [&](const topology::Cover& cover) {
+        result.emplace_back(cover.gluings);
+        return true;
+      },
+      stop.get());
+  return result;
+}
+
+std::vector<Manifold> Manifold::cyclic_covers(std::size_t degree, const Context& context) const {
+  const StopFlag stop(context);
+  std::vector<Manifold> result;
+  topology::for_each_cyclic_cover(
+      triangulation(), degree,
+      [&](const topology::Cover& cover) {
+        result.emplace_back(cover.gluings);
+        return true;
+      },
+      stop.get());
+  return result;
+}
+
+structure::Report Manifold::solve(structure::SolveOptions options, const Context& context) const {
+  const StopFlag stop(context);
+  options.stop_requested = stop.get();
+  options.time_limit = std::min(options.time_limit, context.seconds_left());
+  return structure::solve(triangulation(), options);
+}
+
+const structure::Report& Manifold::verdict(const Context& context) const {
+  return state_->solve(*this, context).report;
+}
+
+const Metric* Manifold::metric(const Context& context) const {
+  const State::Solved& solved = state_->solve(*this, context);
+  return solved.report.outcome == structure::Outcome::kGeometric ? &solved.metric : nullptr;
+}
+
+Manifold Manifold::retriangulated(const structure::RetriangulateOptions& options,
+                                  const Context& context) const {
+  const structure::Report& start = verdict(context);
+  if (start.outcome == structure::Outcome::kGeometric) return *this;
+  const StopFlag stop(context);
+  structure::SolveOptions solve_options;
+  solve_options.stop_requested = stop.get();
+  solve_options.time_limit = context.seconds_left();
+  structure::Retriangulation found =
+      structure::retriangulate(triangulation(), start, solve_options, options);
+  Manifold result(std::move(found.gluings), name());
+  // Nothing new was found: the answer says what was tried, and is not looked for again.
+  result.state_->solved.get([&] {
+    return std::pair(
+        std::make_unique<State::Solved>(result.triangulation(), std::move(found.report)), true);
+  });
+  return result;
+}
+
+const canonical::CanonizeAnswer& Manifold::canonical(const Context& context) const {
+  return state_->canonical.get([&] {
+    const StopFlag stop(context);
+    canonical::CanonizeOptions options;
+    options.solve.stop_requested = stop.get();
+    options.solve.time_limit = context.seconds_left();
+    canonical::CanonizeAnswer answer = canonical::canonize(triangulation(), options);
+    const bool is_final =
+        answer.manifold.has_value() || !(context.stop_requested() || context.expired());
+    return std::pair(std::move(answer), is_final);
+  });
+}
+
+std::optional<std::string> Manifold::isometry_signature(const Context& context) const {
+  const canonical::CanonizeAnswer& answer = canonical(context);
+  if (!answer.manifold) return std::nullopt;
+  return answer.manifold->signature.unoriented;
+}
+
+std::optional<canonical::IsometryGroup> Manifold::isometry_group(const Context& context) const {
+  const canonical::CanonizeAnswer& answer = canonical(context);
+  if (!answer.manifold) return std::nullopt;
+  return answer.manifold->isometries;
+}
+
+canonical::Comparison Manifold::compare(const Manifold& other, const Context& context) const {
+  const StopFlag stop(context);
+  canonical::CanonizeOptions options;
+  options.solve.stop_requested = stop.get();
+  options.solve.time_limit = context.seconds_left();
+  return canonical::compare(triangulation(), other.triangulation(), options);
+}
+
+std::optional<bool> Manifold::is_isometric_to(const Manifold& other, const Context& context) const {
+  switch (compare(other, context).verdict) {
+    case canonical::Verdict::kHomeomorphic:
+      return true;
+    case canonical::Verdict::kDifferent:
+      return false;
+    case canonical::Verdict::kUnresolved:
+      break;
+  }
+  return std::nullopt;
+}
+
+const canonical::CensusEntry* Manifold::identify(const Context& context) const {
+  const canonical::Census& census = canonical::shipped_census();
+  if (const auto& isosig = signature()) {
+    if (const canonical::CensusEntry* entry = census.find(*isosig)) return entry;
+  }
+  const std::optional<std::string> found = isometry_signature(context);
+  return found ? census.find(*found) : nullptr;
+}
+
+std::string Manifold::to_json(const Context& context) const {
+  const structure::Report& report = verdict(context);
+  return report_as_json({label(), name(), triangulation(), signature()}, report);
+}
+
+void Manifold::write(const std::string& path, const Context& context) const {
+  if (!path.ends_with(".json"))
+    throw InvalidInput("cannot write the manifold to " + quoted(path) +
+                       ": the name must end with .json");
+  write_file(path, to_json(context) + "\n");
+}
+
+}  // namespace tripus

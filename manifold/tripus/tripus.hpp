@@ -1,0 +1,13 @@
+#pragma once
+
+/// Tripus: hyperbolic metrics with geodesic boundary on compact 3-manifolds.
+///
+///     auto M = tripus::load("cPcbbbihq");
+///     if (const auto* metric = M.metric()) std::printf("%.15g\n", metric->volume());
+///
+/// Everything that most users need is reached from tripus::Manifold.
+
+#include "base/error.hpp"
+#include "base/version.hpp"
+#include "manifold/load.hpp"
+#include "manifold/manifold.hpp"

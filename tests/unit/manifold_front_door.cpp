@@ -1,0 +1,176 @@
+// tripus::Manifold: the same answers as the libraries behind it, computed once, from many threads.
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stop_token>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <tripus/tripus.hpp>
+
+#include "base/output_file.hpp"
+#include "embedding/export/mesh_formats.hpp"
+
+namespace tripus {
+namespace {
+
+constexpr double kTripusVolume = 6.451990270835034;  // docs/theory.md (28)
+
+TEST(FrontDoor, SolvesWhenFirstAsked) {
+  const Manifold M = load("cPcbbbihq");
+  const Metric* metric = M.metric();
+  ASSERT_NE(metric, nullptr);
+  EXPECT_NEAR(metric->volume(), kTripusVolume, 1e-13);
+  ASSERT_EQ(metric->edge_lengths().size(), 1u);
+  EXPECT_EQ(metric->dihedral_angles().size(), 2u);
+  ASSERT_EQ(metric->boundary().size(), 1u);
+  EXPECT_EQ(metric->boundary()[0].genus, 2);
+  EXPECT_EQ(M.verdict().outcome, structure::Outcome::kGeometric);
+  EXPECT_EQ(topology::to_string(M.homology()), "2 Z");
+  EXPECT_EQ(M.signature(), "cPcbbbihq");
+  EXPECT_EQ(M.links().size(), 1u);
+}
+
+TEST(FrontDoor, CopiesShareWhatWasComputed) {
+  static_assert(std::is_copy_constructible_v<Manifold> && std::is_copy_assignable_v<Manifold>);
+  const Manifold M = load("cPcbbbihq");
+  const Manifold copy = M;
+  EXPECT_EQ(M.metric(), copy.metric());
+  EXPECT_EQ(&M.verdict(), &copy.verdict());
+}
+
+TEST(FrontDoor, EightThreadsSolveOnce) {
+  const Manifold M = load("dLQabccjkjn");
+  std::vector<const Metric*> metrics(8);
+  std::vector<const canonical::CanonizeAnswer*> answers(8);
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 0; i < metrics.size(); ++i)
+      threads.emplace_back([&, i] {
+        metrics[i] = M.metric();
+        answers[i] = &M.canonical();
+        if (metrics[i] != nullptr) (void)metrics[i]->embedding();
+        (void)M.homology();
+        (void)M.to_json();
+      });
+  }
+  for (std::size_t i = 1; i < metrics.size(); ++i) {
+    EXPECT_EQ(metrics[i], metrics[0]);
+    EXPECT_EQ(answers[i], answers[0]);
+  }
+}
+
+TEST(FrontDoor, AVerdictIsNoMetric) {
+  const Manifold M = load("dLQbcbcaekw");
+  EXPECT_EQ(M.metric(), nullptr);
+  EXPECT_EQ(M.verdict().outcome, structure::Outcome::kInfeasible);
+  EXPECT_TRUE(M.verdict().certificate.has_value());
+}
+
+TEST(FrontDoor, FindsAnotherTriangulation) {
+  const Manifold M = load("eLAkbccdddprdk");
+  EXPECT_EQ(M.metric(), nullptr);
+  const Manifold N = M.retriangulated();
+  ASSERT_NE(N.metric(), nullptr);
+  EXPECT_NEAR(N.metric()->volume(), 7.63651962957956, 1e-10);
+  ASSERT_NE(M.identify(), nullptr);
+  EXPECT_EQ(M.identify()->name, "t3g2.13");
+  EXPECT_EQ(M.is_isometric_to(N), true);
+}
+
+TEST(FrontDoor, TellsManifoldsApart) {
+  const Manifold M = load("cPcbbbihq"), N = load("cPcbbbdhq");
+  EXPECT_EQ(M.is_isometric_to(N), false);
+  EXPECT_NE(M.isometry_signature(), N.isometry_signature());
+  ASSERT_TRUE(M.isometry_group().has_value());
+  EXPECT_EQ(M.isometry_group()->order, 6u);
+  EXPECT_EQ(M.covers(2).size(), 3u);
+}
+
+TEST(FrontDoor, WhatAStopCutShortIsAskedAgain) {
+  const Manifold M = load("dLQabccjkjn");  // equal lengths are no solution: it takes iterations
+  std::stop_source source;
+  source.request_stop();
+  Context stopped;
+  stopped.stop = source.get_token();
+  EXPECT_EQ(M.metric(stopped), nullptr);
+  EXPECT_EQ(M.verdict(stopped).outcome, structure::Outcome::kUnresolved);
+  EXPECT_NE(M.metric(), nullptr);
+  EXPECT_NE(M.metric(stopped), nullptr) << "what is known needs no more work";
+}
+
+TEST(FrontDoor, WritesJsonAndCells) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "tripus-front-door";
+  std::filesystem::create_directories(folder);
+  const Manifold M = load("cPcbbbihq");
+  const auto json = nlohmann::json::parse(M.to_json());
+  EXPECT_EQ(json.at("input"), "cPcbbbihq");
+  EXPECT_EQ(json.at("outcome"), "geometric");
+  EXPECT_NEAR(json.at("volume").get<double>(), kTripusVolume, 1e-13);
+  M.write((folder / "m.json").string());
+  EXPECT_TRUE(std::filesystem::file_size(folder / "m.json") > 100);
+  EXPECT_THROW(M.write((folder / "m.txt").string()), InvalidInput);
+
+  const CellComplex cells = M.metric()->universal_cover(20);
+  EXPECT_EQ(cells.cells().size(), 20u);
+  EXPECT_EQ(M.metric()->fundamental_domain().cells().size(), 2u);
+  for (const embedding::MeshFormat& format : embedding::mesh_formats()) {
+    const std::string path = (folder / ("cells." + std::string(format.extension))).string();
+    EXPECT_EQ(cells.write(path), 20u) << path;
+    EXPECT_GT(std::filesystem::file_size(path), 1000u) << path;
+  }
+  EXPECT_THROW(cells.write((folder / "cells.xyz").string()), InvalidInput);
+  EXPECT_THROW(cells.write((folder / "none" / "cells.ply").string()), InvalidInput);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(FrontDoor, RefusesWhatIsNoManifold) {
+  EXPECT_THROW(load("no-such-file.off"), InvalidInput);
+  EXPECT_THROW(load(""), InvalidInput);
+  EXPECT_THROW(Manifold(topology::Gluings{}), InvalidInput);
+}
+
+/// A file at its name is the old one or the new one, whole.
+TEST(OutputFile, IsWholeOrNotThere) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "tripus-output-file";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  const std::string path = (folder / "file.txt").string();
+  const auto content = [&] {
+    std::ifstream in(path, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const auto files = [&] { return std::distance(std::filesystem::directory_iterator(folder), {}); };
+  { const OutputFile only_tried(path); }
+  EXPECT_EQ(files(), 0) << "a trial leaves nothing behind";
+  write_file(path, "old");
+  EXPECT_EQ(content(), "old");
+  {
+    OutputFile file(path);
+    file.open() << "half of the new";
+    EXPECT_EQ(content(), "old");
+  }
+  EXPECT_EQ(content(), "old") << "what was not closed is not there";
+  EXPECT_EQ(files(), 1);
+  std::filesystem::create_symlink(path, folder / "link");
+  write_file((folder / "link").string(), "new");
+  EXPECT_EQ(content(), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+
+  namespace fs = std::filesystem;
+  fs::permissions(path, fs::perms::owner_read);
+  EXPECT_THROW(write_file(path, "never"), InvalidInput);
+  EXPECT_EQ(content(), "new");
+  EXPECT_THROW(write_file(folder.string(), "never"), InvalidInput);
+  EXPECT_THROW(write_file((folder / "none" / "x").string(), "never"), InvalidInput);
+  EXPECT_THROW(write_file("/dev/full", "never"), IoError);
+  fs::permissions(path, fs::perms::owner_all);
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace tripus

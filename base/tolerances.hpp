@@ -65,6 +65,11 @@ inline constexpr double kMostWeldingOfSize = 1e-4;
 /// single precision rounds these by 6e-8.
 inline constexpr double kPlanarFace = 1e-6;
 
+/// New points that a mesher puts on a surface lie this far from its triangles at most, in parts of
+/// the largest coordinate: they are rounded, some after a few operations. What is narrower than
+/// that is not told apart by the doubles that describe it.
+inline constexpr double kOnSurface = 1e-12;
+
 /// Boxes that a ray misses by less than this part of its length are looked into all the same. Each
 /// coordinate of the ray spans at least a third of the others, so its parameter has an error of
 /// some ten roundings of 2^-53.
@@ -82,5 +87,27 @@ inline constexpr double kEmbeddedCurvature = 1e-8;
 /// Relators of a holonomy that miss the identity of SL(2,C) by more than this are reported as not
 /// holding in double precision: all triangulations with up to 4 tetrahedra keep some 1e-11.
 inline constexpr double kRelator = 1e-9;
+
+/// The foot of an orthogonal arc that lies within this of a line lies on it (distances in the
+/// projective disc): feet are known to some 1e-14, and the windows between lines are as wide as
+/// e^-L, 3e-7 for arcs of length 15. What is on a line goes to one side by a rule, so a foot that
+/// is wrongly called so is still counted once.
+inline constexpr double kFootOnLine = 1e-12;
+
+/// Bundles of rays are dropped if they cannot reach within a length by this, relatively: a few
+/// hundred roundings stay far below.
+inline constexpr double kArcReach = 1e-9;
+
+/// Arcs whose lengths differ by less than this have one length: the same length comes out of
+/// different unfoldings to within 1e-12. Ten thousand different lengths up to 10 are some 1e-3 apart
+/// in the mean, so that two of them rarely look like one.
+inline constexpr double kSameArcLength = 1e-9;
+
+/// Arc lengths of two triangulations that differ by more than this are of different manifolds:
+/// metrics with max|K| = 1e-12 give the shortest arcs to some 1e-10.
+inline constexpr double kDifferentArcLength = 1e-7;
+
+/// Feet of different arcs are this far apart at the least in the coordinates of a tile.
+inline constexpr double kDistinctFeet = 1e-10;
 
 }  // namespace tripus::tolerance

@@ -83,6 +83,25 @@ std::optional<CanonicalManifold> canonize_metric(const Triangulation& triangulat
                            std::move(cells)};
 }
 
+std::vector<double> cell_edge_lengths(const CanonicalManifold& manifold) {
+  std::vector<double> lengths;
+  for (std::size_t e = 0; e < manifold.triangulation.edge_count(); ++e) {
+    // Around the edge every face is met from the two tetrahedra beside it.
+    std::size_t sides = 0;
+    for (const topology::EdgeCorner& corner : manifold.triangulation.corners(e)) {
+      const auto& ends = topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())];
+      for (int f = 0; f < 4; ++f) {
+        if (f == ends[0] || f == ends[1]) continue;
+        sides += manifold.faces.kind[corner.tetrahedron()][static_cast<std::size_t>(f)] ==
+                 FaceKind::kTrue;
+      }
+    }
+    if (sides >= 2 * 3) lengths.push_back(manifold.report.edge_lengths[e]);
+  }
+  std::ranges::sort(lengths);
+  return lengths;
+}
+
 CanonizeAnswer canonize(const Triangulation& input, const CanonizeOptions& options) {
   CanonizeAnswer answer;
   structure::SolveOptions solve = options.solve;

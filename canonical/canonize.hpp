@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "canonical/decomposition.hpp"
 #include "canonical/isometries.hpp"
@@ -50,6 +51,10 @@ CanonizeAnswer canonize(const topology::Triangulation& triangulation,
 std::optional<CanonicalManifold> canonize_metric(const topology::Triangulation& triangulation,
                                                  const structure::Report& report,
                                                  const ProtoCanonicalOptions& options = {});
+
+/// Lengths, ascending, of the edges of the canonical decomposition: those edge classes of its
+/// triangulation that at least three true faces meet (others lie within a cell or a polygon).
+std::vector<double> cell_edge_lengths(const CanonicalManifold& manifold);
 
 /// The same triangulation with labels that make every gluing permutation odd; those of tetrahedron
 /// 0 stay. Unchanged if it is not orientable.

@@ -1,11 +1,15 @@
 #include "canonical/compare.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/context.hpp"
+#include "base/tolerances.hpp"
+#include "orthospectrum/spectrum.hpp"
 #include "topology/homology.hpp"
 #include "topology/isomorphism.hpp"
 #include "topology/requirements.hpp"
@@ -42,6 +46,38 @@ std::optional<Comparison> compare_topology(const Triangulation& a, const Triangu
   const std::string x = to_string(topology::first_homology(a));
   const std::string y = to_string(topology::first_homology(b));
   if (x != y) return different("homology", fmt::format("the first homology is {} and {}.", x, y));
+  return std::nullopt;
+}
+
+/// Beyond so many tetrahedra a canonical decomposition takes longer than two metrics and their
+/// shortest arcs, as each of its moves solves the whole triangulation again.
+constexpr std::size_t kSlowToCanonize = 24;
+constexpr std::size_t kFingerprintArcs = 60;
+
+/// By the lengths of the shortest arcs, where both triangulations carry the metric. That they agree
+/// proves nothing.
+std::optional<Comparison> compare_arcs(const Triangulation& a, const Triangulation& b,
+                                       const structure::SolveOptions& options) {
+  structure::SolveOptions solve = options;
+  solve.evidence = false;
+  std::array<std::vector<double>, 2> lengths;
+  std::size_t side = 0;
+  for (const Triangulation* manifold : {&a, &b}) {
+    const structure::Report report = structure::solve(*manifold, solve);
+    if (report.outcome != structure::Outcome::kGeometric) return std::nullopt;
+    Context context;
+    context.stop_flag = options.stop_requested;
+    lengths[side++] =
+        orthospectrum::shortest_lengths(*manifold, report.edge_lengths, kFingerprintArcs, context);
+  }
+  const std::size_t count = std::min(lengths[0].size(), lengths[1].size());
+  for (std::size_t n = 0; n < count; ++n) {
+    if (std::fabs(lengths[0][n] - lengths[1][n]) <= tolerance::kDifferentArcLength) continue;
+    return different("orthospectrum",
+                     fmt::format("the {} shortest arcs between boundary components have lengths "
+                                 "that differ: number {} has {:.12g} and {:.12g}.",
+                                 count, n + 1, lengths[0][n], lengths[1][n]));
+  }
   return std::nullopt;
 }
 
@@ -107,6 +143,8 @@ Comparison compare(const Triangulation& first, const Triangulation& second,
   topology::require_solvable(first);
   topology::require_solvable(second);
   if (auto decided = compare_topology(first, second)) return *decided;
+  if (std::max(first.tetrahedron_count(), second.tetrahedron_count()) > kSlowToCanonize)
+    if (auto decided = compare_arcs(first, second, options.solve)) return *decided;
   Comparison result;
   CanonizeAnswer a = canonize(first, options), b = canonize(second, options);
   result.first = std::move(a.manifold);
@@ -121,6 +159,7 @@ Comparison compare(const Triangulation& first, const Triangulation& second,
     result.message = "Homeomorphic: the triangulations are the same but for their labels.";
     return result;
   }
+  if (auto decided = compare_arcs(first, second, options.solve)) return *decided;
   result.message = fmt::format("Unresolved: no canonical decomposition of the {}. {}",
                                result.first    ? "second"
                                : result.second ? "first"

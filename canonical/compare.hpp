@@ -14,8 +14,8 @@ std::string_view to_string(Verdict verdict);
 /// Whether two manifolds are homeomorphic, and how it was decided.
 struct Comparison {
   Verdict verdict = Verdict::kUnresolved;
-  /// What decided: "boundary", "orientability", "homology", "volume", "decomposition",
-  /// "triangulation"; empty if nothing did.
+  /// What decided: "boundary", "orientability", "homology", "orthospectrum", "volume",
+  /// "decomposition", "triangulation"; empty if nothing did.
   std::string decided_by;
   std::string message;  ///< one sentence for a person
   /// The isometry as a map of the cells of the first manifold to those of the second.
@@ -29,7 +29,8 @@ struct Comparison {
 };
 
 /// Invariants are compared from the cheapest on: the genera of the boundary components,
-/// orientability, first homology, volume, canonical decomposition.
+/// orientability, first homology, for large triangulations the shortest orthogonal arcs, volume,
+/// canonical decomposition.
 /// "Different" by volume or by decomposition and "homeomorphic" by decomposition rest on
 /// floating-point metrics and on tilt signs with the margins of FaceKinds.
 /// Throws InvalidInput for triangulations that structure::solve refuses.

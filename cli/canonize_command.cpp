@@ -1,35 +1,60 @@
 // tripus canonize: the canonical decomposition, the isometry group and the isometry signature.
 #include <fmt/format.h>
 
+#include "canonical/proved.hpp"
 #include "cli/canonize_options.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/manifold_text.hpp"
+#include "structure/proof/proof_text.hpp"
 
 namespace tripus::cli {
 namespace {
 
-std::string as_json(const Subject& subject, const canonical::CanonizeAnswer& answer) {
+void append_proof(JsonText& out, const canonical::CanonicalProof& proof) {
+  append(out, proof.proved ? ", \"proof\": {\"proved\": true" : ", \"proof\": {\"proved\": false");
+  if (!proof.proved) {
+    append(out, ", \"reason\": ");
+    append_string(out, proof.reason);
+  }
+  append(out, ", \"unproved_faces\": ");
+  append_array(out, proof.unproved, [](JsonText& to, const auto& face) {
+    fmt::format_to(std::back_inserter(to), "[{}, {}]", face.tetrahedron, face.face);
+  });
+  append(out, ", \"metric\": " + structure::to_json(structure::proof_text(proof.metric)) + "}");
+}
+
+std::string as_json(const Subject& subject, const canonical::CanonizeAnswer& answer,
+                    const canonical::CanonicalProof* proof) {
   JsonText out;
   append_header(out, subject.input);
   append_subject(out, subject);
   append(out, answer.manifold ? ", \"outcome\": \"geometric\"" : ", \"outcome\": \"unresolved\"");
   if (answer.manifold) append_manifold(out, *answer.manifold);
+  if (proof != nullptr) append_proof(out, *proof);
   append(out, ", \"message\": ");
   append_string(out, answer.message);
   out.push_back('}');
   return fmt::to_string(out);
 }
 
-std::string as_text(const Subject& subject, const canonical::CanonizeAnswer& answer) {
+std::string as_text(const Subject& subject, const canonical::CanonizeAnswer& answer,
+                    const canonical::CanonicalProof* proof) {
   std::string text = fmt::format("{}: {}\n", printable(subject.input), answer.message);
   if (answer.manifold) text += manifold_as_text(*answer.manifold);
+  if (proof != nullptr)
+    text += fmt::format("  {:<14}{}\n", "proof", canonical::proof_message(*proof));
   return text;
 }
 
 Outcome canonize_one(const CanonicalCommand& command, const Subject& subject) {
   const auto answer = canonical::canonize(subject.triangulation, command.canonize);
-  return {command.common.json ? as_json(subject, answer) : as_text(subject, answer),
+  std::optional<canonical::CanonicalProof> proof;
+  if (command.prove && answer.manifold)
+    proof = canonical::prove_canonical(*answer.manifold, interruptible());
+  const auto* given = proof ? &*proof : nullptr;
+  return {command.common.json ? as_json(subject, answer, given) : as_text(subject, answer, given),
           answer.manifold ? kSuccess : kNoAnswer};
 }
 
@@ -38,7 +63,7 @@ Outcome canonize_one(const CanonicalCommand& command, const Subject& subject) {
 void add_canonize(CLI::App& program, Command& chosen) {
   add_canonical_verb(program, "canonize",
                      "canonical decomposition, isometry group, isometry signature", chosen,
-                     canonize_one);
+                     canonize_one, true);
 }
 
 }  // namespace tripus::cli

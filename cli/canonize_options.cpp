@@ -19,6 +19,10 @@ void add_canonize_options(CLI::App& verb, canonical::CanonizeOptions& options) {
       ->check(whole_number(std::numeric_limits<int>::max()));
 }
 
+void add_prove_option(CLI::App& verb, bool& prove, const char* what) {
+  verb.add_flag("--prove", prove, what)->option_text(" ");
+}
+
 const char* const kCanonicalStatusHelp =
     "Exit status: 0 an answer (for --batch: the run finished), 1 \"no\", unresolved or "
     "interrupted,\n"
@@ -26,13 +30,16 @@ const char* const kCanonicalStatusHelp =
 
 void add_canonical_verb(CLI::App& program, const char* name, const char* description,
                         Command& chosen,
-                        Outcome (*answer)(const CanonicalCommand& command,
-                                          const Subject& subject)) {
+                        Outcome (*answer)(const CanonicalCommand& command, const Subject& subject),
+                        bool can_prove) {
   CLI::App* verb = program.add_subcommand(name, description);
   auto command = std::make_shared<CanonicalCommand>();
   command->canonize.solve.stop_requested = &interrupt_requested();
   add_common_options(*verb, command->common);
   add_canonize_options(*verb, command->canonize);
+  if (can_prove)
+    add_prove_option(*verb, command->prove,
+                     "also prove the decomposition, or name the faces that are not");
   verb->footer(std::string(kInputHelp) + "\n" + kCanonicalStatusHelp);
   verb->final_callback([command, answer, &chosen] {
     chosen = [command, answer] {

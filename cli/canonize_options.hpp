@@ -21,11 +21,16 @@ extern const char* const kCanonicalStatusHelp;
 struct CanonicalCommand {
   CommonOptions common;
   canonical::CanonizeOptions canonize;
+  bool prove = false;
 };
+
+/// The option --prove of the verbs that can.
+void add_prove_option(CLI::App& verb, bool& prove, const char* what);
 
 /// Adds such a verb. `answer` is called with options that heed interrupts.
 void add_canonical_verb(CLI::App& program, const char* name, const char* description,
                         Command& chosen,
-                        Outcome (*answer)(const CanonicalCommand& command, const Subject& subject));
+                        Outcome (*answer)(const CanonicalCommand& command, const Subject& subject),
+                        bool can_prove = false);
 
 }  // namespace tripus::cli

@@ -12,6 +12,7 @@
 
 #include "base/output_file.hpp"
 #include "canonical/census.hpp"
+#include "canonical/census_proofs.hpp"
 #include "cli/canonize_options.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
@@ -36,7 +37,8 @@ struct CensusCommand {
   canonical::ClassifyOptions classify;
   canonical::CensusQuery query;
   std::string volume;
-  bool json = false, quiet = false;
+  std::string proofs;  ///< file to read or write
+  bool json = false, quiet = false, check = false, prove = false;
 };
 
 /// The journal of an earlier run and the stream that goes on with it.
@@ -227,6 +229,34 @@ int look_up(CensusCommand& command) {
   return kSuccess;
 }
 
+/// Every proof again, by other code than made it.
+int check_proofs(const CensusCommand& command) {
+  std::optional<Census> loaded;
+  if (!command.in.empty()) loaded = load_census(command.in);
+  const Census& census = loaded ? *loaded : canonical::shipped_census();
+  std::optional<std::vector<canonical::CensusProof>> proofs;
+  if (!command.proofs.empty()) proofs = canonical::parse_census_proofs(read_file(command.proofs));
+  Context context = interruptible();
+  context.threads = command.classify.threads;
+  const canonical::CensusCheck check = canonical::check_census(
+      census, proofs ? *proofs : canonical::shipped_census_proofs(), context);
+  if (check.stopped) write_message("tripus: interrupted before all proofs were checked\n");
+  for (const std::string& failure : check.failures) write_output(printable(failure) + "\n");
+  write_output(
+      fmt::format("{} of {} manifolds have a valid proof\n", check.valid, census.manifolds.size()));
+  return check.failures.empty() && !check.stopped ? kSuccess : kNoAnswer;
+}
+
+int write_proofs(const CensusCommand& command) {
+  std::optional<Census> loaded;
+  if (!command.in.empty()) loaded = load_census(command.in);
+  const Context context = interruptible();
+  const auto proofs =
+      canonical::prove_census(loaded ? *loaded : canonical::shipped_census(), context);
+  write_text(command.proofs.empty() ? "-" : command.proofs, canonical::to_tsv(proofs));
+  return context.stop_requested() ? kNoAnswer : kSuccess;
+}
+
 void add_query_options(CLI::App& verb, CensusCommand& command) {
   verb.add_option("--in", command.in, "census to look in, TSV or SQLite (default: the shipped one)")
       ->option_text("FILE");
@@ -278,10 +308,23 @@ void add_census(CLI::App& program, Command& chosen) {
   auto command = std::make_shared<CensusCommand>();
   command->classify.canonize.retriangulation.budget = canonical::kCensusBudget;
   add_query_options(*verb, *command);
+  auto* check = verb->add_flag("--check", command->check,
+                               "check the proof of every manifold by other code than made it");
+  auto* prove = verb->add_flag("--prove", command->prove,
+                               "prove the metrics of all manifolds, and write the proofs");
+  check->excludes(prove);
+  verb->add_option("--proofs", command->proofs,
+                   "file of proofs that --check reads (default: the shipped one) or --prove\n"
+                   "writes (default: standard output)")
+      ->option_text("FILE");
   add_making_options(*verb, *command);
   verb->footer(kCanonicalStatusHelp);
   verb->final_callback([command, &chosen] {
-    chosen = [command] { return command->lists.empty() ? look_up(*command) : make(*command); };
+    chosen = [command] {
+      if (command->check) return check_proofs(*command);
+      if (command->prove) return write_proofs(*command);
+      return command->lists.empty() ? look_up(*command) : make(*command);
+    };
   });
 }
 

@@ -1,4 +1,4 @@
-// tripus check: is this a valid certificate for this triangulation?
+// tripus check: is this a valid certificate or proof for this triangulation?
 #include <memory>
 
 #include <fmt/format.h>
@@ -11,6 +11,7 @@
 #include "manifold/json_text.hpp"
 #include "manifold/load.hpp"
 #include "structure/certificate.hpp"
+#include "structure/proof/proof_text.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -21,13 +22,44 @@ struct CheckOptions : CommonOptions {
   std::string certificate;
 };
 
-Certificate load_certificate(const std::string& path) {
-  const std::string text = read_file(path);
+/// What `parse` makes of a text; its errors name the file.
+template <class Parse>
+auto parse_file(const std::string& path, const std::string& text, Parse parse) {
   try {
-    return structure::parse_certificate(text);
+    return parse(text);
   } catch (const InvalidInput& error) {
     throw InvalidInput((path == "-" ? "standard input" : quoted(path)) + ": " + error.what());
   }
+}
+
+std::string proof_verdict(const structure::ProofText& proof, const structure::ProofCheck& result) {
+  if (!result) return "not valid: " + result.reason;
+  return proof.claim == structure::Proof::Claim::kMetric
+             ? "valid: this triangulation carries the hyperbolic metric with geodesic boundary, "
+               "and all that the proof says of it"
+             : "valid: the co-volume has a minimiser with these tetrahedra flat, so this "
+               "triangulation carries no metric";
+}
+
+std::string proof_as_json(const std::string& input, const structure::ProofText& proof,
+                          const structure::ProofCheck& result) {
+  JsonText out;
+  append_header(out, input);
+  append(out, ", \"kind\": \"strong-convexity\"");
+  append(out, result ? ", \"valid\": true" : ", \"valid\": false");
+  append(out, ", \"message\": ");
+  append_string(out, proof_verdict(proof, result));
+  out.push_back('}');
+  return fmt::to_string(out);
+}
+
+Outcome check_one_proof(const CheckOptions& options, const std::string& text) {
+  const structure::ProofText proof = parse_file(options.certificate, text, structure::parse_proof);
+  const topology::Triangulation triangulation(load_input(options.input, interruptible()).gluings);
+  const structure::ProofCheck result = structure::check_proof(triangulation, proof, interruptible());
+  return {options.json ? proof_as_json(options.input, proof, result)
+                       : proof_verdict(proof, result) + "\n",
+          result ? kSuccess : kNoAnswer};
 }
 
 std::string verdict(const Certificate& certificate, const structure::CheckResult& result) {
@@ -56,7 +88,10 @@ std::string as_json(const std::string& input, const Certificate& certificate,
 Outcome check_one(const CheckOptions& options) {
   if (options.certificate == "-" && options.input == "-")
     throw InvalidInput("the certificate and INPUT cannot both come from standard input");
-  const Certificate certificate = load_certificate(options.certificate);
+  const std::string text = read_file(options.certificate);
+  if (structure::looks_like_proof(text)) return check_one_proof(options, text);
+  const Certificate certificate =
+      parse_file(options.certificate, text, structure::parse_certificate);
   const topology::Triangulation triangulation(load_input(options.input, interruptible()).gluings);
   const structure::CheckResult result = structure::check(triangulation, certificate);
   return {options.json ? as_json(options.input, certificate, result)
@@ -68,10 +103,10 @@ Outcome check_one(const CheckOptions& options) {
 
 void add_check(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
-      "check", "check a certificate of \"infeasible\" in integer arithmetic");
+      "check", "check a certificate of \"infeasible\", or a proof, by other code than made it");
   auto options = std::make_shared<CheckOptions>();
   verb->add_option("CERTIFICATE", options->certificate,
-                   "the JSON of a certificate, or an answer of solve --json that has one")
+                   "the JSON of a certificate or of a proof, or an answer that has one")
       ->option_text(" ")
       ->required();
   verb->add_option("INPUT", options->input,
@@ -83,7 +118,9 @@ void add_check(CLI::App& program, Command& chosen) {
   verb->footer(
       "A certificate proves that a triangulation has no strict angle structure, so that it "
       "carries\n"
-      "no metric: docs/theory.md (43).\n\n"
+      "no metric, by integers alone: docs/theory.md (43). A proof (of `prove --json`) is checked "
+      "in Arb's\n"
+      "ball arithmetic, by code that shares nothing with the prover: docs/proof.md.\n\n"
       "Exit status: 0 valid, 1 not valid (the message says which inequality fails), 2 bad usage "
       "or\n"
       "bad input, 3 a failure of the program itself.");

@@ -34,12 +34,14 @@ void add_canonize(CLI::App& program, Command& chosen);
 void add_compare(CLI::App& program, Command& chosen);
 void add_identify(CLI::App& program, Command& chosen);
 void add_census(CLI::App& program, Command& chosen);
+void add_prove(CLI::App& program, Command& chosen);
 void add_check(CLI::App& program, Command& chosen);
 void add_study(CLI::App& program, Command& chosen);
 void add_mesh(CLI::App& program, Command& chosen);
 void add_embed(CLI::App& program, Command& chosen);
 void add_view(CLI::App& program, Command& chosen);
 void add_tube(CLI::App& program, Command& chosen);
+void add_orthospectrum(CLI::App& program, Command& chosen);
 void add_methods(CLI::App& program, Command& chosen);
 
 }  // namespace tripus::cli

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "canonical/compare.hpp"
+#include "canonical/proved.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/canonize_options.hpp"
@@ -24,6 +25,7 @@ struct CompareCommand {
   CommonOptions common;  ///< INPUT is the first manifold
   std::string second;
   canonical::CanonizeOptions canonize;
+  bool prove = false;
 };
 
 void append_side(JsonText& out, std::string_view key, const std::string& input,
@@ -34,7 +36,15 @@ void append_side(JsonText& out, std::string_view key, const std::string& input,
   out.push_back('}');
 }
 
-std::string as_json(const CompareCommand& command, const Comparison& comparison) {
+void append_proof(JsonText& out, const canonical::ComparisonProof& proof) {
+  fmt::format_to(std::back_inserter(out), ", \"proof\": {{\"proved\": {}, ", proof.proved);
+  append(out, proof.proved ? "\"by\": " : "\"reason\": ");
+  append_string(out, proof.proved ? proof.by : proof.reason);
+  out.push_back('}');
+}
+
+std::string as_json(const CompareCommand& command, const Comparison& comparison,
+                    const canonical::ComparisonProof* proof) {
   JsonText out;
   append_header(out, command.common.input);
   append(out, ", \"verdict\": ");
@@ -56,18 +66,23 @@ std::string as_json(const CompareCommand& command, const Comparison& comparison)
                  comparison.keeps_orientation, comparison.reverses_orientation);
   append_side(out, "first", command.common.input, comparison.first);
   append_side(out, "second", command.second, comparison.second);
+  if (proof != nullptr) append_proof(out, *proof);
   append(out, ", \"message\": ");
   append_string(out, comparison.message);
   out.push_back('}');
   return fmt::to_string(out);
 }
 
-std::string as_text(const Comparison& comparison) {
+std::string as_text(const Comparison& comparison, const canonical::ComparisonProof* proof) {
   std::string text = comparison.message + "\n";
   if (!comparison.decided_by.empty())
     text += fmt::format("  {:<14}{}\n", "decided by", comparison.decided_by);
   if (comparison.isometry)
     text += fmt::format("  {:<14}{}\n", "isometry", cell_map_as_text(*comparison.isometry));
+  if (proof != nullptr)
+    text += fmt::format(
+        "  {:<14}{}\n", "proof",
+        proof->proved ? "proved by " + proof->by : "not proved: " + proof->reason + ".");
   return text;
 }
 
@@ -81,7 +96,10 @@ Outcome compare_two(const CompareCommand& command) {
   options.solve.stop_requested = &interrupt_requested();
   const Comparison comparison =
       canonical::compare(first.triangulation, second.triangulation, options);
-  return {command.common.json ? as_json(command, comparison) : as_text(comparison),
+  std::optional<canonical::ComparisonProof> proof;
+  if (command.prove) proof = canonical::prove_comparison(comparison, interruptible());
+  const auto* given = proof ? &*proof : nullptr;
+  return {command.common.json ? as_json(command, comparison, given) : as_text(comparison, given),
           comparison.verdict == Verdict::kHomeomorphic ? kSuccess : kNoAnswer};
 }
 
@@ -99,6 +117,7 @@ void add_compare(CLI::App& program, Command& chosen) {
   }
   verb->add_flag("--json", command->common.json, "one JSON object");
   add_canonize_options(*verb, command->canonize);
+  add_prove_option(*verb, command->prove, "also say whether the verdict is proved, and by what");
   verb->footer(
       std::string(kInputHelp) +
       "\nExit status: 0 homeomorphic, 1 not homeomorphic or unresolved, 2 bad usage or bad "

@@ -81,9 +81,11 @@ void add_verbs(CLI::App& program, Command& command) {
   add_compare(program, command);
   add_identify(program, command);
   add_census(program, command);
+  add_prove(program, command);
   add_check(program, command);
   add_study(program, command);
   add_embed(program, command);
+  add_orthospectrum(program, command);
   add_view(program, command);
   add_tube(program, command);
   add_methods(program, command);

@@ -81,6 +81,11 @@ void require_known_outputs(const MeshCommand& command) {
 
 void write_outputs(const MeshCommand& command, const meshing::Manifold& manifold,
                    const Subject& subject) {
+  if (!command.mesh_output.empty() && !manifold.mesh_is_exact)
+    throw Unsupported(printable(subject.input) +
+                      ": the tetrahedra that fill this surface are too thin for doubles, so that "
+                      "--save-mesh cannot write them; leave it out, or remesh the surface more "
+                      "evenly");
   if (!command.output.empty())
     write_triangulation_file(command.output, {}, manifold.gluings, subject.isosig);
   if (ends_with(command.mesh_output, ".vtk"))

@@ -102,7 +102,8 @@ void append_numbers_found(std::string& text, const Report& report) {
 }  // namespace
 
 std::string report_as_text(const Subject& subject, const Report& report,
-                           const structure::Retriangulation* retriangulation) {
+                           const structure::Retriangulation* retriangulation,
+                           const structure::ProofText* proof) {
   std::string text = fmt::format("{}: {}\n  {}\n", printable(subject.input),
                                  structure::to_string(report.outcome), report.message);
   if (!report.advice.empty()) text += fmt::format("  {}\n", report.advice);
@@ -111,6 +112,7 @@ std::string report_as_text(const Subject& subject, const Report& report,
   };
   line("triangulation", one_line(subject.triangulation));
   if (retriangulation != nullptr) append_path(text, *retriangulation);
+  if (proof != nullptr) line("proof", structure::proof_message(*proof));
   if (report.certificate) append_certificate(text, *report.certificate);
   const bool meaningful = report.outcome != structure::Outcome::kInfeasible && !report.certificate;
   if (meaningful || report.outcome == structure::Outcome::kDegenerate)

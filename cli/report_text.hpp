@@ -4,6 +4,7 @@
 
 #include "cli/describe.hpp"
 #include "manifold/report_json.hpp"
+#include "structure/proof/prove_report.hpp"
 #include "structure/report.hpp"
 #include "structure/retriangulate.hpp"
 
@@ -11,6 +12,7 @@ namespace tripus::cli {
 
 /// The JSON of `report_as_json` for people, over several lines.
 std::string report_as_text(const Subject& subject, const structure::Report& report,
-                           const structure::Retriangulation* retriangulation = nullptr);
+                           const structure::Retriangulation* retriangulation = nullptr,
+                           const structure::ProofText* proof = nullptr);
 
 }  // namespace tripus::cli

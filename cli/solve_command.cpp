@@ -33,6 +33,7 @@ struct SolveCommandOptions {
   std::string history;
   bool components = false;
   bool retriangulate = false;
+  bool prove = false;
   structure::RetriangulateOptions search;
 };
 
@@ -64,6 +65,20 @@ std::vector<double> cone_angles_of(const std::vector<std::string>& assignments,
   return angles;
 }
 
+/// The answer, with its proof if one is asked for.
+Outcome answer_of(const SolveCommandOptions& command, const Subject& subject,
+                  const structure::Report& report,
+                  const structure::Retriangulation* found = nullptr) {
+  std::optional<structure::ProofText> proof;
+  if (command.prove) {
+    proof = structure::prove_report(subject.triangulation, report, 0, interruptible());
+  }
+  const structure::ProofText* given = proof ? &*proof : nullptr;
+  return {command.common.json ? report_as_json(subject, report, found, given)
+                              : report_as_text(subject, report, found, given),
+          report.outcome == structure::Outcome::kGeometric ? kSuccess : kNoAnswer};
+}
+
 /// Goes on from a report without a metric; the answer is about the triangulation found.
 Outcome retriangulate_subject(const SolveCommandOptions& command, structure::SolveOptions options,
                               const Subject& subject, structure::Report report) {
@@ -71,9 +86,7 @@ Outcome retriangulate_subject(const SolveCommandOptions& command, structure::Sol
   structure::Retriangulation found =
       structure::retriangulate(subject.triangulation, std::move(report), options, command.search);
   const Subject result = make_subject(subject.input, subject.name, found.gluings);
-  return {command.common.json ? report_as_json(result, found.report, &found)
-                              : report_as_text(result, found.report, &found),
-          found.report.outcome == structure::Outcome::kGeometric ? kSuccess : kNoAnswer};
+  return answer_of(command, result, found.report, &found);
 }
 
 Outcome solve_subject(const SolveCommandOptions& command, const Subject& subject) {
@@ -98,10 +111,8 @@ Outcome solve_subject(const SolveCommandOptions& command, const Subject& subject
   if (history) history->close();
   const bool geometric = report.outcome == structure::Outcome::kGeometric;
   const bool has_time = options.time_limit > report.seconds;
-  if (geometric || !command.retriangulate || !has_time || interrupt_requested()) {
-    return {command.common.json ? report_as_json(subject, report) : report_as_text(subject, report),
-            geometric ? kSuccess : kNoAnswer};
-  }
+  if (geometric || !command.retriangulate || !has_time || interrupt_requested())
+    return answer_of(command, subject, report);
   return retriangulate_subject(command, options, subject, std::move(report));
 }
 
@@ -231,6 +242,11 @@ void add_solve(CLI::App& program, Command& chosen) {
   verb->add_flag("--angle-structure", solve.angle_structure,
                  "also print an exact rational strict angle structure, if there is one")
       ->option_text(" ");
+  verb->add_flag("--prove", command->prove,
+                 "also prove what was found, with every rounding accounted for; see\n"
+                 "`tripus prove --help`")
+      ->option_text(" ")
+      ->excludes(verb->get_option("--cone-angle"));
   auto* components = verb->add_flag("--components", command->components,
                                     "solve each connected component by itself")
                          ->option_text(" ");

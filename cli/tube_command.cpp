@@ -14,6 +14,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "cli/progress.hpp"
 #include "manifold/json_text.hpp"
 #include "manifold/load.hpp"
 #include "meshing/formats/read_graph.hpp"
@@ -37,13 +38,15 @@ constexpr const char* kGraphHelp =
     "{\"box\": {\"low\": [x,y,z], \"high\": [x,y,z]}} or \"none\".\n"
     "\n"
     "The surface bounds the piece of space inside the outer surface and outside the tube; it is\n"
-    "closed, manifold and free of self-intersections. Strands that come too close to each other "
-    "are\n"
-    "refused, with their place.\n"
+    "closed, manifold and free of self-intersections. Strands that touch are refused, with their\n"
+    "place. By itself the tube is made of straight pipes with three sides, each as thick as its\n"
+    "surroundings allow, in a few milliseconds. --radius, --triangles and --resolution make a "
+    "round\n"
+    "tube of one radius; where strands come close, that takes many triangles, and minutes.\n"
     "\n"
     "Examples:\n"
     "  tripus tube examples/graphs/knotted-y.json -o knotted-y.off\n"
-    "  tripus tube examples/graphs/knotted-y.json --triangles 100000 -o fine.off\n"
+    "  tripus tube examples/graphs/knotted-y.json --triangles 3000 -o round.off\n"
     "\n"
     "Exit status: 0 the surface was made, 1 interrupted, 2 bad usage or bad input, 3 a failure of\n"
     "the program itself.";
@@ -55,12 +58,15 @@ struct TubeCommand {
   bool json = false, quiet = false;
 };
 
-meshing::TubeOptions options_of(const TubeCommand& command) {
+meshing::TubeOptions options_of(const TubeCommand& command, Progress& progress) {
   meshing::TubeOptions options;
   if (command.radius > 0) options.radius = command.radius;
   if (command.triangles > 0) options.triangles = std::size_t(command.triangles);
   if (command.around > 0) options.edges_around = command.around;
   options.stop_requested = &interrupt_requested();
+  options.progress = [&](std::string_view activity) {
+    if (progress.due()) progress.show(std::string(activity));
+  };
   return options;
 }
 
@@ -70,7 +76,8 @@ meshing::Tube tube_of(const TubeCommand& command) {
   const std::string source =
       command.graph == "-" ? "standard input" : tripus::quoted(command.graph);
   try {
-    return meshing::make_tube(meshing::read_graph(text), options_of(command));
+    Progress progress(!command.quiet);
+    return meshing::make_tube(meshing::read_graph(text), options_of(command, progress));
   } catch (const Unsupported& error) {
     throw Unsupported(source + ": " + error.what());
   } catch (const InvalidInput& error) {
@@ -87,10 +94,12 @@ std::string as_text(const std::string& graph, const meshing::Tube& tube) {
   for (const long chi : tube.euler_characteristics) genera.push_back(genus_text(chi));
   return fmt::format(
       "{}: {} triangles, {} points, {} component{}: {}\n"
-      "tube of radius {:.6g}; below {:.6g} there is room: {}\n",
+      "tube of radius {}; one radius below {:.6g} has room everywhere: {}\n",
       printable(graph), tube.surface.triangles.size(), tube.surface.points.size(), genera.size(),
-      genera.size() == 1 ? "" : "s", fmt::join(genera, ", "), tube.radius, tube.room,
-      tube.room_place);
+      genera.size() == 1 ? "" : "s", fmt::join(genera, ", "),
+      tube.thickest > tube.radius ? fmt::format("{:.6g} to {:.6g}", tube.radius, tube.thickest)
+                                  : fmt::format("{:.6g}", tube.radius),
+      tube.room, tube.room_place);
 }
 
 std::string as_json(const TubeCommand& command, const meshing::Tube& tube) {
@@ -107,6 +116,8 @@ std::string as_json(const TubeCommand& command, const meshing::Tube& tube) {
   }
   append(out, "], \"radius\": ");
   append_number(out, tube.radius);
+  append(out, ", \"thickest_radius\": ");
+  append_number(out, tube.thickest);
   append(out, ", \"largest_radius\": ");
   append_number(out, tube.room);
   append(out, ", \"limited_by\": ");
@@ -159,13 +170,16 @@ void add_tube(CLI::App& program, Command& chosen) {
       ->option_text("FILE")
       ->required();
   verb->add_option("--radius", command->radius,
-                   "radius of the tube (default: half of what the strands leave)")
+                   "a round tube of this radius (with --triangles or --resolution\n"
+                   "alone: half of what the strands leave)")
       ->option_text("X")
       ->check(positive_number());
-  auto* triangles = verb->add_option("--triangles", command->triangles, "make about N triangles")
-                        ->option_text("N")
-                        ->check(whole_number(std::numeric_limits<int>::max()));
-  verb->add_option("--resolution", command->around, "triangle edges around the tube (default: 10)")
+  auto* triangles =
+      verb->add_option("--triangles", command->triangles, "a round tube of about N triangles")
+          ->option_text("N")
+          ->check(whole_number(std::numeric_limits<int>::max()));
+  verb->add_option("--resolution", command->around,
+                   "a round tube with X triangle edges around it (default: 10)")
       ->option_text("X")
       ->check(positive_number())
       ->excludes(triangles);

@@ -16,6 +16,7 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/tripusConfigVersion.cmak
                                  COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/tripusConfig.cmake"
               "${PROJECT_BINARY_DIR}/tripusConfigVersion.cmake"
+              "${PROJECT_SOURCE_DIR}/cmake/FindArb.cmake"
               "${PROJECT_SOURCE_DIR}/cmake/FindCholmod.cmake"
               "${PROJECT_SOURCE_DIR}/cmake/FindGlpk.cmake"
               "${PROJECT_SOURCE_DIR}/cmake/FindGmp.cmake"

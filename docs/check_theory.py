@@ -308,6 +308,46 @@ def check_divergence(note):
         note("(74) divergence", abs(3 * radial(q) + 2 * q * slope - (1 - q) ** -2))
 
 
+def check_proofs(note):
+    """Equations (91) to (97): tails of the series, and the bounds on one-edge triangulations."""
+    exp_tail = math.fsum(1.05 ** (n - 2) / math.factorial(n) for n in range(21, 60))
+    atan_tail = 0.42**44 / 47
+    log_tail = math.fsum(0.172 ** (2 * n - 2) / (2 * n + 1) for n in range(13, 60))
+    note("(91) tails beyond their bounds", max(0.0, exp_tail / 1e-19 - 1, atan_tail / 7e-19 - 1, log_tail / 2e-20 - 1))
+    for x, d in ((0.1, 1.0), (3.0, -0.7), (10.0, 0.5), (0.5, 1e-3)):
+        bound = math.cosh(x) * abs(d) * (1 + 2 * abs(d))
+        note("(92)", max(0.0, abs(math.sinh(x + d) - math.sinh(x)) / bound - 1))
+        note("(92)", max(0.0, abs(math.cosh(x + d) - math.cosh(x)) / bound - 1))
+    zeta = [ZETA[n] if n < len(ZETA) else 1.0 for n in range(40)]
+    c = [2 * zeta[n - 1] / ((2 * math.pi) ** (2 * n) * 2 * n * (2 * n + 1)) for n in range(1, 18)]
+    for a in (0.01, 0.7, 1.5, 2.15):
+        series = a * (1 - math.log(a)) + math.fsum(c[n - 1] * a ** (2 * n + 1) for n in range(1, 17))
+        note("(93) near 0", abs(series - clausen(a)))
+    for y in (0.01, 0.5, 1.1):
+        terms = math.fsum((4**n - 1) * c[n - 1] * y ** (2 * n + 1) for n in range(1, 17))
+        note("(93) near pi", abs(y * math.log(2) - terms - clausen(math.pi - y)))
+    note("(93) tails beyond their bounds", max(0.0, c[16] * 2.15**32 / 0.87 / 1.3e-19 - 1,
+                                               4**17 * c[16] * 1.1**32 / 0.87 / 5.2e-19 - 1))
+
+    # One edge class of valence 6 g, all lengths equal: H'' = g times the sum of the entries of J.
+    for genus in (2, 3):
+        t = math.pi / (3 * genus)
+        exact = math.acosh(math.cos(t) / (2 * math.cos(t) - 1))
+        best = genus * volume([t] * 6)
+        for off in (-1e-2, -1e-3, 1e-3, 1e-2):
+            ends = [exact + 1.5 * off * k / 10 for k in range(11)]
+            J = [jacobian([l] * 6, "lengths") for l in ends]
+            # The least eigenvalue of J is u (2C - 1)(3C - 1)/(1 - C), (21), which rows have as sums.
+            d = 6 * genus * min(math.fsum(row[0]) for row in J)
+            l = exact + off
+            theta = angles([l] * 6)
+            K = 2 * math.pi - genus * math.fsum(theta)
+            note("(95) beyond the bound", max(0.0, abs(off) - abs(K) / d))
+            delta = genus * volume(theta) - K * l / 2 - best
+            note("(96) (97) delta below 0", max(0.0, -delta - 1e-14))
+            note("(96) (97) delta beyond the bound", max(0.0, delta - K * K / d / 4))
+
+
 def main():
     random_ = random.Random(20)
     errors = {}
@@ -369,6 +409,7 @@ def main():
         check_moebius(random_, note)
         check_area(random_, note)
     check_divergence(note)
+    check_proofs(note)
 
     bounds = {"(13)": 1e-9, "J sym": 1e-9, "(15)": 1e-12, "(54)": 1e-9}
     for label in sorted(errors):

@@ -51,6 +51,10 @@ std::shared_ptr<const embedding::Embedding> Metric::shared_embedding() const {
   return embedding_;
 }
 
+structure::Proof Metric::prove(const Context& context) const {
+  return structure::prove(triangulation_, report_.edge_lengths, {}, context);
+}
+
 embedding::Holonomy Metric::holonomy() const {
   return embedding::holonomy(embedding(), triangulation_);
 }

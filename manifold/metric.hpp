@@ -11,6 +11,7 @@
 #include "embedding/holonomy.hpp"
 #include "embedding/tessellate.hpp"
 #include "embedding/universal_cover.hpp"
+#include "structure/proof/proof.hpp"
 #include "structure/report.hpp"
 #include "topology/triangulation.hpp"
 
@@ -67,6 +68,10 @@ class Metric {
   double max_curvature() const { return report_.max_curvature; }
   /// How it was found.
   const structure::Report& report() const { return report_; }
+
+  /// A proof that this is the metric, every rounding accounted for, anew at each call: intervals of
+  /// the lengths and the volume, or the reason why not. docs/proof.md.
+  structure::Proof prove(const Context& context = {}) const;
 
   /// The tetrahedra in the hyperboloid model and the isometries that glue them; made once.
   const embedding::Embedding& embedding() const { return *shared_embedding(); }

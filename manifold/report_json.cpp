@@ -45,7 +45,8 @@ void append_retriangulation(JsonText& out, const structure::Retriangulation& fou
 }  // namespace
 
 std::string report_as_json(const Subject& subject, const Report& report,
-                           const structure::Retriangulation* retriangulation) {
+                           const structure::Retriangulation* retriangulation,
+                           const structure::ProofText* proof) {
   JsonText out;
   append_header(out, subject.input);
   append_subject(out, subject);
@@ -77,6 +78,7 @@ std::string report_as_json(const Subject& subject, const Report& report,
     append(out, structure::to_json(*report.strict_angles));
   }
   if (retriangulation != nullptr) append_retriangulation(out, *retriangulation);
+  if (proof != nullptr) append(out, ", \"proof\": " + structure::to_json(*proof));
   if (!report.advice.empty()) {
     append(out, ", \"advice\": ");
     append_string(out, report.advice);

@@ -5,6 +5,7 @@
 
 #include "base/stopped.hpp"
 #include "meshing/mend.hpp"
+#include "meshing/predicates.hpp"
 #include "meshing/validate_tetrahedra.hpp"
 #include "topology/cone.hpp"
 #include "topology/simplify/simplify.hpp"
@@ -30,6 +31,11 @@ topology::Gluings open_gluings(SurfaceFile file, const ManifoldOptions& options,
   TetrahedralizeOptions filling = options.tetrahedralize;
   filling.stop_requested = options.stop_requested;
   manifold.mesh = tetrahedralize(region, filling);
+  const auto& points = manifold.mesh.points;
+  manifold.mesh_is_exact = std::all_of(
+      manifold.mesh.tetrahedra.begin(), manifold.mesh.tetrahedra.end(), [&](const Tetrahedron& t) {
+        return orientation(points[t[0]], points[t[1]], points[t[2]], points[t[3]]) > 0;
+      });
   return gluings_of(manifold.mesh);
 }
 

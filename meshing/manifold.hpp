@@ -39,6 +39,7 @@ struct Manifold {
   std::size_t turned = 0;          ///< triangles that did not agree with most of their component
   std::vector<std::string> notes;  ///< what was not read, and what was mended
   TetrahedralMesh mesh;
+  bool mesh_is_exact = true;  ///< false: some of its tetrahedra are only right before rounding
 
   /// Whether the boundary is nothing but spheres: the solid is then a ball, or a ball with balls
   /// taken out, and carries no metric with geodesic boundary.

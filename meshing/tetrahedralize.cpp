@@ -2,26 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <limits>
+#include <numeric>
+#include <optional>
+#include <random>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/stopped.hpp"
 #include "meshing/detail/child_process.hpp"
-#include "meshing/detail/find_tetgen.hpp"
+#include "meshing/detail/fill_by_planes.hpp"
+#include "meshing/detail/mesh_boundary.hpp"
 #include "meshing/detail/split.hpp"
-#include "meshing/detail/tetgen_protocol.hpp"
+#include "meshing/detail/tetgen_client.hpp"
 #include "meshing/predicates.hpp"
 
 namespace tripus::meshing {
 namespace {
-
-using detail::ChildProcess;
-using detail::TetgenRequest;
-using detail::TetgenResponse;
-using detail::TetgenStatus;
-using Transfer = ChildProcess::Transfer;
 
 /// Largest volume allowed, in units of the volume that a tetrahedron would have if N filled the
 /// region: most come out a little smaller than allowed.
@@ -47,146 +44,199 @@ std::vector<Point> scaled(std::vector<Point> points, int exponent) {
   return points;
 }
 
-/// The talk with one process.
-class Talk {
- public:
-  Talk(const TetrahedralizeOptions& options)
-      : options_(options),
-        child_(detail::find_tetgen()),
-        deadline_(detail::now_in_seconds() + options.time_limit) {}
+/// How the surface is put to TetGen: another order of points and axes takes it other ways, so that
+/// it may succeed where it failed.
+struct Attempt {
+  std::uint32_t shuffle = 0;  ///< seed; 0: as it is
+  bool keep_boundary = true;
+};
+constexpr Attempt kAttempts[] = {{0, true}, {0, false}, {1, true},  {2, false},
+                                 {3, true}, {4, false}, {5, false}, {6, false}};
 
-  template <class Item>
-  void send(const std::vector<Item>& items) {
-    send(items.data(), items.size() * sizeof(Item));
+/// A try ends after so many seconds: where TetGen succeeds it takes far less, and it may hang.
+constexpr double kShortTry = 1, kShortTryEach = 1e-3;
+/// Of processor time to that on a clock, at most, on a machine that is busy.
+constexpr double kBusy = 8;
+
+/// Of the time that is left then, for the way without TetGen.
+constexpr double kPlanesShare = 0.5;
+
+/// The surface with points and axes in another order; exact.
+class Shuffled {
+ public:
+  Shuffled(const std::vector<Point>& points, const std::vector<Point>& holes,
+           const std::vector<Triangle>& triangles, std::uint32_t seed)
+      : numbers_(points.size()) {
+    std::iota(numbers_.begin(), numbers_.end(), 0u);
+    question.triangles = triangles;
+    if (seed > 0) {
+      std::mt19937 random(seed);
+      const auto below = [&](std::size_t n) { return random() % n; };
+      for (std::size_t i = numbers_.size(); i > 1; --i)
+        std::swap(numbers_[i - 1], numbers_[below(i)]);
+      for (std::size_t i = triangles.size(); i > 1; --i)
+        std::swap(question.triangles[i - 1], question.triangles[below(i)]);
+      first_axis_ = seed % 3;
+      negated_ = seed % 2 == 1;
+    }
+    std::vector<std::uint32_t> place(points.size());
+    for (std::uint32_t i = 0; i < place.size(); ++i) place[numbers_[i]] = i;
+    for (const std::uint32_t number : numbers_) question.points.push_back(turned(points[number]));
+    for (const Point& hole : holes) question.holes.push_back(turned(hole));
+    for (Triangle& t : question.triangles)
+      for (std::uint32_t& corner : t) corner = place[corner];
   }
-  void send(const void* data, std::size_t size) {
-    require(child_.send(data, size, deadline_, options_.stop_requested));
+
+  /// The answer in the old order.
+  void turn_back(TetrahedralMesh& mesh) const {
+    const std::vector<Point> points = mesh.points;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      mesh.points[i < numbers_.size() ? numbers_[i] : i] = turned_back(points[i]);
+    for (Tetrahedron& t : mesh.tetrahedra)
+      for (std::uint32_t& corner : t)
+        if (corner < numbers_.size()) corner = numbers_[corner];
   }
-  void receive(void* data, std::size_t size) {
-    require(child_.receive(data, size, deadline_, options_.stop_requested));
+
+  detail::TetgenQuestion question;
+
+ private:
+  Point turned(const Point& p) const {
+    const double x = p[first_axis_ % 3];
+    return {negated_ ? -x : x, p[(first_axis_ + 1) % 3], p[(first_axis_ + 2) % 3]};
+  }
+  Point turned_back(const Point& q) const {
+    Point p;
+    for (std::size_t k = 0; k < 3; ++k) p[(first_axis_ + k) % 3] = q[k];
+    if (negated_) p[first_axis_] = -q[0];
+    return p;
+  }
+
+  std::vector<std::uint32_t> numbers_;
+  std::size_t first_axis_ = 0;
+  bool negated_ = false;
+};
+
+/// TetGen orders corners the other way. Says no if a tetrahedron is flat.
+bool make_positive(TetrahedralMesh& mesh) {
+  for (Tetrahedron& t : mesh.tetrahedra) {
+    const auto& p = mesh.points;
+    const int sign = orientation(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
+    if (sign == 0) return false;
+    if (sign < 0) std::swap(t[2], t[3]);
+  }
+  return true;
+}
+
+[[noreturn]] void fail(const std::string& problem) {
+  throw Unsupported(problem +
+                    ", a fault of its own that very thin or very crowded parts can cause; remesh "
+                    "the surface more evenly, or give a tetrahedral mesh");
+}
+
+/// Fills one region, in one way or another.
+class Filler {
+ public:
+  Filler(const Region& region, const TetrahedralizeOptions& options)
+      : region_(region),
+        options_(options),
+        exponent_(scale_exponent(region.surface.points)),
+        points_(scaled(region.surface.points, exponent_)),
+        deadline_(detail::now_in_seconds() + options.time_limit) {
+    for (std::uint32_t c = 0; c < region.components.size(); ++c)
+      if (c != region.outermost) holes_.push_back(point_in_hole(region, c));
+    holes_ = scaled(std::move(holes_), exponent_);
+  }
+
+  /// With as few tetrahedra as it takes.
+  TetrahedralMesh fill() {
+    const auto count = static_cast<double>(region_.surface.triangles.size());
+    const double short_try = kShortTry + kShortTryEach * count;
+    for (const Attempt& attempt : kAttempts) {
+      attempt_ = attempt;
+      if (auto mesh = ask(attempt, 0, short_try)) return *std::move(mesh);
+      require_time();
+    }
+    const double now = detail::now_in_seconds();
+    if (auto mesh = detail::fill_by_planes(region_, options_.memory_limit,
+                                           now + kPlanesShare * (deadline_ - now),
+                                           options_.stop_requested)) {
+      by_planes_ = true;
+      return *std::move(mesh);
+    }
+    require_time();
+    attempt_ = kAttempts[0];  // with all the time that there is
+    if (auto mesh = ask(attempt_, 0, deadline_ - detail::now_in_seconds())) return *std::move(mesh);
+    require_time();
+    fail(first_problem_);
+  }
+
+  /// Whether tetrahedra may be flat, or turned inside out, by rounding.
+  bool is_rounded() const { return by_planes_; }
+
+  /// Whether TetGen can add points inside and none on the boundary.
+  bool can_refine() const { return !by_planes_ && attempt_.keep_boundary; }
+
+  /// In the way that fill() found.
+  TetrahedralMesh refined(double max_volume) {
+    const double unit = std::ldexp(1.0, exponent_);
+    // Nothing but 0 becomes 0.
+    const double scaled_volume =
+        std::fmax(max_volume * unit * unit * unit, std::numeric_limits<double>::min());
+    first_problem_.clear();
+    if (auto mesh = ask(attempt_, scaled_volume, deadline_ - detail::now_in_seconds()))
+      return *std::move(mesh);
+    require_time();
+    fail(first_problem_);
   }
 
  private:
-  void require(Transfer transfer) {
-    if (transfer == Transfer::kDone) return;
-    if (transfer == Transfer::kTimeOut) fail_on_time();
-    const std::string ending = child_.ending();
-    if (child_.signal() == SIGXCPU) fail_on_time();
-    throw_if_stopped(options_.stop_requested);
-    if (child_.signal() == SIGINT || child_.signal() == SIGTERM) throw Stopped();
-    throw Unsupported("TetGen " + ending +
-                      " on this surface: a fault of its own that very thin or very crowded parts "
-                      "can cause; remesh the surface more evenly, or give a tetrahedral mesh");
-  }
-  [[noreturn]] void fail_on_time() const {
-    throw Unsupported("TetGen was not done after " +
-                      std::to_string(static_cast<long>(options_.time_limit)) +
-                      " s; give it more time, or a coarser surface");
-  }
-
-  const TetrahedralizeOptions& options_;
-  ChildProcess child_;
-  double deadline_;
-};
-
-void require_success(std::uint64_t status) {
-  switch (static_cast<TetgenStatus>(status)) {
-    case TetgenStatus::kDone:
-      return;
-    case TetgenStatus::kOutOfMemory:
-      throw Unsupported("TetGen ran out of memory; give it more, or a coarser surface");
-    case TetgenStatus::kSelfIntersection:
-    case TetgenStatus::kTinyFeature:
-      throw InvalidInput(
-          "TetGen finds parts of the surface too near to each other to tell them apart; remesh it, "
-          "or move them apart");
-    default:
-      throw Unsupported("TetGen gave up on this surface (its error " + std::to_string(status) +
-                        "); remesh the surface more evenly, or give a tetrahedral mesh");
-  }
-}
-
-TetrahedralMesh run(const Region& region, const std::vector<Point>& points,
-                    const std::vector<Point>& holes, double max_volume,
-                    const TetrahedralizeOptions& options) {
-  TetgenRequest request;
-  request.memory_limit = options.memory_limit;
-  request.processor_seconds = static_cast<std::uint64_t>(std::ceil(options.time_limit)) + 1;
-  request.max_volume = max_volume;
-  request.points = points.size();
-  request.triangles = region.surface.triangles.size();
-  request.holes = holes.size();
-  Talk talk(options);
-  talk.send(&request, sizeof request);
-  talk.send(points);
-  talk.send(region.surface.triangles);
-  talk.send(holes);
-  TetgenResponse response;
-  talk.receive(&response, sizeof response);
-  if (response.mark != TetgenResponse::kMark)
-    throw InternalError("tripus-tetgen is not of the version of this program");
-  require_success(response.status);
-  TetrahedralMesh mesh;
-  mesh.points.resize(response.points);
-  mesh.tetrahedra.resize(response.tetrahedra);
-  talk.receive(mesh.points.data(), mesh.points.size() * sizeof(Point));
-  talk.receive(mesh.tetrahedra.data(), mesh.tetrahedra.size() * sizeof(Tetrahedron));
-  return mesh;
-}
-
-/// TetGen orders corners the other way.
-void require_positive(TetrahedralMesh& mesh) {
-  for (Tetrahedron& t : mesh.tetrahedra) {
-    for (const std::uint32_t corner : t)
-      if (corner >= mesh.points.size()) throw InternalError("TetGen: a corner that does not exist");
-    const auto& p = mesh.points;
-    const int sign = orientation(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
-    if (sign < 0) std::swap(t[2], t[3]);
-    if (sign == 0)
-      throw Unsupported(
-          "TetGen made a flat tetrahedron on this surface; remesh the surface more evenly, or give "
-          "a tetrahedral mesh");
-  }
-}
-
-using Face = std::array<std::uint32_t, 3>;
-
-std::vector<Face> boundary_faces(const TetrahedralMesh& mesh) {
-  std::vector<Face> faces;
-  faces.reserve(4 * mesh.tetrahedra.size());
-  for (const Tetrahedron& t : mesh.tetrahedra)
-    for (std::size_t f = 0; f < 4; ++f) {
-      Face face{t[(f + 1) % 4], t[(f + 2) % 4], t[(f + 3) % 4]};
-      std::sort(face.begin(), face.end());
-      faces.push_back(face);
+  std::optional<TetrahedralMesh> ask(const Attempt& attempt, double max_volume, double seconds) {
+    Shuffled shuffled(points_, holes_, region_.surface.triangles, attempt.shuffle);
+    detail::TetgenQuestion& question = shuffled.question;
+    question.keep_boundary = attempt.keep_boundary;
+    question.max_volume = max_volume;
+    question.memory_limit = options_.memory_limit;
+    question.processor_seconds = static_cast<std::uint64_t>(std::ceil(seconds)) + 1;
+    question.deadline = std::fmin(deadline_, detail::now_in_seconds() + kBusy * seconds);
+    question.stop_requested = options_.stop_requested;
+    detail::TetgenAnswer answer = detail::ask_tetgen(question);
+    if (answer.out_of_memory)
+      throw Unsupported(answer.problem + "; give it more, or a coarser surface");
+    std::string problem = answer.problem;
+    if (answer.mesh) {
+      TetrahedralMesh& mesh = *answer.mesh;
+      shuffled.turn_back(mesh);
+      mesh.points = scaled(std::move(mesh.points), -exponent_);
+      problem = make_positive(mesh) ? detail::boundary_fault(mesh, region_, options_.stop_requested)
+                                    : "TetGen made a flat tetrahedron on this surface";
+      if (problem.empty()) return std::move(answer.mesh);
     }
-  std::sort(faces.begin(), faces.end());
-  std::vector<Face> once;
-  for (std::size_t i = 0, end = 0; i < faces.size(); i = end) {
-    while (end < faces.size() && faces[end] == faces[i]) ++end;
-    if (end - i == 1) once.push_back(faces[i]);
+    if (first_problem_.empty()) first_problem_ = problem;
+    return std::nullopt;
   }
-  return once;
-}
 
-/// Positive tetrahedra whose boundary is the surface, every triangle once, fill the region.
-void require_boundary(const TetrahedralMesh& mesh, const SurfaceMesh& surface) {
-  const bool same_points =
-      mesh.points.size() >= surface.points.size() &&
-      std::equal(surface.points.begin(), surface.points.end(), mesh.points.begin());
-  std::vector<Face> wanted = surface.triangles;
-  for (Face& face : wanted) std::sort(face.begin(), face.end());
-  std::sort(wanted.begin(), wanted.end());
-  if (!same_points || boundary_faces(mesh) != wanted)
-    throw Unsupported(
-        "TetGen did not keep the boundary of this surface; remesh the surface more evenly, or give "
-        "a tetrahedral mesh");
-}
+  void require_time() const {
+    throw_if_stopped(options_.stop_requested);
+    if (detail::now_in_seconds() >= deadline_)
+      throw Unsupported("TetGen was not done after " +
+                        std::to_string(static_cast<long>(options_.time_limit)) +
+                        " s; give it more time, or a coarser surface");
+  }
+
+  const Region& region_;
+  const TetrahedralizeOptions& options_;
+  int exponent_;
+  std::vector<Point> points_, holes_;
+  double deadline_;
+  Attempt attempt_;
+  bool by_planes_ = false;
+  std::string first_problem_;
+};
 
 /// The boundary alone may force more; else the largest volume is corrected a few times.
 template <class Fill>
-TetrahedralMesh fill_with_about(std::size_t aim, double region_volume, const Fill& fill) {
-  TetrahedralMesh best = fill(0.0);
+TetrahedralMesh fill_with_about(TetrahedralMesh best, std::size_t aim, double region_volume,
+                                const Fill& fill) {
   const auto wanted = static_cast<double>(aim);
   const auto distance = [&](const TetrahedralMesh& mesh) {
     return std::fabs(std::log(static_cast<double>(mesh.tetrahedra.size()) / wanted));
@@ -232,27 +282,14 @@ double volume(const Region& region) {
 }
 
 TetrahedralMesh tetrahedralize(const Region& region, const TetrahedralizeOptions& options) {
-  const int exponent = scale_exponent(region.surface.points);
-  const std::vector<Point> points = scaled(region.surface.points, exponent);
-  std::vector<Point> holes;
-  for (std::uint32_t c = 0; c < region.components.size(); ++c)
-    if (c != region.outermost) holes.push_back(point_in_hole(region, c));
-  holes = scaled(std::move(holes), exponent);
-  const double unit = std::ldexp(1.0, exponent);
-  const auto scaled_volume = [&](double max_volume) {  // 0 stays, and nothing else becomes 0
-    const double least = max_volume > 0 ? std::numeric_limits<double>::min() : 0;
-    return std::fmax(max_volume * unit * unit * unit, least);
-  };
-  const auto fill = [&](double max_volume) {
-    return run(region, points, holes, scaled_volume(max_volume), options);
-  };
-  TetrahedralMesh mesh = options.tetrahedra > 0
-                             ? fill_with_about(options.tetrahedra, volume(region), fill)
-                             : fill(options.max_volume);
-  keep_promises(mesh, scaled_volume(options.max_volume), options);
-  mesh.points = scaled(std::move(mesh.points), -exponent);
-  require_positive(mesh);
-  require_boundary(mesh, region.surface);
+  Filler filler(region, options);
+  TetrahedralMesh mesh = filler.fill();
+  if (options.tetrahedra > 0 && filler.can_refine())
+    mesh = fill_with_about(std::move(mesh), options.tetrahedra, volume(region),
+                           [&](double max_volume) { return filler.refined(max_volume); });
+  else if (options.max_volume > 0 && filler.can_refine())
+    mesh = filler.refined(options.max_volume);
+  if (!filler.is_rounded()) keep_promises(mesh, options.max_volume, options);
   return mesh;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/detail/elementary.hpp"
+#include "geometry/edge_frames.hpp"
 
 /// The kernel of one truncated tetrahedron from its Gram matrix, docs/theory.md section 2, written
 /// once for all widths.
@@ -27,18 +28,6 @@ struct UnitDiagonal {
   };
   One operator[](int) const { return {}; }
 };
-
-/// Position of the entry (i, j), i <= j, in the packed upper triangle of a 6 x 6 matrix.
-constexpr int packed_index(int i, int j) { return i * 6 - i * (i - 1) / 2 + (j - i); }
-
-/// The vertices of edge e = ij and of its opposite edge 5 - e = kl.
-struct EdgeFrame {
-  int i, j, k, l;
-};
-inline constexpr EdgeFrame kEdgeFrames[6] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2},
-                                             {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}};
-inline constexpr int kEdgeBetween[4][4] = {
-    {-1, 0, 1, 2}, {0, -1, 3, 4}, {1, 3, -1, 5}, {2, 4, 5, -1}};
 
 /// The products of the cosh, and of the sinh, at the three pairs of opposite edges 01,23; 02,13;
 /// 03,12. Pairs with the same two lengths must have exactly the same products: on triangulations

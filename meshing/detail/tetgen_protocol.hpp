@@ -9,12 +9,13 @@
 namespace tripus::meshing::detail {
 
 struct TetgenRequest {
-  static constexpr std::uint64_t kMark = 0x3173'7570'6972'7431;
+  static constexpr std::uint64_t kMark = 0x3373'7570'6972'7431;
 
   std::uint64_t mark = kMark;
   std::uint64_t memory_limit = 0;       ///< bytes of address space; 0: none
   std::uint64_t processor_seconds = 0;  ///< 0: no limit
   double max_volume = 0;                ///< of a tetrahedron; 0: no points are added for size
+  std::uint64_t keep_boundary = 1;      ///< 0: new points may lie on it
   std::uint64_t points = 0;             ///< 3 doubles each
   std::uint64_t triangles = 0;          ///< 3 std::uint32_t each
   std::uint64_t holes = 0;              ///< a point of 3 doubles in each

@@ -109,16 +109,16 @@ void fill(tetgenio& in, const Surface& surface) {
 }
 
 /// TetGen reports its errors by throwing integers.
-std::uint64_t run(tetgenio& in, tetgenio& out, double max_volume) {
+std::uint64_t run(tetgenio& in, tetgenio& out, const TetgenRequest& request) {
   try {
     tetgenbehavior options;
-    char switches[] = "pYQ";
-    if (!options.parse_commandline(switches))
+    char keeping[] = "pYQ", splitting[] = "pQ";
+    if (!options.parse_commandline(request.keep_boundary != 0 ? keeping : splitting))
       return static_cast<std::uint64_t>(TetgenStatus::kInternal);
-    if (max_volume > 0) {
+    if (request.max_volume > 0) {
       options.quality = 1;
       options.fixedvolume = 1;
-      options.maxvolume = max_volume;
+      options.maxvolume = request.max_volume;
     }
     tetrahedralize(&options, &in, &out);
     return 0;
@@ -140,7 +140,7 @@ bool answer(const TetgenRequest& request) {
   static tetgenio& out = *new tetgenio;
   fill(in, surface);
   TetgenResponse response;
-  response.status = run(in, out, request.max_volume);
+  response.status = run(in, out, request);
   if (response.status != 0) return send_all(&response, sizeof response);
   response.points = static_cast<std::uint64_t>(out.numberofpoints);
   response.tetrahedra = static_cast<std::uint64_t>(out.numberoftetrahedra);

@@ -33,7 +33,7 @@ namespace {
 const double kTurn = std::acos(-1.0 / 3);
 
 /// Two pieces at a node that leave in nearly the same direction are refused: no tube has room.
-constexpr double kSharpest = 1e-3;
+constexpr double kSharpest = 1e-6;
 
 constexpr double kDepthPerRoom = 1.5;
 

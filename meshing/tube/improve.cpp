@@ -3,8 +3,6 @@
 #include <queue>
 #include <tuple>
 
-#include "base/stopped.hpp"
-
 namespace tripus::meshing::tube {
 namespace {
 
@@ -30,10 +28,10 @@ class Coarsener {
       sizes_.push_back(relative_size(region, surface.point(v)));
   }
 
-  void run(std::size_t target, const std::atomic<bool>* stop) {
+  void run(std::size_t target, const Pulse& pulse) {
     for (std::uint32_t v = 0; v < surface_.point_count(); ++v) push_edges(v, true);
     for (std::size_t step = 0; surface_.triangle_count() > target && !queue_.empty(); ++step) {
-      if (step % 1024 == 0) throw_if_stopped(stop);
+      if (step % 1024 == 0) pulse();
       const Candidate c = queue_.top();
       queue_.pop();
       if (!surface_.adjacent(c.u, c.v)) continue;
@@ -87,11 +85,10 @@ Point middle_of_ring(const GuardedSurface& surface, std::uint32_t v) {
 
 }  // namespace
 
-void relax(GuardedSurface& surface, const Region& region, int sweeps,
-           const std::atomic<bool>* stop_requested) {
+void relax(GuardedSurface& surface, const Region& region, int sweeps, const Pulse& pulse) {
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (std::uint32_t v = 0; v < surface.point_count(); ++v) {
-      if (v % 1024 == 0) throw_if_stopped(stop_requested);
+      if (v % 1024 == 0) pulse();
       if (surface.star(v).empty()) continue;
       const Point& here = surface.point(v);
       const Point goal = region.projected(0.5 * (here + middle_of_ring(surface, v)));
@@ -101,8 +98,8 @@ void relax(GuardedSurface& surface, const Region& region, int sweeps,
 }
 
 void coarsen(GuardedSurface& surface, const Region& region, std::size_t target,
-             const std::atomic<bool>* stop_requested) {
-  if (surface.triangle_count() > target) Coarsener(surface, region).run(target, stop_requested);
+             const Pulse& pulse) {
+  if (surface.triangle_count() > target) Coarsener(surface, region).run(target, pulse);
 }
 
 }  // namespace tripus::meshing::tube

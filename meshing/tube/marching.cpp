@@ -13,7 +13,6 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "base/stopped.hpp"
 #include "meshing/tube/detail/edge_vertices.hpp"
 
 namespace tripus::meshing::tube {
@@ -35,9 +34,8 @@ struct LatticePoint {
 
 class Marcher {
  public:
-  Marcher(const Region& region, double cell, std::size_t most_triangles,
-          const std::atomic<bool>* stop)
-      : region_(region), cell_(cell), most_triangles_(most_triangles), stop_(stop) {
+  Marcher(const Region& region, double cell, std::size_t most_triangles, const Pulse& pulse)
+      : region_(region), cell_(cell), most_triangles_(most_triangles), pulse_(pulse) {
     const Bounds bounds = region.bounds();
     double size = 0;
     for (int k = 0; k < 3; ++k) size = std::max(size, bounds.high[k] - bounds.low[k]);
@@ -64,7 +62,7 @@ class Marcher {
 
   /// Goes down to the blocks near the surface. The function changes no faster than the place.
   void visit(const Index& low, std::uint64_t size) {
-    throw_if_stopped(stop_);
+    pulse_();
     const Point center = place({2 * low[0] + size, 2 * low[1] + size, 2 * low[2] + size});
     // The tetrahedra at a block's edges reach half a cell beyond it; fillets go beyond the tube.
     const double reach =
@@ -167,7 +165,7 @@ class Marcher {
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     if (mesh_.triangles.size() >= most_triangles_)
       throw InvalidInput("the surface needs more than " + std::to_string(most_triangles_) +
-                         " triangles; choose fewer, or a larger radius");
+                         " triangles; choose fewer, or a radius nearer to half of the room");
     mesh_.triangles.push_back({a, b, c});
   }
 
@@ -185,7 +183,7 @@ class Marcher {
   const Region& region_;
   double cell_;
   std::size_t most_triangles_;
-  const std::atomic<bool>* stop_;
+  const Pulse& pulse_;
   std::uint64_t cells_ = 0;
   Point origin_{};
   LatticePoint even_[kBlock + 1][kBlock + 1][kBlock + 1];
@@ -197,8 +195,8 @@ class Marcher {
 }  // namespace
 
 SurfaceMesh march(const Region& region, double cell, std::size_t most_triangles,
-                  const std::atomic<bool>* stop_requested) {
-  return Marcher(region, cell, most_triangles, stop_requested).run();
+                  const Pulse& pulse) {
+  return Marcher(region, cell, most_triangles, pulse).run();
 }
 
 }  // namespace tripus::meshing::tube

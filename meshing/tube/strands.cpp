@@ -27,7 +27,10 @@ class StrandMaker {
     if (graph_.edges.empty())
       throw InvalidInput("the spatial graph has no edges; give at least one polyline");
     add_vertices();
-    for (std::size_t e = 0; e < graph_.edges.size(); ++e) add_edge(e);
+    for (std::size_t e = 0; e < graph_.edges.size(); ++e) {
+      drop_repeated_points(e);
+      add_edge(e);
+    }
     for (std::size_t v = 0; v < graph_.vertices.size(); ++v)
       if (result_.nodes[v].segments.empty())
         throw InvalidInput("vertex " + std::to_string(v) + " at " + as_text(graph_.vertices[v]) +
@@ -68,6 +71,23 @@ class StrandMaker {
     return found == vertex_at_.end() ? kNone : found->second;
   }
 
+  /// Points that follow themselves say nothing.
+  void drop_repeated_points(std::size_t edge) {
+    auto& points = graph_.edges[edge];
+    numbers_.clear();
+    std::size_t kept = 0;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      if (kept > 0 && points[p] == points[kept - 1]) continue;
+      points[kept++] = points[p];
+      numbers_.push_back(p);
+    }
+    const bool dropped = kept < points.size();
+    points.resize(kept);
+    if (dropped && kept == 1)
+      throw InvalidInput(edge_name(edge) + " is the point " + as_text(points[0]) +
+                         " alone; leave it out, or draw it longer");
+  }
+
   void check_points(std::size_t edge) const {
     const auto& points = graph_.edges[edge];
     if (points.size() < 2)
@@ -77,15 +97,10 @@ class StrandMaker {
       throw InvalidInput(edge_name(edge) +
                          " ends where it begins; such a loop has 4 points or more, the first "
                          "repeated at the end");
-    for (std::size_t p = 0; p + 1 < points.size(); ++p)
-      if (points[p] == points[p + 1])
-        throw InvalidInput(edge_name(edge) + ": points " + std::to_string(p) + " and " +
-                           std::to_string(p + 1) + " are the same, " + as_text(points[p]) +
-                           "; leave one out");
     for (std::size_t p = 1; p + 1 < points.size(); ++p)
       if (const std::uint32_t v = vertex_of(points[p]); v != kNone)
-        throw InvalidInput(edge_name(edge) + ": point " + std::to_string(p) + " is vertex " +
-                           std::to_string(v) + "; split the edge there");
+        throw InvalidInput(edge_name(edge) + ": point " + std::to_string(numbers_[p]) +
+                           " is vertex " + std::to_string(v) + "; split the edge there");
   }
 
   /// The run of points inside the outer surface, with the loose ends cut off outside.
@@ -106,7 +121,7 @@ class StrandMaker {
       while (outside(run.last)) --run.last;
     for (std::size_t p = run.first; p <= run.last; ++p)
       if (outside(p))
-        throw InvalidInput(edge_name(edge) + ": point " + std::to_string(p) + " at " +
+        throw InvalidInput(edge_name(edge) + ": point " + std::to_string(numbers_[p]) + " at " +
                            as_text(points[p]) +
                            " does not lie inside the outer surface, and the edge comes back from "
                            "there; make that surface larger");
@@ -134,6 +149,7 @@ class StrandMaker {
       const Point deepest = a + 0.5 * (low + high) * (b - a);
       if (outer.value(deepest) >= 0) continue;
       points.insert(points.begin() + std::ptrdiff_t(p) + 1, deepest);
+      numbers_.insert(numbers_.begin() + std::ptrdiff_t(p) + 1, numbers_[p]);
       return;
     }
   }
@@ -192,7 +208,7 @@ class StrandMaker {
     std::uint32_t previous = from;
     for (std::size_t p = run.first + 1; p <= run.last; ++p) {
       const std::uint32_t next = p == run.last ? to : add_node(points[p], NodeKind::kInside);
-      add_segment(previous, next, edge, p - 1);
+      add_segment(previous, next, edge, numbers_[p - 1]);
       previous = next;
     }
   }
@@ -200,6 +216,7 @@ class StrandMaker {
   SpatialGraph graph_;
   Strands result_;
   std::map<Point, std::uint32_t> vertex_at_;
+  std::vector<std::size_t> numbers_;  ///< of the points of the edge at hand, in the drawing
 };
 
 }  // namespace

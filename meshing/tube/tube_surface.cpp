@@ -14,6 +14,9 @@
 // cleft. If the sample's genus is wrong, the next ones are of the region with fillets (Region), as
 // large as the lattice resolves. They lie where -kFilletHeight * kFilletCells * h <= F <= 0; the
 // cells are chosen so that the levels down to there less h are regular too.
+//
+// All this is for round tubes of one radius. Without wishes the surface is made of pipes
+// (pipe_plan.hpp, pipe_surface.cpp), which needs no sample and no room that is the same everywhere.
 #include "meshing/tube/tube_surface.hpp"
 
 #include <cmath>
@@ -25,6 +28,7 @@
 #include "meshing/tube/detail/components.hpp"
 #include "meshing/tube/detail/improve.hpp"
 #include "meshing/tube/detail/marching.hpp"
+#include "meshing/tube/detail/pipe_surface.hpp"
 #include "meshing/tube/detail/text.hpp"
 
 namespace tripus::meshing {
@@ -58,6 +62,13 @@ constexpr double kTrianglesPerCell = 6;
 /// Sampled triangles for each one wanted, so that coarsening can even them out.
 constexpr double kSpareTriangles = 2;
 
+/// An icosahedron holds a ball of 0.79 of its size.
+constexpr double kWideSphere = 1.5;
+
+/// Less room than this part of the whole is rounding of the coordinates.
+constexpr double kLeastRoom = 1e-12;
+
+constexpr double kUsualEdgesAround = 10;
 constexpr std::size_t kMostTriangles = std::size_t{1} << 23;
 constexpr double kMostCellsAlongAxis = 1 << 18;
 constexpr int kSweepsBefore = 1, kSweepsAfter = 4;
@@ -108,15 +119,25 @@ void check_sizes(const SpatialGraph& graph) {
                        as_text(largest) + "; move it to the origin");
 }
 
-void require_room(const Clearance& clearance) {
-  if (!(clearance.room > 0))
-    throw InvalidInput("there is no room for a tube: " + clearance.place + "; draw them apart");
+void require_room(const Clearance& clearance, const Strands& strands) {
+  Bounds bounds = strands.outer.exists() ? strands.outer.bounds() : Bounds{};
+  for (const Segment& s : strands.segments)
+    if (!s.beyond) {
+      bounds.add(s.a);
+      bounds.add(s.b);
+    }
+  if (!(clearance.room > kLeastRoom * bounds.diagonal()))
+    throw InvalidInput("there is no room for a tube: " + clearance.place +
+                       (clearance.room > 0 ? ", too thin for the size of the whole" : "") +
+                       "; draw them apart");
 }
 
-/// A sphere that leaves the graph's own room around it, and as much again.
-OuterSurface automatic_outer(const SpatialGraph& graph) {
-  const Clearance clearance = find_clearance(make_strands(graph, OuterSurface{}));
-  require_room(clearance);
+/// A sphere that leaves the graph's own room around it, and as much again; `wide`: so much that an
+/// icosahedron in it has room, unless a loose end would become longer by that.
+OuterSurface automatic_outer(const SpatialGraph& graph, bool wide) {
+  const Strands strands = make_strands(graph, OuterSurface{});
+  const Clearance clearance = find_clearance(strands);
+  require_room(clearance, strands);
   Bounds bounds;
   for (const auto& edge : graph.edges)
     for (const Point& p : edge) bounds.add(p);
@@ -124,16 +145,18 @@ OuterSurface automatic_outer(const SpatialGraph& graph) {
   double farthest = 0;
   for (const auto& edge : graph.edges)
     for (const Point& p : edge) farthest = std::max(farthest, distance(p, center));
+  if (wide && strands.loose_inside.empty())
+    return OuterSurface(OuterSphere{center, kWideSphere * farthest});
   return OuterSurface(OuterSphere{center, farthest + 2 * std::min(clearance.room, farthest)});
 }
 
-Strands cut_at_outer(const SpatialGraph& graph) {
+Strands cut_at_outer(const SpatialGraph& graph, bool wide) {
   if (const auto* sphere = std::get_if<OuterSphere>(&graph.outer))
     return make_strands(graph, OuterSurface(*sphere));
   if (const auto* box = std::get_if<OuterBox>(&graph.outer))
     return make_strands(graph, OuterSurface(*box));
   if (std::holds_alternative<AutomaticOuter>(graph.outer))
-    return make_strands(graph, automatic_outer(graph));
+    return make_strands(graph, automatic_outer(graph, wide));
   Strands strands = make_strands(graph, OuterSurface{});
   if (!strands.loose_inside.empty())
     throw InvalidInput("edge " + std::to_string(strands.loose_inside.front()) +
@@ -144,7 +167,6 @@ Strands cut_at_outer(const SpatialGraph& graph) {
 
 double choose_radius(const Clearance& clearance, const TubeOptions& options) {
   const double most = kMostOfRoom * clearance.room;
-  require_room(clearance);
   if (!options.radius) return kUsualPartOfRoom * clearance.room;
   if (!(*options.radius > 0) || !std::isfinite(*options.radius))
     throw InvalidInput("the radius of the tube must be a finite number greater than 0");
@@ -169,41 +191,82 @@ double outer_area(const Strands& strands) {
   return strands.outer.is_sphere() ? std::numbers::pi / 6 * box : box;
 }
 
+/// What else to try where one radius asks for too many triangles.
+std::string advice_on_radius(const TubeOptions& options, double radius, double room) {
+  const double half = kUsualPartOfRoom * room;
+  if (!options.radius || radius == half) return "";
+  return std::string("give a ") + (radius > half ? "smaller" : "larger") + " radius, near " +
+         as_text(half) + ", or none; ";
+}
+
 /// Refuses tubes that are too thin for the size of the whole, before any memory is taken.
 void require_feasible(const Strands& strands, const Clearance& clearance, const Region& region,
-                      double area, double cell) {
+                      double area, double cell, const std::string& advice) {
   const Point size = region.bounds().high - region.bounds().low;
   const double most = std::max({size[0], size[1], size[2]});
   if (most > kMostCellsAlongAxis * cell ||
       kTrianglesPerCell * area > double(kMostTriangles) * cell * cell)
     throw InvalidInput(
-        "the tube is too thin for the size of the whole: its surface needs triangles "
-        "of size " +
-        as_text(cell) + " where all is " + as_text(most) + " large; give a larger radius" +
-        (strands.outer.exists() ? " or a closer outer surface" : "") +
-        ", or draw the graph with more room (" + clearance.place + ")");
+        std::string(region.radius() > kUsualPartOfRoom * clearance.room
+                        ? "what a tube of this radius leaves free"
+                        : "the tube") +
+        " is too thin for the size of the whole: the surface needs triangles of size " +
+        as_text(cell) + " where all is " + as_text(most) + " large; " + advice +
+        (strands.outer.exists() ? "give a closer outer surface, or " : "") +
+        "draw the graph with more room (" + clearance.place + ")");
+}
+
+double edges_around(const TubeOptions& options) {
+  const double edges = options.edges_around.value_or(kUsualEdgesAround);
+  if (!(edges >= 3) || !(edges <= 10'000))
+    throw InvalidInput("there must be 3 to 10000 edges around the tube, not " + as_text(edges));
+  return edges;
 }
 
 /// Edges around the tube decide the length of an edge on it; the outer surface has longer ones.
 std::size_t usual_triangles(const Strands& strands, double radius, double edges_around) {
-  if (!(edges_around >= 3) || !(edges_around <= 10'000))
-    throw InvalidInput("there must be 3 to 10000 edges around the tube, not " +
-                       as_text(edges_around));
   const double edge = 2 * std::numbers::pi * radius / edges_around;
   const double triangle = std::sqrt(3.0) / 4 * edge * edge;
   const double count = (tube_area(strands, radius) + outer_area(strands) / 4) / triangle;
   return std::size_t(std::min(count, double(kMostTriangles)));
 }
 
-void check(const Tube& tube, const std::atomic<bool>* stop) {
-  const auto wrong = [](const std::string& what) {
-    throw InternalError("the tube's surface " + what + "; please report this graph");
-  };
+/// Tells what is going on now, and again as often as it is called.
+Pulse start(const TubeOptions& options, const std::string& activity) {
+  Pulse pulse(options.stop_requested, [&options, activity] {
+    if (options.progress) options.progress(activity);
+  });
+  pulse();
+  return pulse;
+}
+
+/// What is wrong with a surface, if anything; exact.
+std::string fault_of(const Tube& tube, const std::atomic<bool>* stop) {
   if (euler_characteristics(tube.surface) != tube.euler_characteristics)
-    wrong("does not have the components and genera that the graph has");
+    return "does not have the components and genera that the graph has";
   if (const auto pair = first_self_intersection(tube.surface, stop))
-    wrong("crosses itself in triangles " + std::to_string((*pair)[0]) + " and " +
-          std::to_string((*pair)[1]));
+    return "crosses itself in triangles " + std::to_string((*pair)[0]) + " and " +
+           std::to_string((*pair)[1]);
+  return "";
+}
+
+/// Says no if rounding spoils the pipes.
+bool make_pipes(const Strands& strands, const TubeOptions& options, Tube& tube) {
+  start(options, "laying " + std::to_string(strands.segments.size()) + " pipes");
+  const PipePlan plan = plan_pipes(strands);
+  std::optional<SurfaceMesh> surface = pipe_surface(plan);
+  if (!surface) return false;
+  tube.surface = *std::move(surface);
+  start(options, "checking " + std::to_string(tube.surface.triangles.size()) + " triangles");
+  if (!fault_of(tube, options.stop_requested).empty()) return false;
+  tube.radius = HUGE_VAL;
+  tube.thickest = 0;
+  for (const Pipe& pipe : plan.pipes)
+    for (const double radius : {pipe.radius_a, pipe.radius_b}) {
+      tube.radius = std::min(tube.radius, radius);
+      tube.thickest = std::max(tube.thickest, radius);
+    }
+  return true;
 }
 
 /// Makes the surface of the tube of radius tube.radius; says no if no sample has the graph's
@@ -212,7 +275,7 @@ bool make_surface(const Strands& strands, const Clearance& clearance, const Tube
                   Tube& tube) {
   const std::size_t wanted = options.triangles
                                  ? *options.triangles
-                                 : usual_triangles(strands, tube.radius, options.edges_around);
+                                 : usual_triangles(strands, tube.radius, edges_around(options));
   const double depth = kLargestCell * std::min(tube.radius, tube.room - tube.radius);
   const double area = tube_area(strands, tube.radius) + outer_area(strands);
   double cell =
@@ -223,15 +286,26 @@ bool make_surface(const Strands& strands, const Clearance& clearance, const Tube
       cell = std::min(cell, kLargestCell * (tube.room - tube.radius) /
                                 (1 + Region::kFilletHeight * kFilletCells));
     const Region region(strands, tube.radius, depth, plain ? 0 : kFilletCells * cell);
-    require_feasible(strands, clearance, region, area, cell);
-    SurfaceMesh sampled = march(region, cell, kMostTriangles, options.stop_requested);
+    require_feasible(strands, clearance, region, area, cell,
+                     advice_on_radius(options, tube.radius, tube.room));
+    SurfaceMesh sampled = march(
+        region, cell, kMostTriangles,
+        start(options,
+              "sampling in cells of " + as_text(cell) + ", so small because " +
+                  (cell < kNextCell * depth ? "so many triangles are wanted" : clearance.place)));
     if (euler_characteristics(sampled) != tube.euler_characteristics) continue;
+    const Pulse pulse = start(options, "from " + std::to_string(sampled.triangles.size()) +
+                                           " sampled triangles to " + std::to_string(wanted));
     GuardedSurface surface(std::move(sampled));
-    relax(surface, region, kSweepsBefore, options.stop_requested);
-    coarsen(surface, region, wanted, options.stop_requested);
-    relax(surface, region, kSweepsAfter, options.stop_requested);
+    relax(surface, region, kSweepsBefore, pulse);
+    coarsen(surface, region, wanted, pulse);
+    relax(surface, region, kSweepsAfter, pulse);
     tube.surface = surface.mesh();
-    check(tube, options.stop_requested);
+    start(options, "checking " + std::to_string(tube.surface.triangles.size()) + " triangles");
+    if (const std::string fault = fault_of(tube, options.stop_requested); !fault.empty())
+      throw InternalError("the tube's surface " + fault + "; please report this graph");
+    tube.thickest = tube.radius;
+    tube.sampled = true;
     return true;
   }
   return false;
@@ -241,13 +315,18 @@ bool make_surface(const Strands& strands, const Clearance& clearance, const Tube
 
 Tube make_tube(const SpatialGraph& graph, const TubeOptions& options) {
   check_sizes(graph);
-  const Strands strands = cut_at_outer(graph);
+  edges_around(options);
+  start(options, "measuring the room between " + std::to_string(graph.edges.size()) + " edges");
+  const bool round = options.radius || options.triangles || options.edges_around;
+  const Strands strands = cut_at_outer(graph, !round);
   const Clearance clearance = find_clearance(strands);
+  require_room(clearance, strands);
   Tube tube;
   tube.radius = choose_radius(clearance, options);
   tube.room = clearance.room;
   tube.room_place = clearance.place;
   tube.euler_characteristics = strands.expected().euler_characteristics;
+  if (!round && make_pipes(strands, options, tube)) return tube;
   const int radii = options.radius ? 1 : kMostRadii;
   for (int attempt = 0; attempt < radii; ++attempt, tube.radius *= kNextRadius)
     if (make_surface(strands, clearance, options, tube)) return tube;

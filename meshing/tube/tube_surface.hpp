@@ -2,7 +2,10 @@
 
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "meshing/surface_mesh.hpp"
@@ -10,19 +13,25 @@
 
 namespace tripus::meshing {
 
+/// Without the first three: straight pipes of few triangles, each as thick as its own surroundings
+/// leave room for. With one of them: a round tube of one radius, sampled.
 struct TubeOptions {
-  std::optional<double> radius = {};  ///< of the tube; without: half of what the strands leave
-  std::optional<std::size_t> triangles = {};          ///< about so many; without: by `edges_around`
-  double edges_around = 10;                           ///< triangle edges around the tube
+  std::optional<double> radius = {};          ///< of the tube; else half of what the strands leave
+  std::optional<std::size_t> triangles = {};  ///< about so many; else by `edges_around`
+  std::optional<double> edges_around = {};    ///< triangle edges around the tube; else 10
+  /// Called at the start of each step with what is going on, and why it may take long.
+  std::function<void(std::string_view activity)> progress = {};
   const std::atomic<bool>* stop_requested = nullptr;  ///< throws Stopped when set
 };
 
 /// A tube's surface and what was found on the way.
 struct Tube {
-  SurfaceMesh surface;  ///< triangles face out of the piece of space that they bound
-  double radius = 0;
-  double room = 0;                          ///< radii below this keep the tube's shape
-  std::string room_place;                   ///< what limits them
+  SurfaceMesh surface;     ///< triangles face out of the piece of space that they bound
+  bool sampled = false;    ///< whether it is the round one
+  double radius = 0;       ///< of the tube; of its thinnest pipe
+  double thickest = 0;     ///< of the tube; of its thickest pipe
+  double room = 0;         ///< one radius below this keeps the tube's shape
+  std::string room_place;  ///< what limits them
   std::vector<long> euler_characteristics;  ///< of the components, sorted
 };
 

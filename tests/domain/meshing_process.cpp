@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/stopped.hpp"
 #include "meshing/tetrahedralize.hpp"
+#include "meshing/validate_tetrahedra.hpp"
 #include "tests/support/sample_surfaces.hpp"
 
 // The mesher's process in bad company: scripts that stand for a TetGen that crashes, hangs, babbles
@@ -56,14 +57,31 @@ std::string message_of(const TetrahedralizeOptions& options = {}) {
   return "";
 }
 
+/// So little that there is no way but TetGen's.
+TetrahedralizeOptions little_memory() {
+  TetrahedralizeOptions options;
+  options.memory_limit = 1 << 10;
+  return options;
+}
+
 TEST(MeshingProcess, Crashes) {
   const FalseTetgen tetgen("kill -SEGV $$");
-  EXPECT_NE(message_of<Unsupported>().find("was ended by signal 11"), std::string::npos);
+  EXPECT_NE(message_of<Unsupported>(little_memory()).find("was ended by signal 11"),
+            std::string::npos);
 }
 
 TEST(MeshingProcess, EndsEarly) {
   const FalseTetgen tetgen("exit 7");
-  EXPECT_NE(message_of<Unsupported>().find("ended with status 7"), std::string::npos);
+  EXPECT_NE(message_of<Unsupported>(little_memory()).find("ended with status 7"),
+            std::string::npos);
+}
+
+TEST(MeshingProcess, IsNotNeeded) {
+  for (const char* failure : {"kill -SEGV $$", "exit 7", "echo babble"}) {
+    const FalseTetgen tetgen(failure);
+    const Solid solid = require_valid(tetrahedralize(region()));
+    EXPECT_EQ(solid.boundary_genera, std::vector<int>{0}) << failure;
+  }
 }
 
 TEST(MeshingProcess, Hangs) {

@@ -68,5 +68,46 @@ TEST(TubeFamily, TiltedKnotsKeepTheirShape) {
   }
 }
 
+/// The same laws for pipes, on many more.
+TEST(PipesFamily, RandomLatticeGraphsHaveTheirOwnGenera) {
+  std::mt19937_64 random(20261129);
+  for (int trial = 0; trial < 200; ++trial) {
+    const double density = 0.1 + 0.1 * (trial % 8);
+    const auto lattice =
+        testing::random_lattice_graph(2 + trial % 3, density, trial % 4 > 1, random);
+    if (lattice.graph.edges.empty()) continue;
+    const Tube tube = make_tube(lattice.graph);
+    EXPECT_FALSE(tube.sampled) << trial;
+    EXPECT_EQ(testing::counted_characteristics(tube.surface), lattice.euler_characteristics)
+        << trial;
+    EXPECT_FALSE(first_self_intersection(tube.surface)) << trial;
+    EXPECT_GT(testing::enclosed_volume(tube.surface), 0) << trial;
+  }
+}
+
+/// Edges that part at any angle and pass each other at any distance.
+TEST(PipesFamily, RandomGraphsInStraightLinesHaveTheirOwnGenera) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int trial = 0; trial < 200; ++trial) {
+    SpatialGraph graph;
+    const std::size_t count = 4 + std::size_t(trial) % 8;
+    for (std::size_t v = 0; v < count; ++v) {
+      graph.vertices.push_back({number(random), number(random), number(random)});
+      for (std::size_t w = v < 2 ? 0 : v - 2; w < v; ++w)
+        graph.edges.push_back({graph.vertices[w], graph.vertices[v]});
+    }
+    if (trial % 3 == 0) graph.outer = NoOuter{};
+    if (trial % 3 == 1) graph.outer = OuterSphere{{0, 0, 0}, 1.8};
+    const Tube tube = make_tube(graph);
+    const long inside = 2 * (long(count) - long(graph.edges.size()));
+    const auto counted = testing::counted_characteristics(tube.surface);
+    EXPECT_EQ(counted, trial % 3 == 0 ? std::vector<long>{inside} : (std::vector<long>{inside, 2}))
+        << trial;
+    EXPECT_FALSE(tube.sampled) << trial;
+    EXPECT_FALSE(first_self_intersection(tube.surface)) << trial;
+  }
+}
+
 }  // namespace
 }  // namespace tripus::meshing

@@ -9,7 +9,7 @@ The laws:
   root        quoted includes are written from the root: "topology/triangulation.hpp"
   detail      headers in detail/ are included by their own module's sources and detail/ only
   link        tripus_add_module links what the files include, and nothing that the table forbids
-  hidden      public headers (not in detail/) do not include Ceres, Boost, SuiteSparse or GLPK
+  hidden      public headers (not in detail/) do not include Ceres, Boost, SuiteSparse, GLPK or Arb
   silent      no module but cli ends the process or writes to the standard streams
   listed      every module is in the table, and CMakeLists.txt adds them in its order
 """
@@ -28,10 +28,11 @@ USES = {
     "integrators": ["solver"],
     "energies": ["topology", "geometry", "solver"],
     "structure": ["energies", "solver", "integrators"],
-    "canonical": ["structure"],
+    "orthospectrum": ["topology", "geometry"],
+    "canonical": ["structure", "orthospectrum"],
     "meshing": ["topology"],
     "embedding": ["structure"],
-    "manifold": ["canonical", "meshing", "embedding"],
+    "manifold": ["canonical", "orthospectrum", "meshing", "embedding"],
     "viewer": ["embedding"],
     "studies": ["structure", "canonical"],
     "cli": ["manifold", "viewer", "studies"],
@@ -39,7 +40,7 @@ USES = {
 
 HIDDEN = re.compile(
     r"^(ceres/|boost/|suitesparse/|SuiteSparse|cholmod|umfpack|klu|spqr|amd|camd|colamd|ccolamd|glpk"
-    r"|GL/|EGL/|GLFW/|opencsg\.h|stb/)"
+    r"|GL/|EGL/|GLFW/|opencsg\.h|stb/|flint/|(?:arb|acb|arf|mag)(?:_\w+)?\.h)"
 )
 FORBIDDEN_CALLS = re.compile(
     r"\b(?:exit|_exit|_Exit|quick_exit|abort|printf|fprintf|vprintf|vfprintf|puts|fputs|"
@@ -197,6 +198,7 @@ BAD = [  # law, file, content that breaks it
     ("hidden", "topology/a.hpp", "#include <ceres/ceres.h>\n"),
     ("hidden", "topology/a.hpp", "#  include <boost/graph/adjacency_list.hpp>\n"),
     ("hidden", "solver/s.hpp", "#include <suitesparse/cholmod.h>\n"),
+    ("hidden", "solver/s.hpp", "#include <arb_mat.h>\n"),
     ("silent", "topology/a.cpp", "void f() { exit(1); }\n"),
     ("silent", "topology/a.cpp", "void f() { std::abort (); }\n"),
     ("silent", "topology/a.hpp", 'inline void f() { printf("x"); }\n'),

@@ -14,6 +14,7 @@ TABLES = {
     "triangulations": ["triangulations.csv"],
     "convergence": ["runs.csv", "iterations.csv", "theory.csv", "laws.csv"],
     "paper": ["triangulations.csv", "manifolds.csv", "same_volume.csv"],
+    "valence": ["valence.csv", "counts.csv"],
 }
 
 
@@ -121,7 +122,7 @@ class Study(ProgramTest):
 
     def test_refuses_what_it_cannot_study(self):
         self.assert_refused("study", "weather", "-o", "out",
-                            says="the studies are convergence, stability, paper, triangulations")
+                            says="the studies are convergence, stability, paper, triangulations, valence")
         self.assert_refused("study", "paper", "no such file", "-o", "out", says="no such file")
         self.assert_refused("study", "stability", "cPcbbbiht", "-o", "out", says="cPcbbbiht")
         self.assert_refused("study", "convergence", TRIPUS, "--methods", "guess", "-o", "out",

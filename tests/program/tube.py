@@ -38,8 +38,8 @@ class Tube(ProgramTest):
         self.assertEqual(run.status, 0, run.err)
         answer = read_json(run.text)
         self.assertEqual(list(answer), ["tripus", "input", "output", "triangle_count",
-                                        "point_count", "genera", "radius", "largest_radius",
-                                        "limited_by"])
+                                        "point_count", "genera", "radius", "thickest_radius",
+                                        "largest_radius", "limited_by"])
         self.assertEqual(answer["genera"], [3])
         self.assertEqual((answer["point_count"], answer["triangle_count"]),
                          off_counts((self.folder / "f.off").read_text()))
@@ -108,6 +108,43 @@ class TubeErrors(ProgramTest):
             run = self.fails("g.json", "-o", "a.off", says='"g.json": ')
             self.assertIn(says, run.err)
             self.assertNotIn("exception", run.err)
+
+
+DRAWINGS = DATA.parent / "tests" / "drawings"
+
+
+class Pipes(ProgramTest):
+    """Without wishes: few triangles, and the same manifolds."""
+
+    def tube(self, path, *options):
+        run = self.run_program("tube", str(path), "-o", "p.off", "--json", *options)
+        self.assertEqual(run.status, 0, run.err)
+        return read_json(run.text)
+
+    def test_are_few(self):
+        for path in sorted(GRAPHS.glob("*.json")) + sorted(DRAWINGS.glob("*.json")):
+            answer = self.tube(path)
+            self.assertLess(answer["triangle_count"], 700, path)
+            self.assertLess(answer["radius"], answer["thickest_radius"], path)
+
+    def test_have_the_metric_of_the_drawing(self):
+        for path in (GRAPHS / "knotted-y.json", GRAPHS / "knotted-theta.json",
+                     DRAWINGS / "repeated-point.json"):
+            self.tube(path)
+            answer = read_json(self.run_program("solve", "p.off", "--json").text)
+            self.assertEqual(answer["isosig"], "cPcbbbihq", path)
+            self.assertAlmostEqual(answer["volume"], TRIPUS_VOLUME, delta=1e-12)
+
+    def test_are_thin_where_the_drawing_is_fine_and_nowhere_else(self):
+        answer = self.tube(DRAWINGS / "kinoshita-local-trefoil.json")
+        self.assertEqual(answer["genera"], [2, 0])
+        self.assertLess(answer["radius"], 0.5)
+        self.assertGreater(answer["thickest_radius"], 4)
+
+    def test_of_two_wishes_the_round_tube_has_one_radius(self):
+        answer = self.tube(GRAPHS / "unknotted-theta.json", "--radius", "0.3", "--triangles", "1000")
+        self.assertEqual(answer["radius"], 0.3)
+        self.assertEqual(answer["thickest_radius"], 0.3)
 
 
 class TubeToMetric(ProgramTest):

@@ -1,21 +1,19 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 
 #include "meshing/tube/detail/guarded_surface.hpp"
+#include "meshing/tube/detail/pulse.hpp"
 #include "meshing/tube/detail/region.hpp"
 
 namespace tripus::meshing::tube {
 
 /// Evens the surface out: every vertex goes towards the middle of its neighbours and onto the
 /// region's boundary, as far as that is an isotopy.
-void relax(GuardedSurface& surface, const Region& region, int sweeps,
-           const std::atomic<bool>* stop_requested);
+void relax(GuardedSurface& surface, const Region& region, int sweeps, const Pulse& pulse);
 
 /// Collapses edges, shortest first, until at most `target` triangles are left or none can be
 /// collapsed. Away from the tube longer edges count as short ones.
-void coarsen(GuardedSurface& surface, const Region& region, std::size_t target,
-             const std::atomic<bool>* stop_requested);
+void coarsen(GuardedSurface& surface, const Region& region, std::size_t target, const Pulse& pulse);
 
 }  // namespace tripus::meshing::tube

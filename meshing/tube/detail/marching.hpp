@@ -1,9 +1,9 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 
 #include "meshing/surface_mesh.hpp"
+#include "meshing/tube/detail/pulse.hpp"
 #include "meshing/tube/detail/region.hpp"
 
 namespace tripus::meshing::tube {
@@ -15,6 +15,6 @@ namespace tripus::meshing::tube {
 /// The region must be less than 2^18 cells large. Throws InvalidInput if the surface has more than
 /// `most_triangles`, and Stopped.
 SurfaceMesh march(const Region& region, double cell, std::size_t most_triangles,
-                  const std::atomic<bool>* stop_requested);
+                  const Pulse& pulse);
 
 }  // namespace tripus::meshing::tube

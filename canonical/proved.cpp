@@ -1,0 +1,76 @@
+#include "canonical/proved.hpp"
+
+#include <fmt/format.h>
+
+#include "structure/proof/tilt_signs.hpp"
+
+namespace tripus::canonical {
+namespace {
+
+using structure::ProvedSign;
+
+constexpr std::size_t kFacesNamed = 8;
+
+std::string named(const std::vector<FaceOfTetrahedron>& faces) {
+  std::string text;
+  for (std::size_t k = 0; k < faces.size() && k < kFacesNamed; ++k)
+    text += fmt::format("{}{} of tetrahedron {}", k == 0 ? "" : ", ", faces[k].face,
+                        faces[k].tetrahedron);
+  if (faces.size() > kFacesNamed) text += fmt::format(", and {} more", faces.size() - kFacesNamed);
+  return text;
+}
+
+}  // namespace
+
+CanonicalProof prove_canonical(const CanonicalManifold& manifold, const Context& context) {
+  CanonicalProof result;
+  result.metric =
+      structure::prove(manifold.triangulation, manifold.report.edge_lengths, {}, context);
+  if (!result.metric.proved) {
+    result.reason = result.metric.reason;
+    return result;
+  }
+  const auto signs = structure::tilt_signs(manifold.triangulation, result.metric, context);
+  const topology::Gluings& gluings = manifold.triangulation.gluings();
+  for (std::size_t t = 0; t < signs.size(); ++t)
+    for (int f = 0; f < 4; ++f) {
+      const std::size_t other = gluings.neighbour(t, f);
+      const bool once = other > t || (other == t && gluings.gluing(t, f)(f) > f);
+      if (once && signs[t][static_cast<std::size_t>(f)] != ProvedSign::kNegative)
+        result.unproved.push_back({t, f});
+    }
+  result.proved = result.unproved.empty();
+  if (!result.proved)
+    result.reason =
+        fmt::format("the tilt sum is not proved to be negative at {} {}",
+                    result.unproved.size() == 1 ? "face" : "faces", named(result.unproved));
+  return result;
+}
+
+ComparisonProof prove_comparison(const Comparison& comparison, const Context& context) {
+  const std::string& by = comparison.decided_by;
+  if (comparison.verdict == Verdict::kUnresolved) return {false, "", "nothing was decided"};
+  if (by == "boundary" || by == "orientability" || by == "homology") return {true, "integers", ""};
+  if (by == "triangulation") return {true, by, ""};
+  if (!comparison.first || !comparison.second)
+    return {false, "", "it was decided by " + by + ", which is not proved"};
+  const CanonicalProof a = prove_canonical(*comparison.first, context);
+  const CanonicalProof b = prove_canonical(*comparison.second, context);
+  if (!a.metric.proved || !b.metric.proved)
+    return {false, "", a.metric.proved ? b.reason : a.reason};
+  if (comparison.verdict == Verdict::kDifferent && (a.metric.volume.upper < b.metric.volume.lower ||
+                                                    b.metric.volume.upper < a.metric.volume.lower))
+    return {true, "volume", ""};
+  if (by == "decomposition" && a.proved && b.proved) return {true, by, ""};
+  return {false, "",
+          fmt::format("the canonical decomposition of the {} is not proved: {}",
+                      a.proved ? "second" : "first", a.proved ? b.reason : a.reason)};
+}
+
+std::string proof_message(const CanonicalProof& proof) {
+  return proof.proved ? "Proved: every face is one of the canonical decomposition, and the metric "
+                        "is there."
+                      : "Not proved: " + proof.reason + ".";
+}
+
+}  // namespace tripus::canonical

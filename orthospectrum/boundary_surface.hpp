@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "orthospectrum/spectrum.hpp"
+
+namespace tripus::orthospectrum {
+
+/// Isometries of the hyperbolic plane x^2 + y^2 - z^2 = -1, z > 0.
+using Matrix3 = Eigen::Matrix3d;
+using Vector3 = Eigen::Vector3d;
+
+/// A copy of a tile in the universal cover of its boundary component.
+struct DevelopedTile {
+  Tile tile;
+  Matrix3 isometry;   ///< from the frame of the tile to that of the picture
+  bool first = true;  ///< whether it is the first copy: these are a fundamental domain
+};
+
+/// The boundary as a surface that truncation triangles tile.
+class BoundarySurface {
+ public:
+  /// Throws InvalidInput as `orthospectrum` does.
+  BoundarySurface(const topology::Triangulation& triangulation,
+                  std::span<const double> edge_lengths);
+
+  /// Corner k of a tile, k = 0, 1, 2, in its own frame, where edge `corner_vertex(tile, k)` ends.
+  Vector3 corner(Tile tile, std::size_t k) const { return corners_[index(tile)].col(column(k)); }
+  /// The other end of the edge of the tetrahedron at this corner.
+  int corner_vertex(Tile tile, std::size_t k) const { return vertices_[index(tile)][k]; }
+
+  /// Develops the component of a tile around it, nearest tiles first, until no tile with its middle
+  /// within the distance `radius` is left and each tile of the component has been there, or
+  /// `most_tiles` are there (then some copies are left out, but no tile).
+  std::vector<DevelopedTile> develop(Tile from, double radius, std::size_t most_tiles) const;
+
+ private:
+  struct Side {
+    Tile across;
+    Matrix3 isometry;  // from the frame of `across` to that of the tile
+  };
+  static std::size_t index(Tile tile) { return 4 * std::size_t{tile.tetrahedron} + tile.vertex; }
+  static Eigen::Index column(std::size_t k) { return static_cast<Eigen::Index>(k); }
+
+  std::vector<Matrix3> corners_;                       // [tiles] columns: the corners
+  std::vector<std::array<std::uint8_t, 3>> vertices_;  // [tiles]
+  std::vector<std::array<Side, 3>> sides_;             // [tiles] side k is opposite to corner k
+};
+
+}  // namespace tripus::orthospectrum

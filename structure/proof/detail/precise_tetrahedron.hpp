@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "geometry/truncated_tetrahedron.hpp"
+#include "structure/proof/detail/arb_number.hpp"
+
+/// What geometry/enclosure.hpp finds in doubles, at the thread's precision in Arb.
+namespace tripus::structure::detail {
+
+struct PreciseTetrahedron {
+  std::array<Arb, 6> angles;
+  Arb volume;
+};
+
+/// Dihedral angles at l, and the volume if wanted; nothing unless -det G is proved > 0.
+std::optional<PreciseTetrahedron> precise_tetrahedron(const std::array<Arb, 6>& l,
+                                                      bool with_volume);
+
+/// The Jacobian of theory (17) to (19), packed [21]; nothing unless -det G is proved > 0.
+std::optional<std::array<Arb, 21>> precise_jacobian(const std::array<Arb, 6>& l);
+
+/// Weights w > 0 with J >= diag(w) over the box `l` of positive lengths; nothing where the
+/// precision does not prove it. Source: docs/theory.md section 9.
+std::optional<std::array<double, 6>> precise_weights(const std::array<Arb, 6>& l);
+
+/// How a box of positive lengths is flat, if -det G is proved < 0 on it: every member then has the
+/// angle pi at the same pair of opposite edges. Source: docs/theory.md (15).
+std::optional<geometry::TetrahedronKind> proved_flat(const std::array<Arb, 6>& l);
+
+}  // namespace tripus::structure::detail

@@ -1,0 +1,175 @@
+#include "structure/proof/proof_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+
+namespace tripus::structure {
+namespace {
+
+using nlohmann::json;
+
+/// A decimal number that is larger by at least half a percent: radii need no more digits.
+std::string rounded_up(double value) { return fmt::format("{:.2e}", value * 1.01); }
+
+/// Two units in the last place outwards, where 17 digits are off by less than one.
+std::string outwards(double value, double direction) {
+  return fmt::format("{:.17g}", std::nextafter(std::nextafter(value, direction), direction));
+}
+
+std::string interval_json(const DecimalInterval& interval) {
+  return fmt::format("[\"{}\", \"{}\"]", interval.lower, interval.upper);
+}
+
+template <class Items, class ToText>
+std::string list_json(const Items& items, ToText to_text) {
+  std::string text = "[";
+  for (const auto& item : items) {
+    if (text.size() > 1) text += ", ";
+    text += to_text(item);
+  }
+  return text + "]";
+}
+
+[[noreturn]] void refuse(const std::string& place, std::string_view expected) {
+  throw InvalidInput(fmt::format("proof: {}: expected {}", place, expected));
+}
+
+const json& member(const json& object, const char* name, std::string_view expected) {
+  const auto found = object.find(name);
+  if (found == object.end()) refuse(fmt::format("\"{}\" is missing", name), expected);
+  return *found;
+}
+
+std::vector<std::string> read_texts(const json& object, const char* name) {
+  constexpr std::string_view kShape = "an array of texts, one number an edge class";
+  const json& list = member(object, name, kShape);
+  if (!list.is_array()) refuse(fmt::format("\"{}\"", name), kShape);
+  std::vector<std::string> texts;
+  for (const json& item : list) {
+    if (!item.is_string()) refuse(fmt::format("\"{}\" {}", name, texts.size()), "a text");
+    texts.push_back(item.get<std::string>());
+  }
+  return texts;
+}
+
+DecimalInterval read_interval(const json& value, const std::string& place) {
+  if (!value.is_array() || value.size() != 2 || !value[0].is_string() || !value[1].is_string())
+    refuse(place, "an array of two texts, lower and upper bound");
+  return {value[0].get<std::string>(), value[1].get<std::string>()};
+}
+
+json parse_object(std::string_view text) {
+  json document = json::parse(text, nullptr, false);
+  if (!document.is_object())
+    throw InvalidInput(
+        "JSON: expected an object with a \"proof\", such as an answer of `tripus prove --json`");
+  return document;
+}
+
+const json& proof_member(const json& document) {
+  const auto found = document.find("proof");
+  return found == document.end() ? document : *found;
+}
+
+}  // namespace
+
+ProofText proof_text(const Proof& proof, const Digits* digits) {
+  ProofText text;
+  text.proved = proof.proved && (digits == nullptr || digits->proved);
+  text.reason = proof.proved && digits != nullptr ? digits->reason : proof.reason;
+  text.claim = proof.claim;
+  text.bits = proof.bits;
+  text.escalated = proof.escalated;
+  text.flat = proof.flat;
+  if (digits != nullptr && digits->proved) {
+    text.bits = std::max(text.bits, digits->bits);
+    text.lengths = digits->lengths;
+    text.radii = digits->radii;
+    text.volume = digits->volume;
+    text.dihedral_angles = digits->dihedral_angles;
+    return text;
+  }
+  if (!text.proved) return text;
+  for (const double l : proof.lengths) text.lengths.push_back(fmt::format("{:a}", l));
+  for (const double r : proof.radii) text.radii.push_back(rounded_up(r));
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (proof.volume.upper > 0)
+    text.volume = {outwards(proof.volume.lower, -kInfinity),
+                   outwards(proof.volume.upper, kInfinity)};
+  return text;
+}
+
+std::string to_json(const ProofText& proof) {
+  const auto quoted_text = [](const std::string& text) { return '"' + text + '"'; };
+  std::string text = fmt::format("{{\"kind\": \"strong-convexity\", \"proved\": {}", proof.proved);
+  if (!proof.proved) return text + ", \"reason\": " + json(proof.reason).dump() + "}";
+  text += fmt::format(
+      ", \"claim\": \"{}\", \"bits\": {}, \"escalated\": {}, \"lengths\": {}, "
+      "\"radii\": {}",
+      proof.claim == Proof::Claim::kMetric ? "metric" : "flat", proof.bits, proof.escalated,
+      list_json(proof.lengths, quoted_text), list_json(proof.radii, quoted_text));
+  if (proof.volume) text += ", \"volume\": " + interval_json(*proof.volume);
+  if (!proof.dihedral_angles.empty())
+    text += ", \"dihedral_angles\": " + list_json(proof.dihedral_angles, [](const auto& angles) {
+              return list_json(angles, interval_json);
+            });
+  if (!proof.flat.empty())
+    text += ", \"flat_tetrahedra\": " +
+            list_json(proof.flat, [](std::size_t t) { return std::to_string(t); });
+  return text + "}";
+}
+
+bool looks_like_proof(std::string_view text) {
+  const json document = json::parse(text, nullptr, false);
+  if (!document.is_object()) return false;
+  if (document.contains("radii")) return true;
+  const auto certificate = document.find("certificate");
+  return document.contains("proof") && (certificate == document.end() || certificate->is_null() ||
+                                        document["proof"].contains("radii"));
+}
+
+ProofText parse_proof(std::string_view text) {
+  const json document = parse_object(text);
+  const json& object = proof_member(document);
+  if (!object.is_object()) refuse("\"proof\"", "an object");
+  ProofText proof;
+  const json& proved = member(object, "proved", "true or false");
+  if (!proved.is_boolean()) refuse("\"proved\"", "true or false");
+  if (!proved.get<bool>()) throw InvalidInput("proof: it says itself that nothing is proved");
+  proof.proved = true;
+  const json& kind = member(object, "kind", "\"strong-convexity\"");
+  if (kind != "strong-convexity") refuse("\"kind\"", "\"strong-convexity\"");
+  const json& claim = member(object, "claim", R"("metric" or "flat")");
+  if (claim != "metric" && claim != "flat") refuse("\"claim\"", R"("metric" or "flat")");
+  proof.claim = claim == "metric" ? Proof::Claim::kMetric : Proof::Claim::kFlat;
+  proof.lengths = read_texts(object, "lengths");
+  proof.radii = read_texts(object, "radii");
+  if (const auto volume = object.find("volume"); volume != object.end())
+    proof.volume = read_interval(*volume, "\"volume\"");
+  if (const auto angles = object.find("dihedral_angles"); angles != object.end()) {
+    if (!angles->is_array()) refuse("\"dihedral_angles\"", "an array, one entry a tetrahedron");
+    for (const json& six : *angles) {
+      const std::string place =
+          fmt::format("angles of tetrahedron {}", proof.dihedral_angles.size());
+      if (!six.is_array() || six.size() != 6) refuse(place, "an array of 6 intervals");
+      auto& row = proof.dihedral_angles.emplace_back();
+      for (std::size_t e = 0; e < 6; ++e) row[e] = read_interval(six[e], place);
+    }
+  }
+  if (const auto flat = object.find("flat_tetrahedra"); flat != object.end()) {
+    if (!flat->is_array()) refuse("\"flat_tetrahedra\"", "an array of numbers");
+    for (const json& t : *flat) {
+      if (!t.is_number_unsigned()) refuse("\"flat_tetrahedra\"", "an array of numbers");
+      proof.flat.push_back(t.get<std::size_t>());
+    }
+  }
+  return proof;
+}
+
+}  // namespace tripus::structure

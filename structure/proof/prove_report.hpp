@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "structure/proof/proof_text.hpp"
+#include "structure/report.hpp"
+
+namespace tripus::structure {
+
+/// The proof that goes with a report: of the metric where it is geometric, of a minimiser with flat
+/// tetrahedra where it is degenerate; otherwise not proved, with the reason.
+///   digits  0 for doubles, else as prove_digits
+ProofText prove_report(const topology::Triangulation& triangulation, const Report& report,
+                       int digits = 0, const Context& context = {});
+
+/// One sentence for a person: what is proved, or why not.
+std::string proof_message(const ProofText& proof);
+
+}  // namespace tripus::structure

@@ -1,0 +1,107 @@
+"""tripus prove, solve --prove, check of proofs, canonize and compare --prove, census --check."""
+
+import json
+
+from support import TRIPUS, TRIPUS_LENGTH, TRIPUS_VOLUME, ProgramTest, read_json
+
+
+
+class Prove(ProgramTest):
+    def test_proves_the_tripus(self):
+        answer = self.json_answer("prove", TRIPUS)
+        self.assertEqual(answer["outcome"], "geometric")
+        self.assertTrue(answer["message"].startswith("Proved: "))
+        proof = answer["proof"]
+        self.assertIs(proof["proved"], True)
+        self.assertEqual((proof["kind"], proof["claim"], proof["bits"]),
+                         ("strong-convexity", "metric", 53))
+        length = float.fromhex(proof["lengths"][0])
+        self.assertLessEqual(abs(length - TRIPUS_LENGTH), 1e-14)
+        self.assertLess(float(proof["radii"][0]), 1e-15)
+        lower, upper = map(float, proof["volume"])
+        self.assertLessEqual(lower, TRIPUS_VOLUME)
+        self.assertGreaterEqual(upper, TRIPUS_VOLUME)
+        self.assertIn("proved", self.run_program("prove", TRIPUS).text.lower())
+
+    def test_many_digits(self):
+        answer = self.json_answer("prove", TRIPUS, "--digits", "1000")
+        proof = answer["proof"]
+        lower, upper = proof["volume"]
+        self.assertTrue(lower.startswith("6.45199027083503286529823442106030815281373253970455"))
+        self.assertEqual(len(lower), 1002)
+        self.assertLessEqual(int(upper.replace(".", "")) - int(lower.replace(".", "")), 1)
+        # pi/6 at every edge.
+        for low, high in (pair for angles in proof["dihedral_angles"] for pair in angles):
+            self.assertTrue(low.startswith("0.52359877559829887307710723054658381403286156656"))
+            self.assertLessEqual(int(high.replace(".", "")) - int(low.replace(".", "")), 1)
+        self.write("proof.json", json.dumps(answer))
+        self.assertIs(self.json_answer("check", "proof.json", TRIPUS)["valid"], True)
+
+    def test_batch(self):
+        self.write("list.txt", f"{TRIPUS}\ncPcbbbihz\ncMcabbjds\n")
+        answer = self.run_program("prove", "--batch", "list.txt", "--json")
+        self.assertEqual(answer.status, 0)
+        lines = [read_json(line) for line in answer.lines]
+        self.assertEqual(["proof" in line for line in lines], [True, False, True])
+
+    def test_check_accepts_and_refuses(self):
+        self.write("answer.json", self.run_program("prove", TRIPUS, "--json").out)
+        valid = self.json_answer("check", "answer.json", TRIPUS)
+        self.assertEqual((valid["valid"], valid["kind"]), (True, "strong-convexity"))
+        proof = read_json((self.folder / "answer.json").read_text())["proof"]
+        tampered = {
+            "length": {"lengths": ["0x1.3p-1"]},
+            "radius": {"radii": ["1e-30"]},
+            "volume": {"volume": ["6.46", "6.47"]},
+            "count": {"lengths": proof["lengths"] * 2},
+            "flat": {"claim": "flat", "flat_tetrahedra": [0]},
+        }
+        for name, change in tampered.items():
+            with self.subTest(name):
+                self.write("tampered.json", json.dumps({"proof": {**proof, **change}}))
+                answer = self.json_answer("check", "tampered.json", TRIPUS, status=1)
+                self.assertIs(answer["valid"], False)
+                self.assertTrue(answer["message"].startswith("not valid: "))
+        other = self.json_answer("check", "answer.json", "dLQbcbcmens", status=1)
+        self.assertIs(other["valid"], False)
+        for name, change in {"word": {"lengths": ["long"]}, "number": {"radii": [1]},
+                             "nan": {"lengths": ["nan"]}, "huge": {"lengths": ["1e999999999"]},
+                             "kind": {"kind": "magic"}, "proved": {"proved": False}}.items():
+            with self.subTest(name):
+                self.write("broken.json", json.dumps({"proof": {**proof, **change}}))
+                self.assert_refused("check", "broken.json", TRIPUS, says="proof: ")
+
+    def test_solve_with_a_proof(self):
+        answer = self.json_answer("solve", TRIPUS, "--prove")
+        self.assertIs(answer["proof"]["proved"], True)
+        self.assertIn("Proved", self.run_program("solve", TRIPUS, "--prove").text)
+
+    def test_no_metric(self):
+        answer = self.json_answer("prove", "dLQbcbcaekw", status=1)
+        self.assertIs(answer["proof"]["proved"], False)
+        self.assertIn("certificate", answer["proof"]["reason"])
+        self.assert_refused("prove", "cPcbbbiht", says="cPcbbbiht")
+
+    def test_canonize_and_compare(self):
+        answer = self.json_answer("canonize", TRIPUS, "--prove")
+        self.assertIs(answer["proof"]["proved"], True)
+        self.assertEqual(answer["proof"]["unproved_faces"], [])
+        answer = self.json_answer("compare", TRIPUS, "cMcabbjds", "--prove", status=1)
+        self.assertEqual(answer["verdict"], "different")
+        self.assertIs(answer["proof"]["proved"], True)
+
+    def test_census_check(self):
+        self.write("proofs.tsv", "name\ttriangulation\tlengths\tradius\n"
+                                 "t2g2.1\tcMcabbjds\t0x1.3p-1\t1e-10\n")
+        self.run_program("census", "--tetrahedra", "2", "--tsv", "two.tsv")
+        answer = self.run_program("census", "--in", "two.tsv", "--check", "--proofs", "proofs.tsv")
+        self.assertEqual(answer.status, 1)
+        self.assertIn("t2g2.1: edge class 0", answer.text)
+        self.assertIn("t2g2.2: there is no proof of it", answer.text)
+        answer = self.run_program("census", "--in", "two.tsv", "--check")
+        self.assertEqual((answer.status, answer.text), (0, "8 of 8 manifolds have a valid proof\n"))
+        made = self.run_program("census", "--in", "two.tsv", "--prove").text
+        shipped = (self.folder / "made.tsv")
+        shipped.write_text(made)
+        self.assertEqual(self.run_program("census", "--in", "two.tsv", "--check", "--proofs",
+                                          "made.tsv").status, 0)

@@ -58,6 +58,18 @@ inline constexpr double kOrientationRounding = 0x1p-49;
 /// that keep this distance do not meet whatever the last bits do.
 inline constexpr double kSweepClearance = 1e-9;
 
+/// Points on open edges that lie closer together than this, relative to the size of the surface or
+/// of its coordinates, may become one if that closes it: text with six digits is off by 5e-6,
+/// single precision by 6e-8. The least distance that does is taken, from the first of these on.
+inline constexpr double kLeastWelding = 1e-12;
+inline constexpr double kMostWelding = 1e-5;
+/// But no more than this part of the size, however far away the origin is.
+inline constexpr double kMostWeldingOfSize = 1e-4;
+
+/// A face whose corners are this close to a plane, relative to their coordinates, is called planar:
+/// single precision rounds these by 6e-8.
+inline constexpr double kPlanarFace = 1e-6;
+
 /// New points that a mesher puts on a surface lie this far from its triangles at most, in parts of
 /// the largest coordinate: they are rounded, some after a few operations. What is narrower than
 /// that is not told apart by the doubles that describe it.

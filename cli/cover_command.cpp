@@ -193,7 +193,7 @@ int write_covers(const CoverCommand& command, const std::string& input, Sink& si
 int run(const CoverCommand& command) {
   const bool batch = !command.common.batch.empty();
   std::vector<topology::BatchLine> inputs{{0, command.common.input}};
-  if (batch) inputs = topology::read_batch(read_file(command.common.batch));
+  if (batch) inputs = read_batch_file(command.common.batch);
   Sink sink(command.output);
   int status = kSuccess;
   for (std::size_t i = 0; i < inputs.size(); ++i) {

@@ -43,9 +43,10 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
-const embedding::MeshFormat* find_mesh_format(std::string_view extension) {
+const embedding::MeshFormat* find_mesh_format(std::string path) {
+  for (char& c : path) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   for (const embedding::MeshFormat& format : embedding::mesh_formats())
-    if (format.extension == extension) return &format;
+    if (path.ends_with(fmt::format(".{}", format.extension))) return &format;
   return nullptr;
 }
 
@@ -114,7 +115,7 @@ std::string circle_figure(const EmbeddedSubject& embedded) {
 
 void write_file(const EmbedCommand& command, EmbeddedSubject& embedded, OutputFile& file) {
   const std::string extension = extension_of(file.path());
-  if (const embedding::MeshFormat* format = find_mesh_format(extension)) {
+  if (const embedding::MeshFormat* format = find_mesh_format(file.path())) {
     write_mesh(command, embedded, *format, file);
   } else if (extension == "svg") {
     file.open() << circle_figure(embedded);
@@ -195,22 +196,22 @@ void add_embed(CLI::App& program, Command& chosen) {
       ->option_text(" ")
       ->transform(unshield())
       ->required();
-  std::string formats = "write to a file; its name ends in\n.json  as --json prints it\n";
+  std::string formats = "write to a file; its name ends in\n.json      as --json prints it\n";
   for (const embedding::MeshFormat& format : embedding::mesh_formats())
-    formats += fmt::format(".{:<5} {}\n", format.extension, format.summary);
+    formats += fmt::format(".{:<9} {}\n", format.extension, format.summary);
   verb->add_option("-o,--output", command->output,
-                   formats + ".svg   the circles at infinity, as --circles")
+                   formats + ".svg       the circles at infinity, as --circles")
       ->option_text("FILE")
       ->check(file_name(known_endings()));
   verb->add_flag("--json", command->common.json,
                  "one JSON object on standard output; also without -o");
   verb->add_flag("--quiet", command->common.quiet, "no text about the cells");
   add_cell_options(*verb, *command);
-  verb->add_option("--model", command->model, "of obj, ply and vtk: upper, ball (default) or klein")
+  verb->add_option("--model", command->model, "of surfaces: upper, ball (default) or klein")
       ->option_text("NAME")
       ->check(CLI::IsMember({"upper", "ball", "klein"}));
   verb->add_option("--tessellation", command->error,
-                   fmt::format("how far the triangles of obj, ply and vtk may lie from the curved\n"
+                   fmt::format("how far the triangles of surfaces may lie from the curved\n"
                                "faces, in the coordinates of the model (default: {})",
                                command->error))
       ->option_text("X")

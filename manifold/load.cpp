@@ -1,5 +1,6 @@
 #include "manifold/load.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -9,9 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/compression.hpp"
 #include "base/error.hpp"
 #include "meshing/manifold.hpp"
-#include "topology/isosig.hpp"
+#include "topology/formats/signature.hpp"
 #include "topology/requirements.hpp"
 #include "topology/triangulation.hpp"
 
@@ -30,20 +32,39 @@ auto blame(const std::string& source, Work&& work) {
   }
 }
 
-/// The one triangulation in a text; a list of several belongs to --batch.
-topology::NamedGluings read_single(const std::string& text, const std::string& source) {
-  return blame(source, [&] {
-    const topology::TextFormat format = topology::detect_format(text);
-    if (format != topology::TextFormat::kUnknown && format != topology::TextFormat::kIsosig)
-      return topology::read_triangulation(text);
+/// What every verb says of a content that has no format.
+[[noreturn]] void refuse_unknown() {
+  throw InvalidInput("its content has no format that is known; looked for: " +
+                     topology::format_names() + "; " + meshing::mesh_format_names());
+}
+
+/// The triangulations in a text; a list of several signatures belongs to --batch.
+std::vector<topology::NamedGluings> read_all_of(const std::string& text) {
+  const topology::TextFormat format = topology::detect_format(text);
+  if (format == topology::TextFormat::kUnknown || format == topology::TextFormat::kIsosig) {
     const auto lines = topology::read_batch(text);
-    if (lines.size() == 1 && topology::looks_like_isosig(lines.front().text))
-      return topology::read_triangulation(lines.front().text);
-    if (lines.size() > 1 && topology::looks_like_isosig(lines.front().text)) {
+    if (lines.size() == 1 && topology::looks_like_signature(lines.front().text))
+      return topology::read_triangulations(lines.front().text);
+    if (lines.size() > 1 && topology::looks_like_signature(lines.front().text)) {
       throw InvalidInput("it holds " + std::to_string(lines.size()) +
                          " inputs; give it to --batch to run them all");
     }
-    return topology::read_triangulation(text);
+    if (!lines.empty() && format == topology::TextFormat::kUnknown) refuse_unknown();
+  }
+  return topology::read_triangulations(text);
+}
+
+/// The one triangulation in a text, or the one with the label.
+topology::NamedGluings read_single(const std::string& text, const std::string& source,
+                                   const std::optional<std::string>& label) {
+  return blame(source, [&] {
+    auto all = read_all_of(text);
+    if (label) return topology::pick_triangulation(std::move(all), *label);
+    if (all.size() == 1) return std::move(all.front());
+    throw InvalidInput("it holds " + std::to_string(all.size()) +
+                       " triangulations, with the labels " + topology::label_list(all) +
+                       "; choose one as FILE#LABEL or FILE#NUMBER, or give the file to --batch to "
+                       "run them all");
   });
 }
 
@@ -71,7 +92,7 @@ topology::NamedGluings solid_of(meshing::MeshFile file, Wanted wanted, const std
     meshing::Manifold manifold = meshing::manifold_of(std::move(file), options);
     if (wanted == Wanted::kWithMetric && manifold.has_only_spheres())
       throw InvalidInput(meshing::ball_message(manifold));
-    return {{}, std::move(manifold.gluings), {}};
+    return {{}, std::move(manifold.gluings), {}, std::move(manifold.notes)};
   });
 }
 
@@ -89,16 +110,43 @@ std::string read_all(std::istream& in, const std::string& source) {
   return content;
 }
 
+/// Decompressed, if it is gzip's.
+std::string unpacked(std::string content, const std::string& source) {
+  if (!is_gzip(content)) return content;
+  return blame(source, [&] { return gunzip(content, kLargestInput); });
+}
+
+/// A file, perhaps with the label of a triangulation in it.
+struct Place {
+  std::string file;
+  std::optional<std::string> label;
+};
+
+/// The input itself if there is such a file; else what stands before a # if that is one.
+std::optional<Place> find_file(const std::string& input) {
+  std::error_code status;
+  if (input == "-" || std::filesystem::exists(input, status)) return Place{input, std::nullopt};
+  for (std::size_t mark = input.find('#'); mark != std::string::npos;
+       mark = input.find('#', mark + 1))
+    if (const std::string file = input.substr(0, mark); std::filesystem::exists(file, status))
+      return Place{file, input.substr(mark + 1)};
+  return std::nullopt;
+}
+
 topology::NamedGluings load(const std::string& input, Wanted wanted, const Context& context) {
   if (input.empty()) throw InvalidInput("the input is empty; give a signature or a file");
-  std::error_code status;
-  if (input == "-" || std::filesystem::exists(input, status)) {
-    const std::string content = read_file(input);
-    if (auto mesh = read_as_mesh(content, input))
-      return solid_of(*std::move(mesh), wanted, source_of(input), context);
-    return read_single(content, source_of(input));
+  if (const auto place = find_file(input)) {
+    const std::string content = read_file(place->file);
+    if (!place->label)
+      if (auto mesh = read_as_mesh(content, input))
+        return solid_of(*std::move(mesh), wanted, source_of(input), context);
+    return read_single(content, source_of(place->file), place->label);
   }
-  if (topology::looks_like_isosig(input)) return {{}, topology::decode_isosig(input), {}};
+  if (topology::looks_like_signature(input)) {
+    topology::NamedGluings loaded = topology::read_signature(input);
+    loaded.name.clear();
+    return loaded;
+  }
   throw InvalidInput(quoted(input) +
                      " is neither a file nor an isomorphism signature (letters, digits, + and -)");
 }
@@ -110,22 +158,45 @@ void refuse_labels(const topology::NamedGluings& loaded, const std::string& inpu
                       "and check know so far");
 }
 
+void tell_notes(const topology::NamedGluings& loaded, const std::string& input,
+                const Context& context) {
+  if (!context.note) return;
+  for (const std::string& note : loaded.notes) context.note(source_of(input) + ": " + note);
+}
+
 }  // namespace
 
 std::string read_file(const std::string& path) {
-  if (path == "-") return read_all(std::cin, "standard input");
+  if (path == "-") return unpacked(read_all(std::cin, "standard input"), "standard input");
   std::error_code status;
   if (std::filesystem::is_directory(path, status))
     throw InvalidInput(quoted(path) + " is a folder; name a file in it");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InvalidInput("cannot open " + quoted(path) + ": " + std::strerror(errno));
-  return read_all(file, quoted(path));
+  return unpacked(read_all(file, quoted(path)), quoted(path));
+}
+
+std::vector<topology::BatchLine> read_batch_file(const std::string& path) {
+  const std::string content = read_file(path);
+  if (topology::detect_format(content) != topology::TextFormat::kReginaXml)
+    return topology::read_batch(content);
+  if (path == "-")
+    throw InvalidInput("standard input holds a Regina data file; name the file after --batch");
+  const auto all = blame(quoted(path), [&] { return topology::read_triangulations(content); });
+  std::vector<topology::BatchLine> lines;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto same = [&](const topology::NamedGluings& each) { return each.name == all[i].name; };
+    const bool is_label = !all[i].name.empty() && std::count_if(all.begin(), all.end(), same) == 1;
+    lines.push_back({i + 1, path + "#" + (is_label ? all[i].name : std::to_string(i + 1))});
+  }
+  return lines;
 }
 
 topology::NamedGluings load_input(const std::string& input, const Context& context) {
   topology::NamedGluings loaded = load(input, Wanted::kAny, context);
   refuse_labels(loaded, input);
+  tell_notes(loaded, input, context);
   return loaded;
 }
 
@@ -134,17 +205,28 @@ topology::NamedGluings load_solvable_input(const std::string& input, const Conte
   refuse_labels(loaded, input);
   blame(source_of(input),
         [&] { topology::require_geodesic_boundary(topology::Triangulation(loaded.gluings)); });
+  tell_notes(loaded, input, context);
   return loaded;
 }
 
 topology::NamedGluings load_labelled_input(const std::string& input, Balls balls,
                                            const Context& context) {
-  return load(input, balls == Balls::kAllowed ? Wanted::kAny : Wanted::kWithMetric, context);
+  topology::NamedGluings loaded =
+      load(input, balls == Balls::kAllowed ? Wanted::kAny : Wanted::kWithMetric, context);
+  tell_notes(loaded, input, context);
+  return loaded;
 }
 
-std::optional<meshing::MeshFile> load_mesh(const std::string& input) {
+meshing::MeshFile load_mesh(const std::string& input) {
   if (input.empty()) throw InvalidInput("the input is empty; give a file");
-  return read_as_mesh(read_file(input), input);
+  const std::string content = read_file(input);
+  if (auto mesh = read_as_mesh(content, input)) return *std::move(mesh);
+  return blame(source_of(input), [&]() -> meshing::MeshFile {
+    const topology::TextFormat format = topology::detect_format(content);
+    if (format == topology::TextFormat::kUnknown) refuse_unknown();
+    throw InvalidInput("it is a triangulation (" + std::string(topology::format_name(format)) +
+                       ") and no mesh");
+  });
 }
 
 }  // namespace tripus

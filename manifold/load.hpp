@@ -1,7 +1,7 @@
 #pragma once
 
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "base/context.hpp"
 #include "meshing/formats/read_mesh.hpp"
@@ -9,12 +9,13 @@
 
 namespace tripus {
 
-/// Reads an INPUT as typed: a file, `-` for standard input, or an isomorphism signature. A surface
-/// or a tetrahedral mesh becomes a small ideal triangulation of its solid (meshing::manifold_of);
-/// of a ball, which has no boundary left when it is filled in, a triangulation with a finite
-/// vertex. Throws InvalidInput if it is none of them or its content cannot be read; Stopped if a
-/// stop is requested meanwhile; Unsupported for a file with cone angles other than 2 pi. Reports
-/// its progress once the content has been read.
+/// Reads an INPUT as typed: a file, FILE#LABEL for one of the triangulations in a Regina data file,
+/// `-` for standard input, or an isomorphism signature. What of a file is not read, or was mended,
+/// the context is told as notes. A surface or a tetrahedral mesh becomes a small ideal
+/// triangulation of its solid (meshing::manifold_of); of a ball, which has no boundary left when it
+/// is filled in, a triangulation with a finite vertex. Throws InvalidInput if it is none of them or
+/// its content cannot be read; Stopped if a stop is requested meanwhile; Unsupported for a file
+/// with cone angles other than 2 pi. Reports its progress once the content has been read.
 topology::NamedGluings load_input(const std::string& input, const Context& context = {});
 /// The same for what needs a metric with geodesic boundary. Throws also, naming the input, what
 /// topology::require_geodesic_boundary throws, and InvalidInput for a ball.
@@ -26,11 +27,14 @@ enum class Balls { kAllowed, kRefused };
 topology::NamedGluings load_labelled_input(const std::string& input, Balls balls,
                                            const Context& context = {});
 
-/// The surface or tetrahedral mesh in a file, or in standard input for `-`; nothing if the content
-/// has no mesh format. Throws InvalidInput if the content cannot be read.
-std::optional<meshing::MeshFile> load_mesh(const std::string& input);
+/// The surface or tetrahedral mesh in a file, or in standard input for `-`.
+/// Throws InvalidInput if the content has no mesh format or cannot be read.
+meshing::MeshFile load_mesh(const std::string& input);
 
-/// The whole of a file, or of standard input for `-`.
+/// The lines of a batch file; of a Regina data file FILE#LABEL for each of its triangulations.
+std::vector<topology::BatchLine> read_batch_file(const std::string& path);
+
+/// The whole of a file, or of standard input for `-`, decompressed if it is gzip's.
 /// Throws InvalidInput, naming the file and the system's reason.
 std::string read_file(const std::string& path);
 

@@ -44,14 +44,14 @@ std::string y_with(const std::string& from, const std::string& to) {
   return json_gluings(table.replace(table.find(from), from.size(), to));
 }
 
-INSTANTIATE_TEST_SUITE_P(General, BadInputs,
-                         testing::Values(BadInput{"empty", "", "the input is empty"},
-                                         BadInput{"blank", " \n\t", "the input is empty"},
-                                         BadInput{
-                                             "prose", "hello, world",
-                                             "unrecognised input, starting with \"hello, world\""},
-                                         BadInput{"gzip", "\x1f\x8b\x08 zz", "decompress it first"},
-                                         BadInput{"binary", "\x01\x02", "\"\\x01\\x02\""}));
+INSTANTIATE_TEST_SUITE_P(
+    General, BadInputs,
+    testing::Values(BadInput{"empty", "", "the input is empty"},
+                    BadInput{"blank", " \n\t", "the input is empty"},
+                    BadInput{"prose", "hello, world",
+                             "unrecognised input, starting with \"hello, world\""},
+                    BadInput{"gzip", "\x1f\x8b\x08 zz", "the compressed data are"},
+                    BadInput{"binary", "\x01\x02", "unrecognised input; expected one of"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Isosig, BadInputs,
@@ -108,6 +108,18 @@ INSTANTIATE_TEST_SUITE_P(
                  "line 5: face 3 of tetrahedron 0: permutation \"0133\""},
         BadInput{"xml_none", "<regina></regina>", "no 3-manifold triangulation"},
         BadInput{"xml_open", "<tri dim=\"3\"><simplex> -1 0 -1 0 -1 0 -1 0", "not closed"},
+        BadInput{"old_regina_broken",
+                 "<reginadata><packet type=\"Triangulation\"><tetrahedra>"
+                 "<tet> 0 228 </tet></tetrahedra></packet></reginadata>",
+                 "face 1 of tetrahedron 0"},
+        BadInput{"two", "<regina><tri dim=\"3\" label=\"a\"/><tri dim=\"3\" label=\"b\"/></regina>",
+                 "there are 2 triangulations in it; choose one by its label: \"a\", \"b\""},
+        BadInput{"not_regina", "<VTKFile></VTKFile>", "unrecognised input"},
+        BadInput{"filled",
+                 "% Triangulation\nx\nnot_attempted 0.0\noriented_manifold\nCS_unknown\n"
+                 "1 0\n torus -3.0 1\n1\n",
+                 "line 7: cusp 0 has the Dehn filling \"(-3.0,1)\""},
+        BadInput{"filled_signature", "cPcbbbiht_BaCB(0,2)", "has the Dehn filling \"(0,2)\""},
         BadInput{"xml_perm", "<tri dim=\"3\"><simplex> 0 1 0 1 0 1 0 1 </simplex></tri>",
                  "face 0 of tetrahedron 0: \"1\""},
         BadInput{"table_row", "Tet | glued to: (012) (013) (023) (123)\n 1 | 0 (012)\n",

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <string_view>
 
 namespace tripus {
@@ -24,6 +25,9 @@ struct Context {
   /// Called now and then, from the thread that does the work, with what is going on and how many
   /// tetrahedra there are so far (0: unknown).
   std::function<void(std::string_view activity, std::size_t tetrahedra)> progress{};
+  /// Called with what was mended or left out of an input, in a sentence that names it; from any
+  /// thread. Null: nobody wants to know.
+  std::function<void(const std::string& note)> note{};
   unsigned threads = 0;  ///< for work that can be shared; 0: all cores
 
   bool stop_requested() const {

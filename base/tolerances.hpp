@@ -26,6 +26,11 @@ inline constexpr double kNearlyFlat = 1e-3;
 /// 1e-11; where lengths run off to infinity it is of order 1 however small max|K| becomes.
 inline constexpr double kMaxDistanceToMetric = 1e-2;
 
+/// Where a vertex is finite, edges longer than this are not believed: at a vertex that runs off to
+/// infinity angles are those of an ideal one to within e^(-2l), 4e-11 at this length, so that
+/// max|K| comes below its tolerance without a metric a little farther out.
+inline constexpr double kLongestFiniteEdge = 12;
+
 /// An angle structure whose margin (radians) is below this is not used as a starting point: the
 /// linear programme is solved in floating point with feasibility tolerances of 1e-7.
 inline constexpr double kAngleMargin = 1e-6;
@@ -52,6 +57,18 @@ inline constexpr double kOrientationRounding = 0x1p-49;
 /// meeting while one of them is moved: rounding in the test itself is some 1e-15, and triangles
 /// that keep this distance do not meet whatever the last bits do.
 inline constexpr double kSweepClearance = 1e-9;
+
+/// Points on open edges that lie closer together than this, relative to the size of the surface or
+/// of its coordinates, may become one if that closes it: text with six digits is off by 5e-6,
+/// single precision by 6e-8. The least distance that does is taken, from the first of these on.
+inline constexpr double kLeastWelding = 1e-12;
+inline constexpr double kMostWelding = 1e-5;
+/// But no more than this part of the size, however far away the origin is.
+inline constexpr double kMostWeldingOfSize = 1e-4;
+
+/// A face whose corners are this close to a plane, relative to their coordinates, is called planar:
+/// single precision rounds these by 6e-8.
+inline constexpr double kPlanarFace = 1e-6;
 
 /// New points that a mesher puts on a surface lie this far from its triangles at most, in parts of
 /// the largest coordinate: they are rounded, some after a few operations. What is narrower than

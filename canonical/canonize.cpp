@@ -116,8 +116,8 @@ class Canonizer {
 
  private:
   std::optional<Metric> find_metric() {
+    topology::require_geodesic_boundary(input_);
     if (options_.retriangulate && input_.tetrahedron_count() > kFew) {
-      topology::require_solvable(input_);
       if (auto small = simplified()) return small;
     }
     const Gluings gluings = topology::oriented(input_.gluings());

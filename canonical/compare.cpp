@@ -192,8 +192,8 @@ std::string_view to_string(Verdict verdict) {
 Comparison compare(const Triangulation& first, const Triangulation& second,
                    const CanonizeOptions& options, Orientations orientations) {
   if (auto decided = compare_topology(first, second)) return *decided;
-  topology::require_solvable(first);
-  topology::require_solvable(second);
+  topology::require_geodesic_boundary(first);
+  topology::require_geodesic_boundary(second);
   if (std::max(first.tetrahedron_count(), second.tetrahedron_count()) > kSlowToCanonize)
     if (auto decided = compare_arcs(first, second, options.solve)) return *decided;
   Comparison result;

@@ -3,7 +3,6 @@
 #include <new>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "base/stopped.hpp"
 #include "cli/arguments.hpp"
@@ -54,9 +53,6 @@ int answer_one(const CommonOptions& options,
     outcome = {std::move(failure.text), status_of(error)};
     message = fmt::format("tripus: {}\n", failure.message);
   }
-  if (!options.json && !options.quiet)
-    for (const std::string& note : outcome.notes)
-      message += fmt::format("tripus: note: {}\n", note);
   write_message(message);
   write_output(outcome.text);
   if (options.json) write_output("\n");
@@ -94,20 +90,17 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
 
 int answer_lines(const CommonOptions& options,
                  const std::function<Outcome(const topology::BatchLine&)>& answer) {
-  return run_batch(
-      {options.batch, options.threads, options.quiet},
-      [&](const topology::BatchLine& line) -> Answer {
-        try {
-          Outcome outcome = answer(line);
-          std::string& answered = outcome.text;
-          if (!answered.empty() && answered.back() == '\n') answered.pop_back();
-          if (options.json || options.quiet || outcome.notes.empty())
-            return {std::move(answered), {}};
-          return {std::move(answered), fmt::format("note: {}", fmt::join(outcome.notes, "; "))};
-        } catch (const std::exception& error) {
-          return error_answer(line.text, options.json, error);
-        }
-      });
+  return run_batch({options.batch, options.threads, options.quiet},
+                   [&](const topology::BatchLine& line) -> Answer {
+                     try {
+                       Outcome outcome = answer(line);
+                       std::string& answered = outcome.text;
+                       if (!answered.empty() && answered.back() == '\n') answered.pop_back();
+                       return {std::move(answered), {}};
+                     } catch (const std::exception& error) {
+                       return error_answer(line.text, options.json, error);
+                     }
+                   });
 }
 
 int answer_inputs(const CommonOptions& options,

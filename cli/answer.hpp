@@ -3,7 +3,6 @@
 #include <exception>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "cli/batch.hpp"
 #include "cli/commands.hpp"
@@ -15,7 +14,6 @@ namespace tripus::cli {
 struct Outcome {
   std::string text;  ///< text for people ends with a line end, JSON does not
   int status = kSuccess;
-  std::vector<std::string> notes = {};  ///< for standard error; JSON has them in the text
 };
 
 /// Answers the one INPUT, or every line of the batch, and writes the answers. An exception that

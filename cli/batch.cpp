@@ -117,7 +117,7 @@ int run_batch(const BatchOptions& options,
               const std::function<Answer(const topology::BatchLine&)>& answer) {
   const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
   const unsigned threads = options.threads == 0 ? cores : options.threads;
-  Batch batch(topology::read_batch(read_file(options.file)), threads, answer);
+  Batch batch(read_batch_file(options.file), threads, answer);
   catch_interrupts();
   return batch.run(options.quiet);
 }

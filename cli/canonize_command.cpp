@@ -79,7 +79,7 @@ Outcome canonize_one(const CanonicalCommand& command, const Subject& subject) {
     proof = canonical::prove_canonical(*answer.manifold, interruptible());
   const auto* given = proof ? &*proof : nullptr;
   return {command.common.json ? as_json(subject, answer, given) : as_text(subject, answer, given),
-          answer.manifold ? kSuccess : kNoAnswer, subject.notes};
+          answer.manifold ? kSuccess : kNoAnswer};
 }
 
 }  // namespace

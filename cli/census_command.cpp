@@ -391,12 +391,14 @@ void add_census(CLI::App& program, Command& chosen) {
   command->classify.canonize.retriangulation.budget = canonical::kCensusBudget;
   add_query_options(*verb, *command);
   auto* check = verb->add_flag("--check", command->check,
-                               "check the proof of every manifold by other code than made it");
+                               "check the proof of every manifold by other code than made it")
+                    ->option_text(" ");
   auto* prove = verb->add_flag("--prove", command->prove,
-                               "prove the metrics of all manifolds, and write the proofs");
+                               "prove the metrics of all manifolds, and write the proofs")
+                    ->option_text(" ");
   check->excludes(prove);
   verb->add_option("--proofs", command->proofs,
-                   "file of proofs that --check reads (default: the shipped one) or --prove\n"
+                   "file of proofs that --check reads (default: the shipped one) or\n--prove "
                    "writes (default: standard output)")
       ->option_text("FILE");
   add_making_options(*verb, *command);

@@ -10,6 +10,7 @@
 #include "cli/interrupt.hpp"
 #include "manifold/json_text.hpp"
 #include "manifold/load.hpp"
+#include "manifold/subject.hpp"
 #include "structure/certificate.hpp"
 #include "structure/proof/proof_text.hpp"
 
@@ -56,7 +57,8 @@ std::string proof_as_json(const std::string& input, const structure::ProofText& 
 Outcome check_one_proof(const CheckOptions& options, const std::string& text) {
   const structure::ProofText proof = parse_file(options.certificate, text, structure::parse_proof);
   const topology::Triangulation triangulation(load_input(options.input, interruptible()).gluings);
-  const structure::ProofCheck result = structure::check_proof(triangulation, proof, interruptible());
+  const structure::ProofCheck result =
+      structure::check_proof(triangulation, proof, interruptible());
   return {options.json ? proof_as_json(options.input, proof, result)
                        : proof_verdict(proof, result) + "\n",
           result ? kSuccess : kNoAnswer};
@@ -85,6 +87,9 @@ std::string as_json(const std::string& input, const Certificate& certificate,
   return fmt::to_string(out);
 }
 
+constexpr const char* kOtherLabels =
+    "its cone angles are not those of INPUT; label INPUT as in \"FILE 0=3,1=2\"";
+
 Outcome check_one(const CheckOptions& options) {
   if (options.certificate == "-" && options.input == "-")
     throw InvalidInput("the certificate and INPUT cannot both come from standard input");
@@ -92,8 +97,13 @@ Outcome check_one(const CheckOptions& options) {
   if (structure::looks_like_proof(text)) return check_one_proof(options, text);
   const Certificate certificate =
       parse_file(options.certificate, text, structure::parse_certificate);
-  const topology::Triangulation triangulation(load_input(options.input, interruptible()).gluings);
-  const structure::CheckResult result = structure::check(triangulation, certificate);
+  const Subject subject = load_labelled_subject(options.input, Balls::kAllowed, interruptible());
+  const bool same_labels =
+      topology::completed(subject.cone_angles, subject.triangulation.edge_count()) ==
+      topology::completed(certificate.cone_angles, subject.triangulation.edge_count());
+  const structure::CheckResult result = same_labels
+                                            ? structure::check(subject.triangulation, certificate)
+                                            : structure::CheckResult{false, kOtherLabels};
   return {options.json ? as_json(options.input, certificate, result)
                        : verdict(certificate, result) + "\n",
           result ? kSuccess : kNoAnswer};
@@ -102,8 +112,8 @@ Outcome check_one(const CheckOptions& options) {
 }  // namespace
 
 void add_check(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand(
-      "check", "check a certificate of \"infeasible\" or a proof, by independent code");
+  CLI::App* verb =
+      program.add_subcommand("check", "check a certificate or a proof, by other code than made it");
   auto options = std::make_shared<CheckOptions>();
   verb->add_option("CERTIFICATE", options->certificate,
                    "the JSON of a certificate or of a proof, or an answer that has one")

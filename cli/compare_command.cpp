@@ -102,8 +102,13 @@ std::string as_text(const Comparison& comparison, const canonical::ComparisonPro
 /// What cannot be compared by a metric is named by its input.
 void require_metric(const Subject& subject) {
   const std::string source = subject.input == "-" ? "standard input" : quoted(subject.input);
-  const std::string why_not = objection_to(subject.triangulation);
-  if (!why_not.empty()) throw Unsupported(source + ": " + why_not);
+  try {
+    require_boundary_with_remedy(subject.triangulation);
+  } catch (const Unsupported& error) {
+    throw Unsupported(source + ": " + error.what());
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(source + ": " + error.what());
+  }
 }
 
 Comparison compare_subjects(const Subject& first, const Subject& second,
@@ -129,13 +134,11 @@ Outcome compare_two(const CompareCommand& command) {
   canonical::CanonizeOptions options = command.canonize;
   options.solve.stop_requested = &interrupt_requested();
   const Comparison comparison = compare_subjects(first, second, options);
-  std::vector<std::string> notes = first.notes;
-  notes.insert(notes.end(), second.notes.begin(), second.notes.end());
   std::optional<canonical::ComparisonProof> proof;
   if (command.prove) proof = canonical::prove_comparison(comparison, interruptible());
   const auto* given = proof ? &*proof : nullptr;
   return {command.common.json ? as_json(command, comparison, given) : as_text(comparison, given),
-          comparison.verdict == Verdict::kHomeomorphic ? kSuccess : kNoAnswer, std::move(notes)};
+          comparison.verdict == Verdict::kHomeomorphic ? kSuccess : kNoAnswer};
 }
 
 }  // namespace

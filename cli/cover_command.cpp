@@ -210,9 +210,12 @@ class DistinctManifolds {
     canonical::CanonizeOptions options;
     options.solve.stop_requested = &interrupt_requested();
     options.solve.evidence = false;
-    if (!objection_to(subject.triangulation).empty()) return true;
-    const auto answer = canonical::canonize(subject.triangulation, options);
-    return !answer.manifold || manifolds_.insert(answer.manifold->signature.unoriented).second;
+    try {
+      const auto answer = canonical::canonize(subject.triangulation, options);
+      return !answer.manifold || manifolds_.insert(answer.manifold->signature.unoriented).second;
+    } catch (const InvalidInput&) {  // no geodesic boundary
+      return true;
+    }
   }
 
  private:
@@ -233,8 +236,8 @@ int write_covers(const CoverCommand& command, const std::string& input, Sink& si
   DistinctManifolds distinct;
   const auto visit = [&](const Cover& cover) {
     ++number;
-    const Subject subject =
-        make_subject(input, {loaded.name, cover.gluings, loaded.orientation_known, loaded.notes});
+    const Subject subject = make_subject(
+        input, {loaded.name, cover.gluings, {}, loaded.notes, loaded.orientation_known});
     if (command.distinct && !distinct.add(subject)) return !interrupt_requested();
     ++written;
     sink.add(
@@ -256,9 +259,6 @@ int write_covers(const CoverCommand& command, const std::string& input, Sink& si
   } else {
     topology::for_each_cover(base, command.sheets(), visit, stop);
   }
-  for (const std::string& note :
-       command.common.json || command.common.quiet ? std::vector<std::string>() : loaded.notes)
-    write_message(fmt::format("tripus: note: {}: {}\n", printable(input), note));
   if (written < number && !command.common.quiet)
     write_message(fmt::format("tripus: {}: {} left out: the same manifolds as others\n",
                               printable(input), counted(number - written, "cover", "covers")));
@@ -270,7 +270,7 @@ int write_covers(const CoverCommand& command, const std::string& input, Sink& si
 int run(const CoverCommand& command) {
   const bool batch = !command.common.batch.empty();
   std::vector<topology::BatchLine> inputs{{0, command.common.input}};
-  if (batch) inputs = topology::read_batch(read_file(command.common.batch));
+  if (batch) inputs = read_batch_file(command.common.batch);
   Sink sink(command.output);
   int status = kSuccess;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
@@ -335,8 +335,8 @@ void add_cover(CLI::App& program, Command& chosen) {
       ->excludes(cyclic)
       ->excludes(degree);
   verb->add_flag("--distinct", command->distinct,
-                 "leave out covers that are homeomorphic to one before (mirror images\n"
-                 "count as one); where there is no metric: that have the same triangulation")
+                 "leave out covers that are homeomorphic to one before, mirror images\n"
+                 "too; where there is no metric, that have the same triangulation")
       ->option_text(" ");
   verb->add_option("--class", command->cyclic_class,
                    "only the cyclic cover of this class: its values modulo N on the\n"

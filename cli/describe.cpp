@@ -6,11 +6,13 @@
 #include <fmt/ranges.h>
 
 #include "cli/remedies.hpp"
+#include "topology/vertex_kinds.hpp"
 
 namespace tripus::cli {
-std::string objection_to(const topology::Triangulation& triangulation) {
+std::string objection_to(const topology::Triangulation& triangulation,
+                         std::span<const topology::ConeAngle> cone_angles) {
   try {
-    require_with_remedy(triangulation);
+    require_with_remedy(triangulation, cone_angles);
     return {};
   } catch (const InvalidInput& error) {
     return error.what();
@@ -55,7 +57,13 @@ std::string one_line(const topology::Triangulation& m) {
   for (std::size_t v = 0; v < m.vertex_count(); ++v) {
     const auto& link = m.link(v);
     const std::string_view kind = link_kind(link);
-    ++links[kind == "geodesic" ? fmt::format("genus {}", link.genus()) : std::string(kind)];
+    std::string name(kind);
+    if (!link.orientable) {
+      name = topology::surface_name(link).substr(2);
+    } else if (kind == "geodesic") {
+      name = fmt::format("genus {}", link.genus());
+    }
+    ++links[name];
   }
   std::vector<std::string> boundary;
   boundary.reserve(links.size());

@@ -45,9 +45,10 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
-const embedding::MeshFormat* find_mesh_format(std::string_view extension) {
+const embedding::MeshFormat* find_mesh_format(std::string path) {
+  for (char& c : path) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   for (const embedding::MeshFormat& format : embedding::mesh_formats())
-    if (format.extension == extension) return &format;
+    if (path.ends_with(fmt::format(".{}", format.extension))) return &format;
   return nullptr;
 }
 
@@ -116,7 +117,7 @@ std::string circle_figure(const EmbeddedSubject& embedded) {
 
 void write_file(const EmbedCommand& command, EmbeddedSubject& embedded, OutputFile& file) {
   const std::string extension = extension_of(file.path());
-  if (const embedding::MeshFormat* format = find_mesh_format(extension)) {
+  if (const embedding::MeshFormat* format = find_mesh_format(file.path())) {
     write_mesh(command, embedded, *format, file);
   } else if (extension == "svg") {
     file.open() << circle_figure(embedded);
@@ -135,7 +136,7 @@ Outcome embed_one(const EmbedCommand& command, const std::string& input) {
         fmt::format("-o and --circles would both write {}; give one of them another name",
                     quoted(command.circles)));
   }
-  Subject loaded = load_solvable_subject(input, interruptible(), require_with_remedy);
+  Subject loaded = load_solvable_subject(input, interruptible(), require_boundary_with_remedy);
   catch_interrupts();
   const Solved solved = find_metric(std::move(loaded), {}, command.search);
   const Subject& subject = solved.subject;
@@ -146,7 +147,7 @@ Outcome embed_one(const EmbedCommand& command, const std::string& input) {
     return {wants_json
                 ? report_as_json(subject, report, solved.search()) + line_end
                 : report_as_text(subject, report, solved.search()) + "  nothing was embedded\n",
-            kNoAnswer, subject.notes};
+            kNoAnswer};
   }
   embedding::Embedding placed = embedding::embed(subject.triangulation, report.edge_lengths);
   embedding::UniversalCover cover = cells_of(command, subject, placed);
@@ -157,9 +158,8 @@ Outcome embed_one(const EmbedCommand& command, const std::string& input) {
     circles->close();
   }
   const int status = embedded.cover.end == embedding::CoverEnd::kComplete ? kSuccess : kNoAnswer;
-  if (wants_json) return {embedding_as_json(embedded) + line_end, status, subject.notes};
-  return {command.common.quiet ? "" : embedding_as_text(embedded, command.output), status,
-          subject.notes};
+  if (wants_json) return {embedding_as_json(embedded) + line_end, status};
+  return {command.common.quiet ? "" : embedding_as_text(embedded, command.output), status};
 }
 
 int run(const EmbedCommand& command) {
@@ -199,11 +199,11 @@ void add_embed(CLI::App& program, Command& chosen) {
       ->option_text(" ")
       ->transform(unshield())
       ->required();
-  std::string formats = "write to a file; its name ends in\n.json  as --json prints it\n";
+  std::string formats = "write to a file; its name ends in\n.json      as --json prints it\n";
   for (const embedding::MeshFormat& format : embedding::mesh_formats())
-    formats += fmt::format(".{:<5} {}\n", format.extension, format.summary);
+    formats += fmt::format(".{:<9} {}\n", format.extension, format.summary);
   verb->add_option("-o,--output", command->output,
-                   formats + ".svg   the circles at infinity, as --circles")
+                   formats + ".svg       the circles at infinity, as --circles")
       ->option_text("FILE")
       ->check(file_name(known_endings()));
   verb->add_flag("--json", command->common.json,
@@ -211,11 +211,11 @@ void add_embed(CLI::App& program, Command& chosen) {
   verb->add_flag("--quiet", command->common.quiet, "no text about the cells");
   add_cell_options(*verb, *command);
   add_metric_search(*verb, command->search);
-  verb->add_option("--model", command->model, "of obj, ply and vtk: upper, ball (default) or klein")
+  verb->add_option("--model", command->model, "of surfaces: upper, ball (default) or klein")
       ->option_text("NAME")
       ->check(CLI::IsMember({"upper", "ball", "klein"}));
   verb->add_option("--tessellation", command->error,
-                   fmt::format("how far the triangles of obj, ply and vtk may lie from the curved\n"
+                   fmt::format("how far the triangles of surfaces may lie from the curved\n"
                                "faces, in the coordinates of the model (default: {})",
                                command->error))
       ->option_text("X")

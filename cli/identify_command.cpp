@@ -61,7 +61,8 @@ std::string as_json(const Subject& subject, const Identification& found,
 
 Outcome identify_one(const IdentifyCommand& command, const Census& census,
                      const std::string& input) {
-  const Subject subject = load_solvable_subject(input, interruptible(), require_with_remedy);
+  const Subject subject =
+      load_solvable_subject(input, interruptible(), require_boundary_with_remedy);
   catch_interrupts();
   const Identification found = canonical::identify(subject.triangulation, census, command.canonize);
   const std::string message = message_of(found, command, census);
@@ -70,7 +71,7 @@ Outcome identify_one(const IdentifyCommand& command, const Census& census,
   if (found.entry == nullptr && found.answer && found.answer->advice != structure::Advice::kNone)
     text += fmt::format("  {}\n", advice_text(found.answer->advice));
   return {command.common.json ? as_json(subject, found, message) : text,
-          found.entry != nullptr ? kSuccess : kNoAnswer, subject.notes};
+          found.entry != nullptr ? kSuccess : kNoAnswer};
 }
 
 }  // namespace

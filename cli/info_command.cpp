@@ -20,11 +20,12 @@ std::string as_json(const Subject& subject) {
   fmt::format_to(std::back_inserter(out), ", \"vertex_count\": {}, \"component_count\": {}",
                  m.vertex_count(), m.component_count());
   append_vertices(out, m);
+  append_cone_orders(out, subject);
   append(out, ", \"H1\": ");
   append_string(out, topology::to_string(topology::first_homology(m)));
   append(out, ", ");
   append_edge_classes(out, m);
-  const std::string why_not = objection_to(m);
+  const std::string why_not = objection_to(m, subject.cone_angles);
   append(out, ", \"solvable\": ");
   append(out, why_not.empty() ? "true" : "false");
   append(out, ", \"message\": ");
@@ -55,10 +56,15 @@ std::string as_text(const Subject& subject) {
                                                   link.euler_characteristic, link_kind(link)));
   }
   line("vertex links", shortened(links));
+  if (!subject.cone_angles.empty()) {
+    std::vector<std::string> orders;
+    for (const topology::ConeAngle& k : subject.cone_angles) orders.push_back(k.order_text());
+    line("cone orders", shortened(orders));
+  }
   line("orientable", m.is_orientable() ? "yes" : "no");
   if (!m.is_connected()) line("components", std::to_string(m.component_count()));
   line("H1", topology::to_string(topology::first_homology(m)));
-  const std::string why_not = objection_to(m);
+  const std::string why_not = objection_to(m, subject.cone_angles);
   if (!why_not.empty()) line("not solvable", why_not);
   return text;
 }
@@ -76,9 +82,8 @@ void add_info(CLI::App& program, Command& chosen) {
   verb->final_callback([options, &chosen] {
     chosen = [options] {
       return answer_inputs(*options, [options](const std::string& input) {
-        const Subject subject = load_subject(input, interruptible());
-        return Outcome{options->json ? as_json(subject) : as_text(subject), kSuccess,
-                       subject.notes};
+        const Subject subject = load_labelled_subject(input, Balls::kAllowed, interruptible());
+        return Outcome{options->json ? as_json(subject) : as_text(subject), kSuccess};
       });
     };
   });

@@ -2,6 +2,8 @@
 
 #include <csignal>
 
+#include "cli/output.hpp"
+
 namespace tripus::cli {
 namespace {
 
@@ -30,6 +32,7 @@ Context interruptible() {
   Context context;
   context.stop_flag = &requested;
   context.progress = [](std::string_view, std::size_t) { catch_interrupts(); };
+  context.note = [](const std::string& note) { write_message("tripus: note: " + note + "\n"); };
   return context;
 }
 

@@ -14,7 +14,8 @@ const std::atomic<bool>& interrupt_requested();
 /// then there is nothing to save, and a program that waits for a terminal should just end.
 void catch_interrupts();
 
-/// A Context that ends with Ctrl-C; the handlers are installed when work begins on the input.
+/// A Context that ends with Ctrl-C and writes notes to standard error; the handlers are installed
+/// when work begins on the input.
 Context interruptible();
 
 }  // namespace tripus::cli

@@ -17,6 +17,7 @@
 #include "cli/progress.hpp"
 #include "cli/triangulation_file.hpp"
 #include "manifold/load.hpp"
+#include "meshing/formats/gmsh.hpp"
 #include "meshing/formats/medit.hpp"
 #include "meshing/formats/vtk.hpp"
 #include "meshing/manifold.hpp"
@@ -27,8 +28,14 @@ namespace tripus::cli {
 namespace {
 
 constexpr const char* kMeshHelp =
-    "INPUT is a closed triangle surface (OFF, OBJ, STL, PLY) or a tetrahedral mesh (Medit .mesh,\n"
-    "legacy VTK, TetGen .node and .ele), recognised by its content; - for standard input. Of a\n"
+    "INPUT is a closed surface (OFF, OBJ, STL, PLY, legacy VTK, VTK XML .vtp and .vtu, Gmsh .msh,\n"
+    "Medit .mesh) or a tetrahedral mesh (the last four, TetGen .node and .ele), gzip-compressed "
+    "or\n"
+    "not, recognised by its content; - for standard input. Polygons are cut into triangles; "
+    "points\n"
+    "that lie in one place are merged, and cracks and T-junctions as programs leave them are "
+    "closed\n"
+    "where that closes the surface. What was done is said. Of a\n"
     "surface, the solid is what lies inside the outermost component and outside the others.\n"
     "It is checked first, and what is wrong is named with its place. Then it is filled with\n"
     "tetrahedra (mesh), the boundary is coned off (coned), edges are collapsed until only the\n"
@@ -67,9 +74,9 @@ void require_known_outputs(const MeshCommand& command) {
   if (!command.pictures.empty())
     for (const char* ending : kPictures) OutputFile can_be_written(command.pictures + ending);
   if (!command.mesh_output.empty() && !ends_with(command.mesh_output, ".vtk") &&
-      !ends_with(command.mesh_output, ".mesh"))
+      !ends_with(command.mesh_output, ".mesh") && !ends_with(command.mesh_output, ".msh"))
     throw InvalidInput("--save-mesh " + tripus::quoted(command.mesh_output) +
-                       ": the name must end with .vtk or .mesh");
+                       ": the name must end with .vtk, .mesh or .msh");
 }
 
 void write_outputs(const MeshCommand& command, const meshing::Manifold& manifold,
@@ -85,6 +92,8 @@ void write_outputs(const MeshCommand& command, const meshing::Manifold& manifold
     write_file(command.mesh_output, meshing::write_vtk(manifold.mesh));
   if (ends_with(command.mesh_output, ".mesh"))
     write_file(command.mesh_output, meshing::write_medit(manifold.mesh));
+  if (ends_with(command.mesh_output, ".msh"))
+    write_file(command.mesh_output, meshing::write_gmsh(manifold.mesh));
   if (command.pictures.empty()) return;
   write_file(command.pictures + kPictures[0], meshing::boundary_picture(manifold.mesh));
   write_file(command.pictures + kPictures[1], meshing::cut_picture(manifold.mesh));
@@ -111,7 +120,12 @@ std::string as_json(const meshing::Manifold& manifold, const Subject& subject) {
   for (std::size_t i = 0; i < meshing::kStageCount; ++i)
     fmt::format_to(to, "{}\"{}\": {}", i == 0 ? "" : ", ",
                    meshing::stage_name(static_cast<meshing::Stage>(i)), manifold.tetrahedra[i]);
-  append(out, "}, \"ball\": ");
+  append(out, "}, \"notes\": [");
+  for (std::size_t i = 0; i < manifold.notes.size(); ++i) {
+    if (i > 0) append(out, ", ");
+    append_string(out, manifold.notes[i]);
+  }
+  append(out, "], \"ball\": ");
   append(out, manifold.has_only_spheres() ? "true" : "false");
   const std::string table = topology::write_json({{}, manifold.gluings});  // {"gluings": ...}
   append(out, ", ");
@@ -132,6 +146,7 @@ std::string as_text(const meshing::Manifold& manifold, const Subject& subject) {
          fmt::format(
              "{} points, {} triangles{}", manifold.points, manifold.triangles,
              manifold.turned == 0 ? "" : fmt::format(" ({} turned round)", manifold.turned)));
+  for (const std::string& note : manifold.notes) line("note", note);
   std::vector<std::string> genera;
   for (const int genus : manifold.boundary_genera)
     genera.push_back(genus == 0 ? "sphere" : fmt::format("genus {}", genus));
@@ -151,12 +166,8 @@ std::string as_text(const meshing::Manifold& manifold, const Subject& subject) {
 }
 
 Outcome mesh_one(const MeshCommand& command, const std::string& input) {
-  auto file = load_mesh(input);
+  meshing::MeshFile file = load_mesh(input);
   const std::string source = input == "-" ? "standard input" : tripus::quoted(input);
-  if (!file)
-    throw InvalidInput(source +
-                       " is neither a surface (OFF, OBJ, STL, PLY) nor a tetrahedral mesh (Medit, "
-                       "VTK, TetGen); a triangulation is made smaller by tripus simplify");
   catch_interrupts();
   Progress progress(!command.common.quiet && command.common.batch.empty());
   meshing::ManifoldOptions options = command.options;
@@ -168,7 +179,7 @@ Outcome mesh_one(const MeshCommand& command, const std::string& input) {
   };
   meshing::Manifold manifold;
   try {
-    manifold = meshing::manifold_of(*std::move(file), options);
+    manifold = meshing::manifold_of(std::move(file), options);
   } catch (const Unsupported& error) {
     throw Unsupported(source + ": " + error.what());
   } catch (const InvalidInput& error) {
@@ -199,7 +210,8 @@ void add_mesh(CLI::App& program, Command& chosen) {
                      ->option_text("FILE")
                      ->check(problem_of_name);
   auto* mesh_output = verb->add_option("--save-mesh", command->mesh_output,
-                                       "write the tetrahedral mesh: x.vtk or x.mesh")
+                                       "write the tetrahedral mesh: x.vtk, x.mesh (Medit) or\n"
+                                       "x.msh (Gmsh)")
                           ->option_text("FILE")
                           ->check(problem_of_name);
   output->excludes(verb->get_option("--batch"));

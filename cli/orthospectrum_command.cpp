@@ -94,7 +94,8 @@ Outcome spectrum_one(const OrthospectrumCommand& command, const std::string& inp
   if (!command.table.empty()) table.emplace(command.table);
   if (!command.picture.empty()) picture.emplace(command.picture);
   if (!command.plot.empty()) plot.emplace(command.plot);
-  const Subject subject = load_solvable_subject(input, interruptible(), require_with_remedy);
+  const Subject subject =
+      load_solvable_subject(input, interruptible(), require_boundary_with_remedy);
   catch_interrupts();
   structure::SolveOptions solve;
   solve.stop_requested = &interrupt_requested();

@@ -42,7 +42,8 @@ std::string proof_table(const structure::ProofText& proof) {
 
 Outcome prove_one(const ProveCommandOptions& command, const std::string& input) {
   const auto start = Context::Clock::now();
-  const Subject subject = load_solvable_subject(input, interruptible(), require_with_remedy);
+  const Subject subject =
+      load_solvable_subject(input, interruptible(), require_boundary_with_remedy);
   structure::SolveOptions solve;
   solve.stop_requested = &interrupt_requested();
   if (command.time_limit > 0) solve.time_limit = command.time_limit;
@@ -57,14 +58,13 @@ Outcome prove_one(const ProveCommandOptions& command, const std::string& input) 
   const bool metric = proof.proved && proof.claim == structure::Proof::Claim::kMetric;
   if (command.common.json) {
     report.message = structure::proof_message(proof);
-    return {report_as_json(subject, report, nullptr, &proof), metric ? kSuccess : kNoAnswer,
-            subject.notes};
+    return {report_as_json(subject, report, nullptr, &proof), metric ? kSuccess : kNoAnswer};
   }
   std::string text = fmt::format("{}: {}\n", printable(subject.input), proof_message(proof));
   if (proof.proved && proof.volume)
     text += fmt::format("  volume      from {}\n              to   {}\n", proof.volume->lower,
                         proof.volume->upper);
-  return {text + proof_table(proof), metric ? kSuccess : kNoAnswer, subject.notes};
+  return {text + proof_table(proof), metric ? kSuccess : kNoAnswer};
 }
 
 }  // namespace

@@ -22,16 +22,26 @@ const char* remedy(const topology::Triangulation& triangulation) {
   return "";
 }
 
-}  // namespace
-
-void require_with_remedy(const topology::Triangulation& triangulation) {
+template <class Require>
+void with_remedy(const topology::Triangulation& triangulation, Require&& require) {
   try {
-    topology::require_solvable(triangulation);
+    require();
   } catch (const Unsupported& error) {
     throw Unsupported(std::string(error.what()) + remedy(triangulation));
   } catch (const InvalidInput& error) {
     throw InvalidInput(std::string(error.what()) + remedy(triangulation));
   }
+}
+
+}  // namespace
+
+void require_boundary_with_remedy(const topology::Triangulation& triangulation) {
+  with_remedy(triangulation, [&] { topology::require_geodesic_boundary(triangulation); });
+}
+
+void require_with_remedy(const topology::Triangulation& triangulation,
+                         std::span<const topology::ConeAngle> cone_angles) {
+  with_remedy(triangulation, [&] { topology::require_solvable(triangulation, cone_angles); });
 }
 
 std::string advice_text(structure::Advice advice) {

@@ -85,12 +85,32 @@ void append_path(std::string& text, const structure::Retriangulation& found) {
   }
 }
 
+/// "  boundary        geodesic surface of genus 2, area 12.56...".
+std::string vertex_line(const VertexReport& vertex) {
+  const topology::VertexLink link{vertex.link_euler_characteristic, vertex.orientable, 0};
+  std::string surface = topology::surface_name(link);
+  if (vertex.cone_points > 0)
+    surface += fmt::format(" with {}", counted(vertex.cone_points, "cone point", "cone points"));
+  switch (vertex.kind) {
+    case topology::VertexKind::kHyperideal:
+      if (link.orientable && vertex.cone_points == 0)
+        return fmt::format("  boundary        geodesic surface of genus {}, area {}\n",
+                           vertex.genus, vertex.area);
+      return fmt::format("  boundary        geodesic, {}, area {}\n", surface, vertex.area);
+    case topology::VertexKind::kIdeal:
+      return fmt::format("  cusp            {}; lengths from a horosphere of area {}\n", surface,
+                         vertex.area);
+    case topology::VertexKind::kFinite:
+      break;
+  }
+  return fmt::format("  finite vertex   {}, solid angle {}\n", surface, vertex.area);
+}
+
 /// Volume, boundary, curvature, flat tetrahedra.
 void append_numbers_found(std::string& text, const Report& report) {
   text += fmt::format("  volume          {}\n", report.volume);
   for (const VertexReport& vertex : report.vertices) {
-    text += fmt::format("  boundary        geodesic surface of genus {}, area {}\n", vertex.genus,
-                        vertex.area);
+    text += vertex_line(vertex);
   }
   text += fmt::format("  largest |K|     {:.3g}\n", report.max_curvature);
   for (const std::size_t t : report.flat_tetrahedra) {

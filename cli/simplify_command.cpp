@@ -110,7 +110,7 @@ Outcome simplify_one(const SimplifyCommand& command, const std::string& input) {
     write_triangulation_file(command.output, name, subject.triangulation.gluings(),
                              subject.best_signature());
   return {command.common.json ? as_json(result, stages, subject) : as_text(result, stages, subject),
-          result.stopped ? kNoAnswer : kSuccess, subject.notes};
+          result.stopped ? kNoAnswer : kSuccess};
 }
 
 /// A factor of the search: 0 turns it off.

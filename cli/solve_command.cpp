@@ -1,5 +1,4 @@
 // tripus solve: find the metric.
-#include <charconv>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -17,15 +16,18 @@
 #include "cli/lengths_file.hpp"
 #include "cli/metric.hpp"
 #include "cli/numbers.hpp"
+#include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/remedies.hpp"
 #include "cli/report_text.hpp"
 #include "cli/triangulation_file.hpp"
+#include "manifold/labels.hpp"
 #include "manifold/load.hpp"
 #include "manifold/prepared.hpp"
 #include "structure/method.hpp"
 #include "structure/solve.hpp"
 #include "topology/components.hpp"
+#include "topology/requirements.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -34,6 +36,7 @@ struct SolveCommandOptions {
   CommonOptions common;
   structure::SolveOptions solve;
   std::string lengths_file;
+  std::vector<std::string> cone_orders;  ///< EDGE=ORDER
   std::vector<std::string> cone_angles;  ///< EDGE=ANGLE
   std::string history;
   bool components = false;
@@ -42,41 +45,14 @@ struct SolveCommandOptions {
   bool prove = false;
 };
 
-/// Cone angles [E] with the ones that were asked for changed; empty if none were.
-std::vector<double> cone_angles_of(const std::vector<std::string>& assignments,
-                                   std::size_t edge_count) {
-  std::vector<double> angles;
-  if (!assignments.empty()) angles.assign(edge_count, parse_angle("2pi"));
-  for (const std::string& assignment : assignments) {
-    const std::size_t equals = assignment.find('=');
-    const std::string_view number = std::string_view(assignment).substr(0, equals);
-    std::size_t edge = 0;
-    const auto [end, code] = std::from_chars(number.data(), number.data() + number.size(), edge);
-    if (equals == std::string::npos || code != std::errc() ||
-        end != number.data() + number.size()) {
-      throw InvalidInput("--cone-angle " + tripus::quoted(assignment) +
-                         ": write EDGE=ANGLE, such as 0=2pi/3");
-    }
-    if (edge >= edge_count) {
-      throw InvalidInput(fmt::format("--cone-angle {}: there are only the edge classes 0 to {}",
-                                     tripus::quoted(assignment), edge_count - 1));
-    }
-    try {
-      angles[edge] = parse_angle(std::string_view(assignment).substr(equals + 1));
-    } catch (const InvalidInput& error) {
-      throw InvalidInput("--cone-angle " + tripus::quoted(assignment) + ": " + error.what());
-    }
-  }
-  return angles;
-}
-
 /// The triangulation that the metric is on, into a file.
-void write_solved(const SolveCommandOptions& command, Solved& solved) {
+void write_solved(const SolveCommandOptions& command, const Solved& solved) {
   const Subject& subject = solved.subject;
   if (command.output.empty()) return;
   if (!solved.is_geometric()) {
-    solved.subject.notes.push_back(tripus::quoted(command.output) +
-                                   " was not written: there is no metric to go with it");
+    write_message(
+        fmt::format("tripus: note: {} was not written: there is no metric to go with it\n",
+                    tripus::quoted(command.output)));
     return;
   }
   write_triangulation_file(command.output, subject.name, subject.triangulation.gluings(),
@@ -94,12 +70,12 @@ Outcome answer_of(const SolveCommandOptions& command, const Solved& solved) {
   return {command.common.json
               ? report_as_json(solved.subject, solved.report, solved.search(), given)
               : report_as_text(solved.subject, solved.report, solved.search(), given),
-          solved.is_geometric() ? kSuccess : kNoAnswer, solved.subject.notes};
+          solved.is_geometric() ? kSuccess : kNoAnswer};
 }
 
 Outcome solve_subject(const SolveCommandOptions& command, Subject subject) {
   structure::SolveOptions options = command.solve;
-  options.cone_angles = cone_angles_of(command.cone_angles, subject.triangulation.edge_count());
+  options.cone_angles = subject.cone_angles;
   catch_interrupts();
   std::optional<HistoryFile> history;
   if (!command.history.empty()) history.emplace(command.history);
@@ -123,16 +99,66 @@ Outcome solve_subject(const SolveCommandOptions& command, Subject subject) {
 /// A component as a subject of its own, its finite vertices removed.
 Subject component_subject(const std::string& label, const topology::NamedGluings& whole,
                           topology::Gluings part) {
-  topology::NamedGluings loaded{{}, std::move(part), whole.orientation_known, {}};
+  topology::NamedGluings loaded{{}, std::move(part)};
+  loaded.orientation_known = whole.orientation_known;
   make_ideal(loaded, topology::FiniteVertices::kRemove);
   return make_subject(label, std::move(loaded));
+}
+
+/// The same manifold without finite vertices, if it has others: with a note.
+Subject without_finite_vertices(Subject subject) {
+  topology::NamedGluings loaded{.name = subject.name,
+                                .gluings = subject.triangulation.gluings(),
+                                .notes = subject.notes,
+                                .orientation_known = subject.orientation_known};
+  make_ideal(loaded, topology::FiniteVertices::kRemove, &interrupt_requested());
+  if (loaded.notes.size() == subject.notes.size()) return subject;
+  write_message(
+      fmt::format("tripus: note: {}: {}\n", printable(subject.input), loaded.notes.back()));
+  return make_subject(subject.input, std::move(loaded));
+}
+
+void assign_labels(const SolveCommandOptions& command, Subject& subject) {
+  LabelAssignment labels(subject.cone_angles, subject.triangulation.edge_count());
+  for (const std::string& list : command.cone_orders)
+    labels.assign("--cone-order", list, "EDGE=ORDER, such as 0=3", topology::parse_cone_order);
+  for (const std::string& list : command.cone_angles)
+    labels.assign(
+        "--cone-angle", list, "EDGE=ANGLE, such as 0=2pi/3",
+        [](std::string_view text) -> topology::ConeAngle {
+          const double angle = parse_angle(text);
+          if (angle < 0)
+            throw InvalidInput("a cone angle is not negative; 0 makes the edge parabolic");
+          return angle;
+        });
+}
+
+/// The labels of the command line come on top of those of the input.
+Subject load_subject_with(const SolveCommandOptions& command, const std::string& input) {
+  Subject subject = load_labelled_subject(input, Balls::kRefused, interruptible());
+  assign_labels(command, subject);
+  // Labels are by the edge classes of the triangulation as it was given.
+  if (subject.cone_angles.empty()) subject = without_finite_vertices(std::move(subject));
+  try {
+    require_with_remedy(subject.triangulation, subject.cone_angles);
+    if (command.prove) {
+      topology::require_geodesic_boundary(subject.triangulation);
+      if (!topology::all_full(subject.cone_angles))
+        throw Unsupported("--prove does not know cone angles other than 2 pi so far");
+    }
+  } catch (const Unsupported& error) {
+    throw Unsupported(fmt::format("{}: {}", tripus::quoted(input), error.what()));
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format("{}: {}", tripus::quoted(input), error.what()));
+  }
+  return subject;
 }
 
 /// As solve_subject, but says which component could not be solved.
 Outcome solve_component(const SolveCommandOptions& command, const std::string& component,
                         Subject subject) {
   try {
-    require_with_remedy(subject.triangulation);
+    require_with_remedy(subject.triangulation, subject.cone_angles);
     return solve_subject(command, std::move(subject));
   } catch (const Unsupported& error) {
     throw Unsupported(component + ": " + error.what());
@@ -150,8 +176,9 @@ Outcome solve_components(const SolveCommandOptions& command, const std::string& 
   for (topology::Gluings& part : topology::components(loaded.gluings)) {
     const std::string component = fmt::format("component {}", number++);
     const std::string label = fmt::format("{} ({})", input, component);
-    const Outcome one =
-        solve_component(command, component, component_subject(label, loaded, std::move(part)));
+    Subject subject = component_subject(label, loaded, std::move(part));
+    assign_labels(command, subject);
+    const Outcome one = solve_component(command, component, std::move(subject));
     all.status = std::max(all.status, one.status);
     answers.push_back(one.text);
   }
@@ -189,8 +216,7 @@ int run(SolveCommandOptions& command) {
   structure::find_solve_method(command.solve.method, 1);  // a wrong name is wrong for all inputs
   return answer_inputs(command.common, [&](const std::string& input) {
     return command.components ? solve_components(command, input)
-                              : solve_subject(command, load_solvable_subject(input, interruptible(),
-                                                                             require_with_remedy));
+                              : solve_subject(command, load_subject_with(command, input));
   });
 }
 
@@ -227,9 +253,15 @@ void add_solve(CLI::App& program, Command& chosen) {
   verb->add_option("--time-limit", solve.time_limit, "stop after so many seconds for one INPUT")
       ->option_text("S")
       ->check(positive_number());
+  verb->add_option("--cone-order", command->cone_orders,
+                   "make an edge class singular of order N = 2, 3, ... or a fraction\n"
+                   "such as 5/2 (cone angle 2pi/N), or parabolic (N = 0): 0=2,1=3;\n"
+                   "may be repeated; `tripus info` numbers the edge classes from 0")
+      ->option_text("EDGE=N")
+      ->allow_extra_args(false);
   verb->add_option("--cone-angle", command->cone_angles,
                    "cone angle around an edge class instead of 2pi, such as 0=2pi/3;\n"
-                   "may be repeated; `tripus info` numbers the edge classes from 0")
+                   "may be repeated")
       ->option_text("EDGE=ANGLE")
       ->allow_extra_args(false);
   auto* history = verb->add_option("--history", command->history,
@@ -240,6 +272,7 @@ void add_solve(CLI::App& program, Command& chosen) {
   history->excludes(verb->get_option("--batch"));
   add_metric_search(*verb, command->search);
   verb->get_option("--cone-angle")->excludes(verb->get_option("--retriangulate"));
+  verb->get_option("--cone-order")->excludes(verb->get_option("--retriangulate"));
   verb->add_option("-o,--output", command->output,
                    "write the triangulation that carries the metric: .json or .sig")
       ->option_text("FILE")

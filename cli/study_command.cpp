@@ -40,7 +40,7 @@ struct StudyCommandOptions {
 void load(const std::string& input, std::vector<studies::StudyInput>& out) {
   std::error_code status;
   if (std::filesystem::is_regular_file(input, status)) {
-    const auto lines = topology::read_batch(read_file(input));
+    const auto lines = read_batch_file(input);
     const bool list = lines.size() > 1 && std::ranges::all_of(lines, [](const auto& line) {
                         return topology::looks_like_isosig(line.text);
                       });

@@ -1,26 +1,50 @@
 #include "cli/triangulation_file.hpp"
 
+#include <array>
+
 #include "base/error.hpp"
 #include "base/output_file.hpp"
 #include "topology/formats/json.hpp"
+#include "topology/formats/regina.hpp"
+#include "topology/formats/snappea.hpp"
 
 namespace tripus::cli {
 
+namespace {
+
+struct Ending {
+  std::string_view ending;
+  std::string (*write)(const topology::NamedGluings&);  ///< null: the signature
+};
+
+/// A new format is one line here.
+constexpr std::array kEndings{Ending{".json", topology::write_json}, Ending{".sig", nullptr},
+                              Ending{".rga", topology::write_regina_xml},
+                              Ending{".tri", topology::write_snappea}};
+
+const Ending* find_ending(const std::string& path) {
+  for (const Ending& each : kEndings)
+    if (path.ends_with(each.ending)) return &each;
+  return nullptr;
+}
+
+}  // namespace
+
 void require_triangulation_name(const std::string& path) {
-  if (!path.ends_with(".json") && !path.ends_with(".sig"))
+  if (!find_ending(path))
     throw InvalidInput("-o " + quoted(path) +
-                       ": the name must end with .json (gluing table) or .sig (signature)");
+                       ": the name must end with .json (gluing table), .sig (signature), .rga "
+                       "(Regina) or .tri (SnapPea)");
 }
 
 void write_triangulation_file(const std::string& path, const std::string& name,
                               const topology::Gluings& gluings,
                               const std::optional<std::string>& isosig) {
   require_triangulation_name(path);
-  if (path.ends_with(".sig") && !isosig)
+  const Ending& ending = *find_ending(path);
+  if (!ending.write && !isosig)
     throw InvalidInput("the signature would take too long to compute; write .json");
-  const std::string text =
-      path.ends_with(".sig") ? *isosig + "\n" : topology::write_json({name, gluings});
-  write_file(path, text);
+  write_file(path, ending.write ? ending.write({name, gluings}) : *isosig + "\n");
 }
 
 }  // namespace tripus::cli

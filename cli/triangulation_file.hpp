@@ -7,8 +7,8 @@
 
 namespace tripus::cli {
 
-/// Throws InvalidInput unless the name of an output file tells a format: .json (gluing table) or
-/// .sig (signature). To be asked before the work.
+/// Throws InvalidInput unless the name of an output file tells a format: .json (gluing table), .sig
+/// (signature), .rga (Regina) or .tri (SnapPea). To be asked before the work.
 void require_triangulation_name(const std::string& path);
 
 /// Writes the triangulation in the format that the name tells; `isosig` is its signature, if known.

@@ -17,14 +17,17 @@
 #include "cli/progress.hpp"
 #include "manifold/json_text.hpp"
 #include "manifold/load.hpp"
-#include "meshing/formats/off.hpp"
+#include "meshing/formats/read_graph.hpp"
+#include "meshing/formats/write_surface.hpp"
 #include "meshing/tube/tube_surface.hpp"
 
 namespace tripus::cli {
 namespace {
 
 constexpr const char* kGraphHelp =
-    "GRAPH is a JSON file (or - for standard input):\n"
+    "GRAPH is a file (or - for standard input): Geomview's VECT, lines (l) of a Wavefront OBJ, "
+    "points\n"
+    "as three numbers a line with empty lines between polylines, or JSON:\n"
     "  {\"vertices\": [[x,y,z], ...], \"edges\": [[[x,y,z], ...], ...], \"outer\": ...}\n"
     "Each edge is a list of points. Its ends are vertices; or it ends where it begins, a knot; or "
     "an\n"
@@ -74,7 +77,7 @@ meshing::Tube tube_of(const TubeCommand& command) {
       command.graph == "-" ? "standard input" : tripus::quoted(command.graph);
   try {
     Progress progress(!command.quiet);
-    return meshing::make_tube(meshing::read_spatial_graph(text), options_of(command, progress));
+    return meshing::make_tube(meshing::read_graph(text), options_of(command, progress));
   } catch (const Unsupported& error) {
     throw Unsupported(source + ": " + error.what());
   } catch (const InvalidInput& error) {
@@ -128,12 +131,15 @@ int run(const TubeCommand& command) {
     throw InvalidInput(
         "--json and the surface cannot both go to standard output; name a file "
         "with -o");
+  const meshing::SurfaceFormat& format = command.output == "-"
+                                             ? meshing::surface_formats().front()
+                                             : meshing::surface_format_of(command.output);
   catch_interrupts();
   std::optional<OutputFile> file;
   if (command.output != "-") file.emplace(command.output);
   try {
     const meshing::Tube tube = tube_of(command);
-    const std::string surface = meshing::write_off(tube.surface);
+    const std::string surface = format.write(tube.surface);
     if (file) {
       file->open() << surface;
       file->close();
@@ -156,10 +162,11 @@ int run(const TubeCommand& command) {
 void add_tube(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand("tube", "surface of the tube around a graph in space");
   auto command = std::make_shared<TubeCommand>();
-  verb->add_option("GRAPH", command->graph, "JSON file with vertices and edges, or -")
+  verb->add_option("GRAPH", command->graph, "file with a graph in space, or -")
       ->option_text(" ")
       ->required();
-  verb->add_option("-o,--output", command->output, "OFF file to write, or -")
+  verb->add_option("-o,--output", command->output,
+                   "file to write, .off, .obj, .ply or .stl, or - (OFF)")
       ->option_text("FILE")
       ->required();
   verb->add_option("--radius", command->radius,

@@ -149,13 +149,13 @@ PageRequest page_request(const ViewCommand& command) {
 }
 
 Outcome view_one(const ViewCommand& command, const std::string& input) {
-  Subject loaded = load_solvable_subject(input, interruptible(), require_with_remedy);
+  Subject loaded = load_solvable_subject(input, interruptible(), require_boundary_with_remedy);
   catch_interrupts();
   Solved solved = find_metric(std::move(loaded), {}, command.search);
   if (!solved.is_geometric()) {
     return {command.common.json ? report_as_json(solved.subject, solved.report, solved.search())
                                 : report_as_text(solved.subject, solved.report, solved.search()),
-            kNoAnswer, solved.subject.notes};
+            kNoAnswer};
   }
   Developed developed{std::move(solved.subject), std::move(solved.report), {}};
   developed.embedding =

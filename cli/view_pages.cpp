@@ -106,8 +106,8 @@ class Gallery {
   Outcome make(const topology::BatchLine& line, viewer::GalleryEntry& entry) {
     if (line.text == "-") throw InvalidInput(kNoStandardInput);
     const Solved solved =
-        find_metric(load_solvable_subject(line.text, interruptible(), require_with_remedy), {},
-                    request_.search);
+        find_metric(load_solvable_subject(line.text, interruptible(), require_boundary_with_remedy),
+                    {}, request_.search);
     const Subject& subject = solved.subject;
     const structure::Report& report = solved.report;
     if (!solved.is_geometric()) {

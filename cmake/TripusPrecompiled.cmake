@@ -13,5 +13,7 @@ function(tripus_precompile target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # What ccache needs in order to see through a precompiled header.
     target_compile_options(${target} PRIVATE -fpch-preprocess)
+  elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    target_compile_options(${target} PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
   endif()
 endfunction()

@@ -348,6 +348,70 @@ def check_proofs(note):
             note("(96) (97) delta beyond the bound", max(0.0, delta - K * K / d / 4))
 
 
+def mixed_gram(l, kinds):
+    """Equation (77); kinds are G_vv. Returns the Gram matrix and s."""
+    g, s = symmetric([0.0] * 6), symmetric([0.0] * 6)
+    for x, (i, j) in zip(l, EDGES):
+        if kinds[i] == 0 or kinds[j] == 0:
+            entry = slope = (2 if kinds[i] == kinds[j] else 1) * math.exp(x)
+        elif kinds[i] == kinds[j]:
+            entry, slope = math.cosh(x), math.sinh(x)
+        else:
+            entry, slope = math.sinh(x), math.cosh(x)
+        g[i][j] = g[j][i] = -entry
+        s[i][j] = s[j][i] = slope
+    for v in range(4):
+        g[v][v] = float(kinds[v])
+    return g, s
+
+
+def mixed_angles(l, kinds):
+    """Equation (9) with (77), or None if there is no such tetrahedron."""
+    g, s = mixed_gram(l, kinds)
+    c, d = cofactors(g), -det(g)
+    if d <= 0 or any(c[v][v] >= 0 for v in range(4)):
+        return None
+    return [math.atan2(math.sqrt(d) * s[i][j], c[others(i, j)[0]][others(i, j)[1]]) for i, j in EDGES]
+
+
+def check_vertices_of_every_kind(random_, note):
+    for kinds in [(a, b, c, d) for a in (1, 0, -1) for b in (1, 0, -1) for c in (1, 0, -1) for d in (1, 0, -1)]:
+        for _ in range(200):
+            l = [random_.uniform(0.3, 1.5) for _ in range(6)]
+            theta = mixed_angles(l, kinds)
+            if theta and all(0.1 < t < 2.8 for t in theta):
+                break
+        else:
+            continue
+        g, s = mixed_gram(l, kinds)
+        for i, j in EDGES:
+            note("(77) s^2 = G_ij^2 - G_ii G_jj", abs(s[i][j] ** 2 - g[i][j] ** 2 + g[i][i] * g[j][j]))
+        # Schlaefli's formula holds for these lengths whatever the mixture.
+        J = [[difference(lambda x: mixed_angles(x, kinds)[a], l, e) for a in range(6)]
+             for e in range(6)]
+        dV = [difference(lambda x: volume(mixed_angles(x, kinds)), l, e) for e in range(6)]
+        for e in range(6):
+            note("(23) (77) Schlaefli's formula for every mixture of vertices",
+                 abs(dV[e] + sum(x * t for x, t in zip(l, J[e])) / 2))
+        for v in range(4):
+            if kinds[v] != 0:
+                continue
+            at = [e for e, ends in enumerate(EDGES) if v in ends]
+            moved = mixed_angles([x + 0.7 * (e in at) for e, x in enumerate(l)], kinds)
+            note("(78) moving a horosphere changes no angle", max(abs(x - y) for x, y in zip(moved, theta)))
+            note("(78) angles at an ideal vertex sum to pi", abs(sum(theta[e] for e in at) - math.pi))
+            # (80): the horosphere's triangle has the dihedral angles for its angles.
+            i, (j, k, m) = v, [w for w in range(4) if w != v]
+
+            def side(a, b):
+                return math.sqrt(g[a][a] / g[i][a] ** 2 + g[b][b] / g[i][b] ** 2
+                                 - 2 * g[a][b] / (g[i][a] * g[i][b]))
+
+            x, y, z = side(j, k), side(j, m), side(k, m)
+            angle = theta[EDGES.index((min(i, j), max(i, j)))]
+            note("(80) triangle on the horosphere", abs((x * x + y * y - z * z) / (2 * x * y) - math.cos(angle)))
+
+
 def main():
     random_ = random.Random(20)
     errors = {}
@@ -411,6 +475,7 @@ def main():
     check_divergence(note)
     check_proofs(note)
 
+    check_vertices_of_every_kind(random.Random(9), note)
     bounds = {"(13)": 1e-9, "J sym": 1e-9, "(15)": 1e-12, "(54)": 1e-9}
     for label in sorted(errors):
         report(label, errors[label], next((b for k, b in bounds.items() if label.startswith(k)), 1e-7))

@@ -12,6 +12,7 @@
 #include "embedding/detail/orientations.hpp"
 #include "geometry/moebius.hpp"
 #include "geometry/truncated_tetrahedron.hpp"
+#include "topology/requirements.hpp"
 
 namespace tripus::embedding {
 namespace {
@@ -104,6 +105,7 @@ Matrix4 face_pairing(const HyperboloidTetrahedron& here, const HyperboloidTetrah
 }  // namespace
 
 Embedding embed(const Triangulation& triangulation, std::span<const double> edge_lengths) {
+  topology::require_geodesic_boundary(triangulation);
   require_lengths(triangulation, edge_lengths);
   const std::size_t count = triangulation.tetrahedron_count();
   const std::vector<int> orientation = detail::orientations(triangulation.gluings());

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
+#include <utility>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
-#include "base/error.hpp"
+#include "geometry/mixed_tetrahedron.hpp"
 #include "geometry/volume.hpp"
 
 namespace tripus::energies {
@@ -16,6 +16,7 @@ namespace {
 
 using geometry::kLanes;
 using geometry::kPackedJacobian;
+using topology::VertexKind;
 
 /// Blocks evaluated in one call of the kernel: their gathered lengths stay in the first cache.
 constexpr std::size_t kChunk = 32;
@@ -24,6 +25,52 @@ constexpr std::size_t kChunk = 32;
 constexpr double kPaddingLength = 1.0;
 
 constexpr double kPi = std::numbers::pi;
+
+double gram_diagonal(VertexKind kind) {
+  return kind == VertexKind::kHyperideal ? 1 : kind == VertexKind::kIdeal ? 0 : -1;
+}
+
+/// Edge classes, one for each ideal vertex, whose lengths fix all horospheres: in the graph of the
+/// ideal vertices with these edges, every component has one cycle, and that is of odd length: a
+/// loop, or a triangle. An edge with one ideal end counts as a loop there. Greedy, as in
+/// Kruskal's algorithm; there are always enough, as the edges of a face with three ideal vertices
+/// form such a cycle, and other faces have edges with one ideal end.
+std::vector<std::uint32_t> horosphere_pins(const topology::Triangulation& triangulation,
+                                           std::span<const topology::OrbifoldLink> links) {
+  std::vector<std::size_t> parent(links.size());
+  std::vector<bool> odd(links.size());    // against the parent: the sign of the horosphere's shift
+  std::vector<bool> fixed(links.size());  // of a root: its component has its cycle
+  for (std::size_t v = 0; v < parent.size(); ++v) parent[v] = v;
+  const auto root_of = [&](std::size_t v) {
+    bool sign = false;
+    for (; parent[v] != v; v = parent[v]) sign ^= odd[v];
+    return std::pair(v, sign);
+  };
+  std::vector<std::uint32_t> pins;
+  for (std::size_t e = 0; e < triangulation.edge_count(); ++e) {
+    const topology::EdgeCorner corner = triangulation.corners(e)[0];
+    const auto& ends = topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())];
+    const std::size_t a = triangulation.vertex_class(corner.tetrahedron(), ends[0]);
+    const std::size_t b = triangulation.vertex_class(corner.tetrahedron(), ends[1]);
+    const bool ideal_a = links[a].kind == VertexKind::kIdeal;
+    const bool ideal_b = links[b].kind == VertexKind::kIdeal;
+    if (!ideal_a && !ideal_b) continue;
+    const auto [root_a, sign_a] = root_of(ideal_a ? a : b);
+    const auto [root_b, sign_b] = root_of(ideal_b ? b : a);
+    if (root_a != root_b) {
+      if (fixed[root_a] && fixed[root_b]) continue;
+      parent[root_a] = root_b;
+      odd[root_a] = sign_a == sign_b;  // the ends of an edge move by opposite amounts
+      fixed[root_b] = fixed[root_a] || fixed[root_b];
+    } else {
+      const bool loop = !ideal_a || !ideal_b || sign_a == sign_b;
+      if (fixed[root_a] || !loop) continue;
+      fixed[root_a] = true;
+    }
+    pins.push_back(static_cast<std::uint32_t>(e));
+  }
+  return pins;
+}
 
 /// Whether these are the angles of a flat tetrahedron: the kernel gives it exactly four times 0 and
 /// twice pi.
@@ -51,25 +98,78 @@ class Sum {
 }  // namespace
 
 CoVolume::CoVolume(const topology::Triangulation& triangulation,
-                   std::span<const double> cone_angles)
-    : triangulation_(triangulation), kernels_(geometry::batch_kernels()) {
-  const std::size_t edges = triangulation.edge_count();
-  if (cone_angles.empty()) {
-    cone_angles_.assign(edges, 2 * kPi);
-  } else if (cone_angles.size() != edges) {
-    throw InvalidInput("there are " + std::to_string(cone_angles.size()) + " cone angles for " +
-                       std::to_string(edges) + " edge classes; give one for each");
-  } else {
-    cone_angles_.assign(cone_angles.begin(), cone_angles.end());
-  }
-  for (std::size_t e = 0; e < edges; ++e) {
-    if (!std::isfinite(cone_angles_[e]) || cone_angles_[e] <= 0) {
-      throw InvalidInput("cone angle of edge class " + std::to_string(e) + " is " +
-                         std::to_string(cone_angles_[e]) +
-                         "; it must be finite and greater than 0 (radians)");
-    }
-  }
+                   std::span<const topology::ConeAngle> cone_angles)
+    : triangulation_(triangulation),
+      kernels_(geometry::batch_kernels()),
+      links_(topology::orbifold_links(triangulation, cone_angles)) {
+  for (const topology::ConeAngle& k : topology::completed(cone_angles, triangulation.edge_count()))
+    cone_angles_.push_back(k.radians());
   theta_.resize(geometry::block_count(triangulation.tetrahedron_count()) * 6 * kLanes);
+  for (const topology::OrbifoldLink& link : links_) {
+    if (link.kind == VertexKind::kFinite) form_ = Form::kFinite;
+    if (link.kind == VertexKind::kIdeal && form_ == Form::kHyperideal) form_ = Form::kMixed;
+  }
+  if (form_ == Form::kHyperideal) return;
+  diagonal_.assign(geometry::block_count(triangulation.tetrahedron_count()) * 4 * kLanes, 1.0);
+  for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t)
+    for (std::size_t v = 0; v < 4; ++v)
+      diagonal_[(4 * (t / kLanes) + v) * kLanes + t % kLanes] =
+          gram_diagonal(links_[triangulation.vertex_class(t, static_cast<int>(v))].kind);
+  pins_ = horosphere_pins(triangulation, links_);
+}
+
+bool CoVolume::is_between_hyperideal(std::size_t e) const {
+  const topology::EdgeCorner corner = triangulation_.corners(e)[0];
+  return std::ranges::all_of(
+      topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())], [&](int end) {
+        return links_[triangulation_.vertex_class(corner.tetrahedron(), end)].kind ==
+               VertexKind::kHyperideal;
+      });
+}
+
+/// Angles, and Jacobians if asked for, of blocks whose lengths have been gathered.
+bool CoVolume::angles(std::size_t first_block, std::size_t count, const double* lengths,
+                      bool second_derivatives) {
+  double* theta = theta_.data() + 6 * kLanes * first_block;
+  double* jacobian =
+      second_derivatives ? jacobian_.data() + kPackedJacobian * kLanes * first_block : nullptr;
+  switch (form_) {
+    case Form::kHyperideal:
+      flat_count_ += kernels_.angles(count, lengths, theta, jacobian);
+      return true;
+    case Form::kMixed:
+      flat_count_ += kernels_.mixed_angles(
+          count, lengths, diagonal_.data() + 4 * kLanes * first_block, theta, jacobian);
+      return true;
+    case Form::kFinite:
+      break;
+  }
+  return finite_angles(first_block, count, lengths, second_derivatives);
+}
+
+/// One by one; false if some tetrahedron is not a true one.
+bool CoVolume::finite_angles(std::size_t first_block, std::size_t count, const double* lengths,
+                             bool second_derivatives) {
+  const std::size_t last =
+      std::min(kLanes * (first_block + count), triangulation_.tetrahedron_count());
+  for (std::size_t t = kLanes * first_block; t < last; ++t) {
+    const std::size_t block = t / kLanes, lane = t % kLanes;
+    std::array<double, 6> l, angle;
+    std::array<double, 4> d;
+    std::array<double, 36> jacobian;
+    for (std::size_t e = 0; e < 6; ++e)
+      l[e] = lengths[(6 * (block - first_block) + e) * kLanes + lane];
+    for (std::size_t v = 0; v < 4; ++v) d[v] = diagonal_[(4 * block + v) * kLanes + lane];
+    if (!geometry::general_dihedral_angles(
+            l, d, angle, second_derivatives ? std::span<double>(jacobian) : std::span<double>()))
+      return false;
+    for (std::size_t e = 0; e < 6; ++e) theta_[(6 * block + e) * kLanes + lane] = angle[e];
+    if (!second_derivatives) continue;
+    double* packed = jacobian_.data() + kPackedJacobian * kLanes * block + lane;
+    for (std::size_t i = 0, q = 0; i < 6; ++i)
+      for (std::size_t j = i; j < 6; ++j, ++q) packed[q * kLanes] = jacobian[6 * i + j];
+  }
+  return true;
 }
 
 void CoVolume::gather(std::size_t block, std::span<const double> x, double padding,
@@ -105,10 +205,8 @@ bool CoVolume::evaluate(std::span<const double> x, std::span<double> gradient,
     const std::size_t count = std::min(kChunk, blocks - begin);
     for (std::size_t b = 0; b < count; ++b)
       gather(begin + b, x, kPaddingLength, lengths + 6 * kLanes * b);
-    double* theta = theta_.data() + 6 * kLanes * begin;
-    double* jacobian =
-        request.second_derivatives ? jacobian_.data() + kPackedJacobian * kLanes * begin : nullptr;
-    flat_count_ += kernels_.angles(count, lengths, theta, jacobian);
+    const double* theta = theta_.data() + 6 * kLanes * begin;
+    if (!angles(begin, count, lengths, request.second_derivatives)) return false;
     if (!held_.empty()) flatten(begin, begin + count, request.second_derivatives);
     for (std::size_t b = 0; b < count; ++b)
       scatter_add(begin + b, theta + 6 * kLanes * b, gradient);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -9,7 +10,9 @@
 #include "energies/element_pattern.hpp"
 #include "geometry/batch.hpp"
 #include "solver/problem.hpp"
+#include "topology/cone_angle.hpp"
 #include "topology/triangulation.hpp"
+#include "topology/vertex_kinds.hpp"
 
 namespace tripus::energies {
 
@@ -17,14 +20,19 @@ namespace tripus::energies {
 ///     H(x) = sum_t cov(x|t) - sum_e k_e x_e,     grad H = -K,
 /// convex and C1 on all of R^E; its critical point is the hyperbolic metric with cone angles k_e.
 /// Smooth and strictly convex where no tetrahedron is flat.
-/// Source: docs/theory.md section 4.
+///
+/// Vertices may be ideal: then H is constant along one direction a cusp, which moves its
+/// horosphere, and strictly convex across these directions. A parabolic edge (cone angle 0) keeps
+/// the length 0: start there, and no method leaves it. With finite vertices H is defined where
+/// every tetrahedron is a true one (`evaluate` returns false elsewhere), and it is not convex.
+/// Source: docs/theory.md sections 4 and 9.
 class CoVolume final : public solver::Problem {
  public:
   /// Keeps a reference to the triangulation, which must outlive it.
-  /// cone_angles: [E] radians, > 0 and finite; empty for 2 pi everywhere.
+  /// cone_angles: [E] radians, >= 0 and finite; empty for 2 pi everywhere.
   /// Throws InvalidInput for a wrong number of cone angles or an angle out of range.
   explicit CoVolume(const topology::Triangulation& triangulation,
-                    std::span<const double> cone_angles = {});
+                    std::span<const topology::ConeAngle> cone_angles = {});
 
   std::size_t dimension() const override { return triangulation_.edge_count(); }
   bool evaluate(std::span<const double> x, std::span<double> gradient,
@@ -34,7 +42,15 @@ class CoVolume final : public solver::Problem {
   void hessian_times(std::span<const double> v, std::span<double> Hv) const override;
   void hessian_diagonal_blocks(std::size_t block_size, std::span<double> blocks) const override;
 
+  std::span<const std::uint32_t> pins() const override { return pins_; }
+
   std::span<const double> cone_angles() const { return cone_angles_; }
+  /// The vertex links [V] with the cone points.
+  std::span<const topology::OrbifoldLink> links() const { return links_; }
+  /// Whether every vertex is hyperideal; then there is nothing of section 10 in H.
+  bool is_hyperideal() const { return form_ == Form::kHyperideal; }
+  /// Whether edge class e joins hyperideal vertices, so that its length is > 0 in a metric.
+  bool is_between_hyperideal(std::size_t e) const;
 
   // What the latest evaluation found.
 
@@ -61,6 +77,13 @@ class CoVolume final : public solver::Problem {
   void hold_flat(std::vector<std::size_t> tetrahedra);
 
  private:
+  /// Which kernel computes the angles, chosen once.
+  enum class Form { kHyperideal, kMixed, kFinite };
+
+  bool angles(std::size_t first_block, std::size_t count, const double* lengths,
+              bool second_derivatives);
+  bool finite_angles(std::size_t first_block, std::size_t count, const double* lengths,
+                     bool second_derivatives);
   const double* jacobian_block(std::size_t b) const {
     return jacobian_.data() + geometry::kPackedJacobian * geometry::kLanes * b;
   }
@@ -75,6 +98,10 @@ class CoVolume final : public solver::Problem {
   const topology::Triangulation& triangulation_;
   const geometry::BatchKernels& kernels_;
   std::vector<double> cone_angles_;  // [E]
+  std::vector<topology::OrbifoldLink> links_;
+  Form form_ = Form::kHyperideal;
+  std::vector<double> diagonal_;     // [T/8][4][8] of the Gram matrices; empty if all are 1
+  std::vector<std::uint32_t> pins_;  // an edge class for each ideal vertex
   std::vector<double> theta_;        // [T/8][6][8]
   std::vector<double> jacobian_;     // [T/8][21][8], allocated at the first request
   std::size_t flat_count_ = 0;

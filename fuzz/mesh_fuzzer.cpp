@@ -1,5 +1,6 @@
 // One source for the fuzzers of all mesh readers: TRIPUS_MESH_READER is the reader's name.
 #include "fuzz/fuzzer.hpp"
+#include "meshing/formats/gmsh.hpp"
 #include "meshing/formats/medit.hpp"
 #include "meshing/formats/obj.hpp"
 #include "meshing/formats/off.hpp"
@@ -7,6 +8,8 @@
 #include "meshing/formats/stl.hpp"
 #include "meshing/formats/tetgen_files.hpp"
 #include "meshing/formats/vtk.hpp"
+#include "meshing/formats/vtk_xml.hpp"
+#include "meshing/mend.hpp"
 #include "meshing/validate.hpp"
 #include "meshing/validate_tetrahedra.hpp"
 
@@ -25,7 +28,8 @@ void check(const SurfaceFile& file) {
   const SurfaceFile again = read_off(write_off(file.mesh));
   fuzz::require(again.mesh.triangles == file.mesh.triangles);
   fuzz::require(write_off(again.mesh) == write_off(file.mesh));  // nan is not equal to itself
-  const Region region = require_valid(file.mesh, file.lines);
+  const SurfaceFile mended = mend(file);
+  const Region region = require_valid(mended.mesh, mended.lines);
   fuzz::require(region.outermost < region.components.size());
   for (const SurfaceComponent& component : region.components) fuzz::require(component.genus >= 0);
 }
@@ -34,7 +38,8 @@ void check(const TetrahedralFile& file) {
   const auto again = read_vtk(write_vtk(file.mesh));
   if (!file.mesh.tetrahedra.empty())
     fuzz::require(std::get<TetrahedralFile>(again).mesh.tetrahedra == file.mesh.tetrahedra);
-  fuzz::check_table(require_valid(file.mesh, file.lines).gluings);
+  const TetrahedralFile mended = mend(file);
+  fuzz::check_table(require_valid(mended.mesh, mended.lines).gluings);
 }
 
 void check(const MeshFile& file) {

@@ -25,6 +25,12 @@ struct BatchKernels {
   /// Returns the number of flat lanes.
   std::size_t (*angles)(std::size_t blocks, const double* lengths, double* theta, double* jacobian);
 
+  /// The same with ideal vertices.
+  ///   lengths   [blocks][6][8]  finite; <= 0 counts as 0 between hyperideal vertices
+  ///   diagonal  [blocks][4][8]  G_vv: 1 at hyperideal vertices, 0 at ideal ones
+  std::size_t (*mixed_angles)(std::size_t blocks, const double* lengths, const double* diagonal,
+                              double* theta, double* jacobian);
+
   /// y = J x for the 8 tetrahedra of one block: jacobian [21][8], x [6][8], y [6][8].
   void (*jacobian_times)(const double* jacobian, const double* x, double* y);
 };

@@ -109,7 +109,11 @@ void jacobian_times(const double* jacobian, const double* x, double* y) {
 
 }  // namespace
 
+// In mixed_batch_kernel.cpp.
+std::size_t TRIPUS_MIXED_ANGLES(std::size_t blocks, const double* lengths, const double* diagonal,
+                                double* theta, double* jacobian);
+
 extern const BatchKernels TRIPUS_KERNELS;
-const BatchKernels TRIPUS_KERNELS{TRIPUS_KERNELS_NAME, angles, jacobian_times};
+const BatchKernels TRIPUS_KERNELS{TRIPUS_KERNELS_NAME, angles, TRIPUS_MIXED_ANGLES, jacobian_times};
 
 }  // namespace tripus::geometry

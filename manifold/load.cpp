@@ -1,5 +1,6 @@
 #include "manifold/load.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -9,12 +10,15 @@
 #include <utility>
 #include <vector>
 
+#include "base/compression.hpp"
 #include "base/error.hpp"
 #include "canonical/census.hpp"
 #include "manifold/prepared.hpp"
 #include "meshing/manifold.hpp"
 #include "topology/formats/foreign_names.hpp"
+#include "topology/formats/signature.hpp"
 #include "topology/isosig.hpp"
+#include "topology/requirements.hpp"
 #include "topology/triangulation.hpp"
 
 namespace tripus {
@@ -37,14 +41,15 @@ std::optional<topology::NamedGluings> find_in_census(const std::string& name) {
   if (!canonical::is_census_name(name)) return std::nullopt;
   const canonical::CensusEntry* entry = canonical::shipped_census().find(name);
   if (entry == nullptr) throw InvalidInput("there is no " + name + " in the shipped census");
-  return topology::NamedGluings{name, topology::decode_isosig(entry->triangulations.front()),
-                                false};
+  topology::NamedGluings found{name, topology::decode_isosig(entry->triangulations.front())};
+  found.orientation_known = false;
+  return found;
 }
 
 /// A signature; what is none but a name of another program is refused by that name.
 topology::NamedGluings read_signature(const std::string& text) {
   try {
-    return {{}, topology::decode_isosig(text), topology::isosig_sign(text) != 0};
+    return topology::read_signature(text);
   } catch (const InvalidInput&) {
     if (const auto foreign = topology::foreign_name(text)) throw InvalidInput(*foreign);
     throw;
@@ -54,7 +59,7 @@ topology::NamedGluings read_signature(const std::string& text) {
 /// What a text is if it is the whole of an input, or a line of a file: a name or a signature.
 std::optional<topology::NamedGluings> read_word(const std::string& text) {
   if (auto named = find_in_census(text)) return named;
-  if (topology::looks_like_isosig(text)) return read_signature(text);
+  if (topology::looks_like_signature(text)) return read_signature(text);
   if (const auto foreign = topology::foreign_name(text)) throw InvalidInput(*foreign);
   return std::nullopt;
 }
@@ -65,41 +70,51 @@ bool is_drawing(const std::string& text) {
   return has("\"vertices\"") && has("\"edges\"") && !has("\"gluings\"");
 }
 
-/// The first line of a text for a message, if it is one for people: no bytes of a binary file.
-std::string beginning_of(const std::string& text) {
-  std::string line = text.substr(0, text.find('\n')).substr(0, 64);
-  while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
-  for (const char c : line)
-    if ((static_cast<unsigned char>(c) < 0x20 && c != '\t') ||
-        static_cast<unsigned char>(c) >= 0x7f)
-      return {};
-  return line.empty() ? "" : ", starting with " + tripus::quoted(line);
+[[noreturn]] void refuse_drawing() {
+  throw InvalidInput(
+      "it is a drawing of a graph in space, and no triangulation: make the surface around it first "
+      "(tripus tube DRAWING -o surface.off), which is an INPUT");
 }
 
-/// The one triangulation in a text; a list of several belongs to --batch.
-topology::NamedGluings read_single(const std::string& text, const std::string& source) {
-  return blame(source, [&] {
-    const topology::TextFormat format = topology::detect_format(text);
-    if (format == topology::TextFormat::kJson && is_drawing(text))
-      throw InvalidInput(
-          "it is a drawing of a graph in space, and no triangulation: make the surface around it "
-          "first "
-          "(tripus tube DRAWING -o surface.off), which is an INPUT");
-    if (format != topology::TextFormat::kUnknown && format != topology::TextFormat::kIsosig)
-      return topology::read_triangulation(text);
+/// What every verb says of a content that has no format.
+[[noreturn]] void refuse_unknown() {
+  throw InvalidInput("its content has no format that is known; looked for: a name of the census, " +
+                     topology::format_names() + "; " + meshing::mesh_format_names());
+}
+
+/// The triangulations in a text; a list of several signatures belongs to --batch.
+std::vector<topology::NamedGluings> read_all_of(const std::string& text) {
+  const topology::TextFormat format = topology::detect_format(text);
+  if (format == topology::TextFormat::kJson && is_drawing(text)) refuse_drawing();
+  if (format == topology::TextFormat::kUnknown || format == topology::TextFormat::kIsosig) {
     const auto lines = topology::read_batch(text);
     if (lines.size() == 1) {
       if (auto word = read_word(lines.front().text)) {
-        if (word->name.empty()) word->name = lines.front().text;
-        return *std::move(word);
+        std::vector<topology::NamedGluings> one;
+        one.push_back(*std::move(word));
+        return one;
       }
     }
-    if (lines.size() > 1 && topology::looks_like_isosig(lines.front().text)) {
+    if (lines.size() > 1 && topology::looks_like_signature(lines.front().text)) {
       throw InvalidInput("it holds " + std::to_string(lines.size()) +
                          " inputs; give it to --batch to run them all");
     }
-    if (format == topology::TextFormat::kUnknown && !lines.empty()) throw unrecognised(text);
-    return topology::read_triangulation(text);
+    if (!lines.empty() && format == topology::TextFormat::kUnknown) refuse_unknown();
+  }
+  return topology::read_triangulations(text);
+}
+
+/// The one triangulation in a text, or the one with the label.
+topology::NamedGluings read_single(const std::string& text, const std::string& source,
+                                   const std::optional<std::string>& label) {
+  return blame(source, [&] {
+    auto all = read_all_of(text);
+    if (label) return topology::pick_triangulation(std::move(all), *label);
+    if (all.size() == 1) return std::move(all.front());
+    throw InvalidInput("it holds " + std::to_string(all.size()) +
+                       " triangulations, with the labels " + topology::label_list(all) +
+                       "; choose one as FILE#LABEL or FILE#NUMBER, or give the file to --batch to "
+                       "run them all");
   });
 }
 
@@ -127,7 +142,7 @@ topology::NamedGluings solid_of(meshing::MeshFile file, Wanted wanted, const std
     meshing::Manifold manifold = meshing::manifold_of(std::move(file), options);
     if (wanted == Wanted::kWithMetric && manifold.has_only_spheres())
       throw InvalidInput(meshing::ball_message(manifold));
-    return {{}, std::move(manifold.gluings)};
+    return {{}, std::move(manifold.gluings), {}, std::move(manifold.notes)};
   });
 }
 
@@ -145,80 +160,152 @@ std::string read_all(std::istream& in, const std::string& source) {
   return content;
 }
 
+/// Decompressed, if it is gzip's.
+std::string unpacked(std::string content, const std::string& source) {
+  if (!is_gzip(content)) return content;
+  return blame(source, [&] { return gunzip(content, kLargestInput); });
+}
+
+/// A file, perhaps with the label of a triangulation in it.
+struct Place {
+  std::string file;
+  std::optional<std::string> label;
+};
+
+/// The input itself if there is such a file; else what stands before a # if that is one.
+std::optional<Place> find_file(const std::string& input) {
+  std::error_code status;
+  if (input == "-" || std::filesystem::exists(input, status)) return Place{input, std::nullopt};
+  for (std::size_t mark = input.find('#'); mark != std::string::npos;
+       mark = input.find('#', mark + 1))
+    if (const std::string file = input.substr(0, mark); std::filesystem::exists(file, status))
+      return Place{file, input.substr(mark + 1)};
+  return std::nullopt;
+}
+
 topology::NamedGluings load_as_given(const std::string& input, Wanted wanted,
                                      const Context& context) {
   if (input.empty()) throw InvalidInput("the input is empty; give a signature or a file");
-  std::error_code status;
-  if (input == "-" || std::filesystem::exists(input, status)) {
-    const std::string content = read_file(input);
-    if (auto mesh = read_as_mesh(content, input))
-      return solid_of(*std::move(mesh), wanted, source_of(input), context);
-    return read_single(content, source_of(input));
+  if (const auto place = find_file(input)) {
+    const std::string content = read_file(place->file);
+    if (!place->label)
+      if (auto mesh = read_as_mesh(content, input))
+        return solid_of(*std::move(mesh), wanted, source_of(input), context);
+    return read_single(content, source_of(place->file), place->label);
   }
-  if (auto word = read_word(input)) return *std::move(word);
+  if (auto word = read_word(input)) {
+    if (!canonical::is_census_name(input)) word->name.clear();
+    return *std::move(word);
+  }
   throw InvalidInput(
       quoted(input) +
       " is neither a file nor an isomorphism signature (letters, digits, + and -) nor "
       "a name of the census");
 }
 
-topology::NamedGluings load(const std::string& input, Wanted wanted, const Context& context) {
+topology::NamedGluings load(const std::string& input, Wanted wanted,
+                            topology::FiniteVertices finite_vertices, const Context& context) {
   topology::NamedGluings loaded = load_as_given(input, wanted, context);
   const StopFlag stop(context);
-  blame(source_of(input), [&] {
-    make_ideal(loaded,
-               wanted == Wanted::kAny ? topology::FiniteVertices::kKeep
-                                      : topology::FiniteVertices::kRemove,
-               stop.get());
-  });
+  blame(source_of(input), [&] { make_ideal(loaded, finite_vertices, stop.get()); });
   return loaded;
+}
+
+void refuse_labels(const topology::NamedGluings& loaded, const std::string& input) {
+  if (!topology::all_full(loaded.cone_angles))
+    throw Unsupported(source_of(input) +
+                      " has singular edges (cone angles other than 2 pi), which only info, solve "
+                      "and check know so far");
+}
+
+void tell_notes(const topology::NamedGluings& loaded, const std::string& input,
+                const Context& context) {
+  if (!context.note) return;
+  for (const std::string& note : loaded.notes) context.note(source_of(input) + ": " + note);
 }
 
 }  // namespace
 
-InvalidInput unrecognised(const std::string& content) {
-  return InvalidInput(
-      "unrecognised input" + beginning_of(content) +
-      "; looked for a signature, a name of the census, a gluing table (JSON, Regina, SnapPea), a "
-      "surface (OFF, OBJ, STL, PLY) and a tetrahedral mesh (Medit, VTK, TetGen)");
-}
-
 std::string read_file(const std::string& path) {
-  if (path == "-") return read_all(std::cin, "standard input");
+  if (path == "-") return unpacked(read_all(std::cin, "standard input"), "standard input");
   std::error_code status;
   if (std::filesystem::is_directory(path, status))
     throw InvalidInput(quoted(path) + " is a folder; name a file in it");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InvalidInput("cannot open " + quoted(path) + ": " + std::strerror(errno));
-  return read_all(file, quoted(path));
+  return unpacked(read_all(file, quoted(path)), quoted(path));
+}
+
+std::vector<topology::BatchLine> read_batch_file(const std::string& path) {
+  const std::string content = read_file(path);
+  if (topology::detect_format(content) != topology::TextFormat::kReginaXml)
+    return topology::read_batch(content);
+  if (path == "-")
+    throw InvalidInput("standard input holds a Regina data file; name the file after --batch");
+  const auto all = blame(quoted(path), [&] { return topology::read_triangulations(content); });
+  std::vector<topology::BatchLine> lines;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto same = [&](const topology::NamedGluings& each) { return each.name == all[i].name; };
+    const bool is_label = !all[i].name.empty() && std::count_if(all.begin(), all.end(), same) == 1;
+    lines.push_back({i + 1, path + "#" + (is_label ? all[i].name : std::to_string(i + 1))});
+  }
+  return lines;
 }
 
 topology::NamedGluings load_input(const std::string& input, const Context& context) {
-  return load(input, Wanted::kAny, context);
+  topology::NamedGluings loaded =
+      load(input, Wanted::kAny, topology::FiniteVertices::kKeep, context);
+  refuse_labels(loaded, input);
+  tell_notes(loaded, input, context);
+  return loaded;
 }
 
 topology::NamedGluings load_manifold_input(const std::string& input, const Context& context) {
-  return load(input, Wanted::kManifold, context);
+  topology::NamedGluings loaded =
+      load(input, Wanted::kManifold, topology::FiniteVertices::kRemove, context);
+  refuse_labels(loaded, input);
+  tell_notes(loaded, input, context);
+  return loaded;
 }
 
 topology::NamedGluings load_unconed_input(const std::string& input, const Context& context) {
-  return load_as_given(input, Wanted::kAny, context);
+  topology::NamedGluings loaded = load_as_given(input, Wanted::kAny, context);
+  refuse_labels(loaded, input);
+  tell_notes(loaded, input, context);
+  return loaded;
 }
 
 topology::NamedGluings load_solvable_input(const std::string& input, const Context& context,
                                            const Requirement& require) {
-  topology::NamedGluings loaded = load(input, Wanted::kWithMetric, context);
+  topology::NamedGluings loaded =
+      load(input, Wanted::kWithMetric, topology::FiniteVertices::kRemove, context);
+  refuse_labels(loaded, input);
   blame(source_of(input), [&] { require(topology::Triangulation(loaded.gluings)); });
+  tell_notes(loaded, input, context);
   return loaded;
 }
 
-std::optional<meshing::MeshFile> load_mesh(const std::string& input) {
+topology::NamedGluings load_labelled_input(const std::string& input, Balls balls,
+                                           const Context& context) {
+  topology::NamedGluings loaded =
+      load(input, balls == Balls::kAllowed ? Wanted::kAny : Wanted::kWithMetric,
+           topology::FiniteVertices::kKeep, context);
+  tell_notes(loaded, input, context);
+  return loaded;
+}
+
+meshing::MeshFile load_mesh(const std::string& input) {
   if (input.empty()) throw InvalidInput("the input is empty; give a file");
   const std::string content = read_file(input);
-  auto mesh = read_as_mesh(content, input);
-  if (!mesh) (void)read_single(content, source_of(input));  // what is no triangulation either
-  return mesh;
+  if (auto mesh = read_as_mesh(content, input)) return *std::move(mesh);
+  return blame(source_of(input), [&]() -> meshing::MeshFile {
+    const topology::TextFormat format = topology::detect_format(content);
+    if (format == topology::TextFormat::kUnknown || format == topology::TextFormat::kJson)
+      (void)read_all_of(content);  // says what it is, if it is no triangulation either
+    throw InvalidInput("it is a triangulation (" + std::string(topology::format_name(format)) +
+                       ") and no mesh");
+  });
 }
 
 }  // namespace tripus

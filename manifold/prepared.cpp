@@ -13,8 +13,10 @@ std::string counted(std::size_t count, const char* one, const char* many) {
 
 void make_ideal(topology::NamedGluings& loaded, topology::FiniteVertices finite_vertices,
                 const std::atomic<bool>* stop_requested) {
-  topology::IdealTriangulation ideal =
-      topology::ideal_triangulation(loaded.gluings, finite_vertices, stop_requested);
+  topology::IdealTriangulation ideal = topology::ideal_triangulation(
+      loaded.gluings,
+      loaded.cone_angles.empty() ? finite_vertices : topology::FiniteVertices::kKeep,
+      stop_requested);
   if (!ideal.is_changed()) return;
   std::string what;
   if (ideal.coned_faces > 0)

@@ -16,7 +16,11 @@ void append_number_key(JsonText& out, std::string_view key, double value) {
 void append_vertex(JsonText& out, const VertexReport& vertex) {
   fmt::format_to(std::back_inserter(out),
                  "{{\"link_euler_characteristic\": {}, \"genus\": {}, \"kind\": \"{}\"",
-                 vertex.link_euler_characteristic, vertex.genus, vertex.kind);
+                 vertex.link_euler_characteristic,
+                 vertex.orientable ? std::to_string(vertex.genus) : "null",
+                 topology::to_string(vertex.kind));
+  if (vertex.cone_points > 0)
+    append_number_key(out, "orbifold_euler_characteristic", vertex.orbifold_euler_characteristic);
   append_number_key(out, "area", vertex.area);
   out.push_back('}');
 }
@@ -56,6 +60,7 @@ std::string report_as_json(const Subject& subject, const Report& report,
   append_subject(out, subject);
   append(out, ", \"vertices\": ");
   append_array(out, report.vertices, append_vertex);
+  append_cone_orders(out, subject);
   fmt::format_to(std::back_inserter(out),
                  ", \"outcome\": \"{}\", \"method\": \"{}\", \"iterations\": {}, "
                  "\"evaluations\": {}",

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "manifold/load.hpp"
+#include "manifold/labels.hpp"
 #include "topology/isosig.hpp"
 
 namespace tripus {
@@ -14,6 +14,7 @@ Subject make_subject(std::string input, topology::NamedGluings loaded) {
                   .isosig = {}};
   subject.orientation_known = loaded.orientation_known;
   subject.notes = std::move(loaded.notes);
+  subject.cone_angles = std::move(loaded.cone_angles);
   auto signature = topology::full_isosig(subject.triangulation.gluings(), kSignatureWorkLimit);
   if (!signature) return subject;
   // Where the mirror image is the same triangulation there is nothing to know.
@@ -27,8 +28,8 @@ Subject make_subject(std::string input, topology::NamedGluings loaded) {
 Subject make_subject(const Subject& subject, topology::Gluings gluings) {
   return make_subject(subject.input, {.name = subject.name,
                                       .gluings = std::move(gluings),
-                                      .orientation_known = subject.orientation_known,
-                                      .notes = subject.notes});
+                                      .notes = subject.notes,
+                                      .orientation_known = subject.orientation_known});
 }
 
 Subject load_subject(const std::string& input, const Context& context) {
@@ -44,9 +45,18 @@ Subject load_solvable_subject(const std::string& input, const Context& context,
   return make_subject(input, load_solvable_input(input, context, require));
 }
 
+Subject load_labelled_subject(const std::string& input, Balls balls, const Context& context) {
+  const auto [plain, labels] = split_labels(input);
+  topology::NamedGluings loaded = load_labelled_input(plain, balls, context);
+  Subject subject = make_subject(input, std::move(loaded));
+  if (!labels.empty())
+    LabelAssignment(subject.cone_angles, subject.triangulation.edge_count())
+        .assign("the label", labels, "EDGE=ORDER, such as 0=3", topology::parse_cone_order);
+  return subject;
+}
+
 std::string_view link_kind(const topology::VertexLink& link) {
-  if (link.euler_characteristic == 2) return "finite";
-  if (!link.orientable) return "unsupported";
+  if (link.euler_characteristic > 0) return "finite";
   return link.euler_characteristic == 0 ? "cusp" : "geodesic";
 }
 
@@ -96,6 +106,16 @@ void append_vertices(JsonText& out, const topology::Triangulation& m) {
                    link.orientable, link_kind(link), link.triangle_count);
   }
   out.push_back(']');
+}
+
+void append_cone_orders(JsonText& out, const Subject& subject) {
+  if (subject.cone_angles.empty()) return;
+  append(out, ", \"cone_orders\": ");
+  append_array(out, subject.cone_angles, [](JsonText& to, const topology::ConeAngle& k) {
+    const std::string order = k.order_text();
+    const bool fraction = order.find('/') != std::string::npos;
+    append(to, fraction ? "\"" + order + "\"" : order);
+  });
 }
 
 void append_edge_classes(JsonText& out, const topology::Triangulation& triangulation) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/stopped.hpp"
+#include "meshing/mend.hpp"
 #include "meshing/predicates.hpp"
 #include "meshing/validate_tetrahedra.hpp"
 #include "topology/cone.hpp"
@@ -65,9 +66,13 @@ Manifold manifold_of(MeshFile file, const ManifoldOptions& options) {
     return manifold.tetrahedra[static_cast<std::size_t>(stage)];
   };
   tell(options, "checking the mesh", 0);
-  manifold.gluings =
-      std::visit([&](auto&& each) { return open_gluings(std::move(each), options, manifold); },
-                 std::move(file));
+  manifold.gluings = std::visit(
+      [&](auto&& each) {
+        auto mended = mend(std::move(each));
+        manifold.notes = mended.notes;
+        return open_gluings(std::move(mended), options, manifold);
+      },
+      std::move(file));
   count(Stage::kMesh) = manifold.gluings.tetrahedron_count();
   tell(options, "coning off the boundary", count(Stage::kMesh));
   manifold.gluings = topology::cone_boundary(manifold.gluings);

@@ -36,7 +36,8 @@ struct Manifold {
   std::vector<int> boundary_genera;                   ///< of all boundary components, sorted
   std::size_t points = 0;                             ///< of the input
   std::size_t triangles = 0;                          ///< of the input, 0 for a tetrahedral mesh
-  std::size_t turned = 0;  ///< triangles that did not agree with most of their component
+  std::size_t turned = 0;          ///< triangles that did not agree with most of their component
+  std::vector<std::string> notes;  ///< what was not read, and what was mended
   TetrahedralMesh mesh;
   bool mesh_is_exact = true;  ///< false: some of its tetrahedra are only right before rounding
 
@@ -45,9 +46,9 @@ struct Manifold {
   bool has_only_spheres() const;
 };
 
-/// Checks a surface or a tetrahedral mesh (require_valid), fills the surface with tetrahedra, cones
-/// off the boundary and simplifies. Deterministic for a seed.
-/// Throws what these throw: InvalidInput, Unsupported, Stopped.
+/// Mends and checks a surface or a tetrahedral mesh (mend, require_valid), fills the surface with
+/// tetrahedra, cones off the boundary and simplifies. Deterministic for a seed. Throws what these
+/// throw: InvalidInput, Unsupported, Stopped.
 Manifold manifold_of(MeshFile file, const ManifoldOptions& options = {});
 
 /// What a solid with nothing but spheres for its boundary is, in a sentence.

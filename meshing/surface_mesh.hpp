@@ -26,6 +26,9 @@ struct SurfaceMesh {
 struct SourceLines {
   std::vector<std::uint32_t> points;
   std::vector<std::uint32_t> cells;  ///< triangles or tetrahedra
+  /// Their numbers in the file, where these are others than here; else nothing.
+  std::vector<std::uint32_t> point_numbers = {};
+  std::vector<std::uint32_t> cell_numbers = {};
 };
 
 }  // namespace tripus::meshing

@@ -194,8 +194,7 @@ Region require_valid(SurfaceMesh mesh, const SourceLines& lines,
   require_different_triangles(mesh, places);
   throw_if_stopped(stop_requested);
   const Connectivity connectivity = detail::require_closed_manifold(
-      mesh.triangles, mesh.points.size(), [&](std::size_t t) { return places.cell(t); },
-      [&](std::size_t p) { return places.point(p); });
+      mesh.triangles, mesh.points.size(), [&](std::size_t t) { return places.cell(t); }, places);
   require_no_crossing(mesh, places, stop_requested);
   Region region;
   region.surface = std::move(mesh);

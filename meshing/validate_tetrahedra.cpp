@@ -241,7 +241,7 @@ Solid require_valid(TetrahedralMesh mesh, const SourceLines& lines) {
         return "the boundary " + face_name(boundary.faces[t]) + " of " +
                places.cell(boundary.faces[t].place / 4);
       },
-      [&](std::size_t p) { return places.point(p); });
+      places);
   require_balls(mesh, faces, boundary, places);
   if (const auto parts = topology::components(solid.gluings); parts.size() > 1)
     throw InvalidInput("the mesh has " + std::to_string(parts.size()) +
@@ -253,6 +253,18 @@ Solid require_valid(TetrahedralMesh mesh, const SourceLines& lines) {
 
 topology::Gluings gluings_of(const TetrahedralMesh& mesh, const SourceLines& lines) {
   return glue(mesh, sorted_faces(mesh), Places(lines, "tetrahedron"));
+}
+
+std::vector<Triangle> boundary_triangles(const TetrahedralMesh& mesh) {
+  std::vector<Triangle> triangles;
+  for (const Face& face : boundary_of(sorted_faces(mesh)).faces) {
+    const Tetrahedron& t = mesh.tetrahedra[face.place / 4];
+    const std::size_t f = face.place % 4;
+    Triangle corners{t[(f + 1) % 4], t[(f + 2) % 4], t[(f + 3) % 4]};
+    if (f % 2 == 1) std::swap(corners[1], corners[2]);
+    triangles.push_back(corners);
+  }
+  return triangles;
 }
 
 }  // namespace tripus::meshing

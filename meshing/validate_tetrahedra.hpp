@@ -28,4 +28,8 @@ Solid require_valid(TetrahedralMesh mesh, const SourceLines& lines = {});
 /// shared. Throws InvalidInput for a face in more than two tetrahedra.
 topology::Gluings gluings_of(const TetrahedralMesh& mesh, const SourceLines& lines = {});
 
+/// The faces that only one tetrahedron has, facing outwards where that is in positive order, by the
+/// number of the tetrahedron.
+std::vector<Triangle> boundary_triangles(const TetrahedralMesh& mesh);
+
 }  // namespace tripus::meshing

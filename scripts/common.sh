@@ -11,15 +11,16 @@ die() {
 
 # configure_and_build PRESET [TARGET ...]: quiet unless something is wrong.
 configure_and_build() {
-  local preset="$1" log
+  local preset="$1" log folder
   shift
-  log="$root/build/$preset/configure.log"
-  mkdir -p "$root/build/$preset"
+  folder="$root/build/${preset%-tests}"  # release-tests is release with tests
+  log="$folder/configure.log"
+  mkdir -p "$folder"
   if ! (cd "$root" && cmake --preset "$preset") > "$log" 2>&1; then
     cat "$log" >&2
     return 1
   fi
   local targets=()
   if (($# > 0)); then targets=(--target "$@"); fi
-  NINJA_STATUS="[%f/%t] " cmake --build "$root/build/$preset" --parallel "$jobs" "${targets[@]}"
+  NINJA_STATUS="[%f/%t] " cmake --build "$folder" --parallel "$jobs" "${targets[@]}"
 }

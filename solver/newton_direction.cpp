@@ -1,7 +1,10 @@
 #include "solver/newton_direction.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <vector>
 
+#include "solver/detail/conjugate_gradients.hpp"
 #include "solver/detail/direct_systems.hpp"
 #include "solver/detail/regularised.hpp"
 #include "solver/run.hpp"
@@ -32,6 +35,21 @@ void NewtonDirection::compute(std::span<const double> x, std::span<const double>
   i.regularised.adapt(true, 1);
   const double longest = detail::kStepGrowth * (1 + max_abs(x));
   i.regularised.compute(i.problem, g, max_gradient, longest, 1, d);
+}
+
+double newton_distance(const Problem& problem, std::span<const double> g) {
+  constexpr double kDigits = 1e-3;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  detail::ConjugateGradients system(problem, 1);
+  const std::span<const double> diagonal = system.load(problem);
+  std::vector<double> shift(g.size()), d(g.size());
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    if (diagonal[i] > 0) continue;
+    if (g[i] != 0) return kInfinity;
+    shift[i] = 1;
+  }
+  if (max_abs(g) == 0) return 0;
+  return system.solve(problem, shift, g, kDigits, d) ? max_abs(d) : kInfinity;
 }
 
 }  // namespace tripus::solver

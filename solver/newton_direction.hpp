@@ -24,4 +24,10 @@ class NewtonDirection {
   std::unique_ptr<Implementation> implementation_;
 };
 
+/// max|d| of the Newton step H d = -g to 3 digits, by conjugate gradients: an estimate of how far
+/// the minimiser is. Refers to the latest evaluation with second derivatives. g must be orthogonal
+/// to the constant directions of `Problem::pins`. The step is 0 at variables that neither g nor H
+/// sees, and infinite where H does not bend along g.
+double newton_distance(const Problem& problem, std::span<const double> g);
+
 }  // namespace tripus::solver

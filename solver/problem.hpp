@@ -50,6 +50,13 @@ class Problem {
   /// group may be shorter). blocks: [ceil(n / block_size) x block_size x block_size], row-major,
   /// missing variables as zero rows and columns. block_size 1 is the diagonal.
   virtual void hessian_diagonal_blocks(std::size_t block_size, std::span<double> blocks) const = 0;
+
+  /// Variables that fix the directions along which f is constant everywhere, as many as there are
+  /// such directions: none of these but 0 vanishes at all pins. A factorisation adds to the
+  /// diagonal there; a solution for a gradient, which is orthogonal to these directions, is then
+  /// the one that is 0 at the pins. The Hessian above does not contain this. Conjugate gradients
+  /// need it not.
+  virtual std::span<const std::uint32_t> pins() const { return {}; }
 };
 
 }  // namespace tripus::solver

@@ -8,11 +8,9 @@
 namespace tripus::structure {
 
 AngleStructure deepest_angle_structure(const topology::Triangulation& triangulation,
-                                       std::span<const double> cone_angles) {
+                                       std::span<const topology::ConeAngle> cone_angles) {
   constexpr double kPi = std::numbers::pi;
-  std::vector<double> in_units_of_pi(cone_angles.begin(), cone_angles.end());
-  for (double& angle : in_units_of_pi) angle /= kPi;
-  detail::AngleProgramme programme(triangulation, in_units_of_pi);
+  detail::AngleProgramme programme(triangulation, cone_angles);
   if (!programme.solve())
     throw InternalError("the simplex method did not solve the angle-structure programme");
   AngleStructure found;

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "topology/cone_angle.hpp"
 #include "topology/triangulation.hpp"
 
 namespace tripus::structure {
@@ -16,12 +17,12 @@ struct AngleStructure {
   std::vector<double> angles;  ///< [T x 6] radians; an optimum of the programme
 };
 
-/// Solves  max m:  angle_c >= m,  vertex sums <= pi - m,  edge sums = cone angle.
-/// Floating point: a margin within about 1e-9 of 0 decides nothing.
-///   cone_angles [E] radians; empty for 2 pi
+/// Solves  max m:  angle_c >= m,  vertex sums <= pi - m (= pi at ideal vertices),  edge sums = cone
+/// angle. Floating point: a margin within about 1e-9 of 0 decides nothing.
+///   cone_angles [E]; empty for 2 pi
 /// Throws InternalError if the simplex method fails.
 /// Source: docs/theory.md section 5.
 AngleStructure deepest_angle_structure(const topology::Triangulation& triangulation,
-                                       std::span<const double> cone_angles = {});
+                                       std::span<const topology::ConeAngle> cone_angles = {});
 
 }  // namespace tripus::structure

@@ -10,17 +10,28 @@
 #include "geometry/curvature.hpp"
 #include "geometry/truncated_tetrahedron.hpp"
 #include "solver/extreme_eigenvalues.hpp"
+#include "solver/newton_direction.hpp"
+#include "structure/horospheres.hpp"
 
 namespace tripus::structure {
 namespace {
 
+using topology::VertexKind;
+
 /// Link data and areas of the vertex classes.
 std::vector<VertexReport> report_vertices(const topology::Triangulation& triangulation,
+                                          const energies::CoVolume& energy,
+                                          std::span<const double> x,
                                           const std::vector<std::array<double, 6>>& angles) {
   std::vector<VertexReport> vertices(triangulation.vertex_count());
   for (std::size_t v = 0; v < vertices.size(); ++v) {
-    vertices[v].link_euler_characteristic = triangulation.link(v).euler_characteristic;
-    vertices[v].genus = triangulation.link(v).genus();
+    const topology::VertexLink& link = triangulation.link(v);
+    vertices[v].link_euler_characteristic = link.euler_characteristic;
+    vertices[v].orientable = link.orientable;
+    vertices[v].genus = link.orientable ? link.genus() : 0;
+    vertices[v].kind = energy.links()[v].kind;
+    vertices[v].cone_points = energy.links()[v].cone_points;
+    vertices[v].orbifold_euler_characteristic = energy.links()[v].euler_characteristic;
   }
   for (std::size_t t = 0; t < angles.size(); ++t) {
     for (int v = 0; v < 4; ++v) {
@@ -31,6 +42,13 @@ std::vector<VertexReport> report_vertices(const topology::Triangulation& triangu
       vertices[triangulation.vertex_class(t, v)].area +=
           geometry::truncation_area(angle(0), angle(1), angle(2));
     }
+  }
+  if (energy.is_hyperideal()) return vertices;
+  const std::vector<double> areas = horosphere_areas(triangulation, energy, x);
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    if (vertices[v].kind == VertexKind::kFinite) vertices[v].area = -vertices[v].area;
+    if (vertices[v].kind == VertexKind::kIdeal)
+      vertices[v].area = std::isfinite(areas[v]) ? areas[v] : 0;
   }
   return vertices;
 }
@@ -44,18 +62,71 @@ std::size_t first_nearly_flat(const std::vector<std::array<double, 6>>& angles) 
   return static_cast<std::size_t>(found - angles.begin());
 }
 
+/// The edge class of least length among those whose length must be positive: between hyperideal
+/// vertices and not parabolic. Edge class 0 if there is none.
+std::size_t shortest_edge(const energies::CoVolume& energy, std::span<const double> lengths) {
+  std::size_t found = lengths.size();
+  for (std::size_t e = 0; e < lengths.size(); ++e) {
+    if (!energy.is_hyperideal() && !energy.is_between_hyperideal(e)) continue;
+    if (energy.cone_angles()[e] == 0) continue;
+    if (found == lengths.size() || lengths[e] < lengths[found]) found = e;
+  }
+  return found == lengths.size() ? 0 : found;
+}
+
+bool has_finite_vertices(const energies::CoVolume& energy) {
+  return std::ranges::any_of(energy.links(),
+                             [](const auto& link) { return link.kind == VertexKind::kFinite; });
+}
+
+/// Where some vertex is ideal or some edge parabolic, no bound of the convexity comes from single
+/// tetrahedra: they do not see the horospheres move, nor the edge. The Newton step itself then says
+/// how far the minimiser is.
+std::string distance_objection(const topology::Triangulation& triangulation,
+                               const energies::CoVolume& energy, std::span<const double> curvature,
+                               double longest, double scale) {
+  constexpr double kNothing = 1e-5 * tolerance::kCurvatureRounding;
+  std::vector<double> gradient(curvature.begin(), curvature.end());
+  for (std::size_t e = 0; e < gradient.size(); ++e) {
+    if (energy.cone_angles()[e] == 0) gradient[e] = 0;
+    if (gradient[e] != 0 && std::fabs(gradient[e]) < tolerance::kCurvatureRounding)
+      gradient[e] = std::copysign(tolerance::kCurvatureRounding, gradient[e]);
+  }
+  remove_horosphere_shifts(triangulation, energy, gradient);
+  for (double& g : gradient)
+    if (std::fabs(g) < kNothing) g = 0;
+  const double distance = solver::newton_distance(energy, gradient);
+  if (distance <= tolerance::kMaxDistanceToMetric * scale) return {};
+  return fmt::format(
+      "the curvature is small but a metric is not near (the longest edge has length {:.3g}), as "
+      "when "
+      "lengths run off to infinity",
+      longest);
+}
+
 /// Why the lengths are not those of a critical point of the energy, or empty if they are.
-std::string not_critical(const energies::CoVolume& energy, const Report& report, double tolerance,
-                         double norm_of_curvature) {
+std::string not_critical(const topology::Triangulation& triangulation,
+                         const energies::CoVolume& energy, const Report& report, double tolerance,
+                         std::span<const double> curvature_of_edges) {
   if (!(report.max_curvature <= tolerance)) {
     return fmt::format("the largest edge curvature {:.3g} is above the tolerance {:.3g}",
                        report.max_curvature, tolerance);
   }
-  const auto [shortest, longest] =
-      std::minmax_element(report.edge_lengths.begin(), report.edge_lengths.end());
-  const double scale = *shortest > 0 ? std::min(1.0, *shortest) : 1.0;
+  const double longest = *std::ranges::max_element(report.edge_lengths);
+  const double shortest = report.edge_lengths[shortest_edge(energy, report.edge_lengths)];
+  const double scale = shortest > 0 ? std::min(1.0, shortest) : 1.0;
+  if (has_finite_vertices(energy)) {
+    if (longest < tolerance::kLongestFiniteEdge) return {};
+    return fmt::format("an edge has length {:.3g}, as when finite vertices run off to infinity",
+                       longest);
+  }
+  const bool parabolic = std::ranges::any_of(energy.cone_angles(), [](double k) { return k == 0; });
+  if (!energy.is_hyperideal() || parabolic)
+    return distance_objection(triangulation, energy, curvature_of_edges, longest, scale);
   // Saturated angles do add up to 2 pi in floating point: a computed K = 0 is one within rounding.
-  const double curvature = std::max(norm_of_curvature, tolerance::kCurvatureRounding);
+  double squares = 0;
+  for (const double k : curvature_of_edges) squares += k * k;
+  const double curvature = std::max(std::sqrt(squares), tolerance::kCurvatureRounding);
   const double enough = curvature / (tolerance::kMaxDistanceToMetric * scale);
   // The bound takes the flattest tetrahedron for all; the true least eigenvalue costs more.
   if (!(energy.convexity_bound() >= enough) &&
@@ -63,17 +134,19 @@ std::string not_critical(const energies::CoVolume& energy, const Report& report,
     return fmt::format(
         "the curvature is small but so is the convexity of the energy (the longest edge has length "
         "{:.3g}), as when lengths run off to infinity",
-        *longest);
+        longest);
   }
   return {};
 }
 
 /// Why a critical point is not a metric, though no tetrahedron is flat; or empty if it is one.
-std::string not_a_metric(const topology::Triangulation& triangulation, const Report& report) {
-  const auto shortest = std::min_element(report.edge_lengths.begin(), report.edge_lengths.end());
-  if (!(*shortest > 0)) {
-    return fmt::format("the length of edge class {} is {:.3g}, not positive",
-                       shortest - report.edge_lengths.begin(), *shortest);
+std::string not_a_metric(const topology::Triangulation& triangulation,
+                         const energies::CoVolume& energy, const Report& report) {
+  const std::size_t shortest = shortest_edge(energy, report.edge_lengths);
+  const bool counts = energy.is_hyperideal() || energy.is_between_hyperideal(shortest);
+  if (counts && energy.cone_angles()[shortest] > 0 && !(report.edge_lengths[shortest] > 0)) {
+    return fmt::format("the length of edge class {} is {:.3g}, not positive", shortest,
+                       report.edge_lengths[shortest]);
   }
   const std::size_t nearly = first_nearly_flat(report.dihedral_angles);
   if (nearly < triangulation.tetrahedron_count())
@@ -81,11 +154,25 @@ std::string not_a_metric(const topology::Triangulation& triangulation, const Rep
   return {};
 }
 
+bool has_cusps(const energies::CoVolume& energy) {
+  return std::ranges::any_of(energy.links(),
+                             [](const auto& link) { return link.kind == VertexKind::kIdeal; }) ||
+         std::ranges::any_of(energy.cone_angles(), [](double k) { return k == 0; });
+}
+
+/// " with geodesic boundary and cusps", or what there is of it.
+std::string ends_of(const energies::CoVolume& energy) {
+  const bool boundary = std::ranges::any_of(
+      energy.links(), [](const auto& link) { return link.kind == VertexKind::kHyperideal; });
+  if (!has_cusps(energy)) return boundary ? " with geodesic boundary" : "";
+  return boundary ? " with geodesic boundary and cusps" : " with cusps";
+}
+
 /// The outcome of what has been computed, and the sentence that goes with it.
 void judge(const topology::Triangulation& triangulation, const energies::CoVolume& energy,
-           double tolerance, double norm_of_curvature, const solver::Summary& summary,
+           double tolerance, std::span<const double> curvature, const solver::Summary& summary,
            Report& report) {
-  std::string why_not = not_critical(energy, report, tolerance, norm_of_curvature);
+  std::string why_not = not_critical(triangulation, energy, report, tolerance, curvature);
   if (why_not.empty() && !report.flat_tetrahedra.empty()) {
     report.outcome = Outcome::kDegenerate;
     report.message = fmt::format(
@@ -95,15 +182,15 @@ void judge(const topology::Triangulation& triangulation, const energies::CoVolum
         report.flat_tetrahedra.size() == 1 ? "is" : "are");
     return;
   }
-  if (why_not.empty()) why_not = not_a_metric(triangulation, report);
+  if (why_not.empty()) why_not = not_a_metric(triangulation, energy, report);
   if (why_not.empty()) {
     report.outcome = Outcome::kGeometric;
     const bool smooth = std::ranges::all_of(energy.cone_angles(),
                                             [](double k) { return k == 2 * std::numbers::pi; });
-    report.message = fmt::format(
-        "This triangulation carries the hyperbolic {} with geodesic boundary{}; its volume is "
-        "{:.12g}.",
-        smooth ? "metric" : "cone metric", smooth ? "" : " and these cone angles", report.volume);
+    report.message =
+        fmt::format("This triangulation carries the {}hyperbolic {}{}{}; its volume is {:.12g}.",
+                    has_cusps(energy) ? "complete " : "", smooth ? "metric" : "cone metric",
+                    ends_of(energy), smooth ? "" : " and these cone angles", report.volume);
     return;
   }
   report.outcome = Outcome::kUnresolved;
@@ -127,20 +214,20 @@ Report assess(const topology::Triangulation& triangulation, energies::CoVolume& 
   report.edge_lengths.assign(x.begin(), x.end());
 
   std::vector<double> curvature(x.size());
-  energy.evaluate(x, curvature, {.second_derivatives = true});
-  double squares = 0;
-  for (const double k : curvature) {
+  if (!energy.is_hyperideal() && energy.evaluate(report.edge_lengths, curvature, {}))
+    set_horospheres(triangulation, energy, report.edge_lengths);
+  energy.evaluate(report.edge_lengths, curvature, {.second_derivatives = true});
+  for (const double k : curvature)
     report.max_curvature = std::max(report.max_curvature, std::fabs(k));
-    squares += k * k;
-  }
   report.flat_tetrahedra = energy.flat_tetrahedra();
   report.dihedral_angles.reserve(triangulation.tetrahedron_count());
   for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t)
     report.dihedral_angles.push_back(energy.dihedral_angles(t));
   report.volume = energy.volume();
-  report.vertices = report_vertices(triangulation, report.dihedral_angles);
+  report.vertices =
+      report_vertices(triangulation, energy, report.edge_lengths, report.dihedral_angles);
 
-  judge(triangulation, energy, tolerance, std::sqrt(squares), summary, report);
+  judge(triangulation, energy, tolerance, curvature, summary, report);
   return report;
 }
 

@@ -1,5 +1,7 @@
 #include "structure/certificate.hpp"
 
+#include <string>
+
 namespace tripus::structure {
 namespace {
 
@@ -25,6 +27,20 @@ void append_rows(std::string& out, const Rows& rows) {
   out += ']';
 }
 
+/// In units of pi; nothing if they are all 2.
+void append_cone_angles(std::string& out, const std::vector<topology::ConeAngle>& cone_angles) {
+  if (cone_angles.empty()) return;
+  out += ", \"cone_angles\": [";
+  for (std::size_t e = 0; e < cone_angles.size(); ++e) {
+    if (e > 0) out += ", ";
+    out += '"' + std::to_string(cone_angles[e].numerator());
+    if (cone_angles[e].denominator() != 1)
+      out += '/' + std::to_string(cone_angles[e].denominator());
+    out += '"';
+  }
+  out += ']';
+}
+
 }  // namespace
 
 std::string_view to_string(Certificate::Kind kind) {
@@ -38,12 +54,14 @@ std::string to_json(const Certificate& certificate) {
   append_integers(out, certificate.edge);
   out += ", \"vertex\": ";
   append_rows(out, certificate.vertex);
+  append_cone_angles(out, certificate.cone_angles);
   return out + "}";
 }
 
 std::string to_json(const StrictAngles& angles) {
   std::string out = "{\"denominator\": " + angles.denominator.get_str() + ", \"numerators\": ";
   append_rows(out, angles.numerator);
+  append_cone_angles(out, angles.cone_angles);
   return out + "}";
 }
 

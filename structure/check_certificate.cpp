@@ -28,11 +28,60 @@ std::string corner_name(const Triangulation& triangulation, std::size_t t, std::
                      kEdgeEnds[e][1], t, triangulation.edge_class(t, static_cast<int>(e)));
 }
 
-/// The first negative vertex multiplier.
-std::optional<std::string> negative_multiplier(const Certificate& certificate) {
+/// What the labels say, computed from the definitions (76) and (81).
+struct Labels {
+  std::vector<mpq_class> edge_sum;  ///< [E] units of pi
+  std::vector<bool> ideal;          ///< [V]
+  bool is_parabolic(std::size_t e) const { return edge_sum[e] == 0; }
+};
+
+/// Why these are not cone angles of the triangulation, or empty.
+std::string read_labels(const Triangulation& triangulation,
+                        const std::vector<topology::ConeAngle>& cone_angles, Labels& labels) {
+  const std::size_t edges = triangulation.edge_count();
+  labels.edge_sum.assign(edges, 2);
+  if (!cone_angles.empty()) {
+    if (cone_angles.size() != edges)
+      return fmt::format("there are {} cone angles, the triangulation has {} edge classes",
+                         cone_angles.size(), edges);
+    for (std::size_t e = 0; e < edges; ++e) {
+      if (!cone_angles[e].is_rational())
+        return fmt::format("the cone angle of edge class {} is not a fraction of pi", e);
+      labels.edge_sum[e] = mpq_class(static_cast<long>(cone_angles[e].numerator()),
+                                     static_cast<long>(cone_angles[e].denominator()));
+    }
+  }
+  // Twice the Euler characteristic: 2 chi(link) - sum over edge ends of (2 - k_e).
+  std::vector<mpq_class> twice(triangulation.vertex_count());
+  for (std::size_t v = 0; v < twice.size(); ++v)
+    twice[v] = 2 * triangulation.link(v).euler_characteristic;
+  for (std::size_t e = 0; e < edges; ++e) {
+    const auto corner = triangulation.corners(e)[0];
+    for (const int end : kEdgeEnds[static_cast<std::size_t>(corner.edge())])
+      twice[triangulation.vertex_class(corner.tetrahedron(), end)] += labels.edge_sum[e] - 2;
+  }
+  for (const mpq_class& each : twice) labels.ideal.push_back(each == 0);
+  return {};
+}
+
+bool is_ideal(const Triangulation& triangulation, const Labels& labels, std::size_t t,
+              std::size_t v) {
+  return labels.ideal[triangulation.vertex_class(t, static_cast<int>(v))];
+}
+
+std::string shown(const mpq_class& value) {
+  return value.get_den() == 1 ? shown(value.get_num())
+                              : shown(value.get_num()) + "/" + shown(value.get_den());
+}
+
+/// The first negative vertex multiplier that must not be negative.
+std::optional<std::string> negative_multiplier(const Triangulation& triangulation,
+                                               const Labels& labels,
+                                               const Certificate& certificate) {
   for (std::size_t t = 0; t < certificate.vertex.size(); ++t)
     for (std::size_t v = 0; v < 4; ++v)
-      if (const Integer& w = certificate.vertex[t][v]; w < 0)
+      if (const Integer& w = certificate.vertex[t][v];
+          w < 0 && !is_ideal(triangulation, labels, t, v))
         return fmt::format("the multiplier of vertex {} of tetrahedron {} is {}, below 0", v, t,
                            shown(w));
   return std::nullopt;
@@ -54,16 +103,22 @@ CheckResult check(const Triangulation& triangulation, const Certificate& certifi
                     "triangulation has {}",
                     certificate.vertex.size(), tetrahedra));
   }
-  if (auto reason = negative_multiplier(certificate)) return fails(std::move(*reason));
+  Labels labels;
+  if (auto reason = read_labels(triangulation, certificate.cone_angles, labels); !reason.empty())
+    return fails(std::move(reason));
+  if (auto reason = negative_multiplier(triangulation, labels, certificate))
+    return fails(std::move(*reason));
 
   bool something_positive = false;
-  Integer r = 0;
+  mpq_class r = 0;
   for (std::size_t t = 0; t < tetrahedra; ++t) {
-    for (const Integer& w : certificate.vertex[t]) {
+    for (std::size_t v = 0; v < 4; ++v) {
+      const Integer& w = certificate.vertex[t][v];
       r += w;
-      if (w > 0) something_positive = true;
+      if (w > 0 && !is_ideal(triangulation, labels, t, v)) something_positive = true;
     }
     for (std::size_t e = 0; e < 6; ++e) {
+      if (labels.is_parabolic(triangulation.edge_class(t, static_cast<int>(e)))) continue;
       const Integer& w0 = certificate.vertex[t][static_cast<std::size_t>(kEdgeEnds[e][0])];
       const Integer& w1 = certificate.vertex[t][static_cast<std::size_t>(kEdgeEnds[e][1])];
       const Integer& u = certificate.edge[triangulation.edge_class(t, static_cast<int>(e))];
@@ -76,19 +131,20 @@ CheckResult check(const Triangulation& triangulation, const Certificate& certifi
       if (a > 0) something_positive = true;
     }
   }
-  for (const Integer& u : certificate.edge) r -= 2 * u;
+  for (std::size_t e = 0; e < certificate.edge.size(); ++e)
+    r -= labels.edge_sum[e] * certificate.edge[e];
 
+  const char* edges_times = certificate.cone_angles.empty()
+                                ? "2 times that of the edge multipliers"
+                                : "that of the edge multipliers times cone angle / pi";
   if (certificate.kind == Certificate::Kind::kNone && r >= 0) {
-    return fails(fmt::format(
-        "the sum of the vertex multipliers - 2 times that of the edge multipliers is {}; kind "
-        "\"none\" needs less than 0",
-        shown(r)));
+    return fails(
+        fmt::format("the sum of the vertex multipliers - {} is {}; kind \"none\" needs less than 0",
+                    edges_times, shown(r)));
   }
   if (certificate.kind == Certificate::Kind::kSemi && r != 0) {
-    return fails(fmt::format(
-        "the sum of the vertex multipliers - 2 times that of the edge multipliers is {}; kind "
-        "\"semi\" needs 0",
-        shown(r)));
+    return fails(fmt::format("the sum of the vertex multipliers - {} is {}; kind \"semi\" needs 0",
+                             edges_times, shown(r)));
   }
   if (certificate.kind == Certificate::Kind::kSemi && !something_positive)
     return fails("all multipliers are 0, which excludes nothing");
@@ -103,13 +159,22 @@ CheckResult check(const Triangulation& triangulation, const StrictAngles& angles
   }
   if (angles.denominator <= 0)
     return fails(fmt::format("the denominator is {}, not positive", shown(angles.denominator)));
+  Labels labels;
+  if (auto reason = read_labels(triangulation, angles.cone_angles, labels); !reason.empty())
+    return fails(std::move(reason));
 
   std::vector<Integer> edge_sum(triangulation.edge_count());
   for (std::size_t t = 0; t < tetrahedra; ++t) {
     std::array<Integer, 4> vertex_sum;
     for (std::size_t e = 0; e < 6; ++e) {
       const Integer& angle = angles.numerator[t][e];
-      if (angle <= 0) {
+      const bool parabolic = labels.is_parabolic(triangulation.edge_class(t, static_cast<int>(e)));
+      if (parabolic && angle != 0) {
+        return fails(fmt::format("the angle at {} is {}/{} pi, but the edge is parabolic",
+                                 corner_name(triangulation, t, e), shown(angle),
+                                 shown(angles.denominator)));
+      }
+      if (!parabolic && angle <= 0) {
         return fails(fmt::format("the angle at {} is {}/{} pi, not positive",
                                  corner_name(triangulation, t, e), shown(angle),
                                  shown(angles.denominator)));
@@ -118,6 +183,12 @@ CheckResult check(const Triangulation& triangulation, const StrictAngles& angles
       edge_sum[triangulation.edge_class(t, static_cast<int>(e))] += angle;
     }
     for (std::size_t v = 0; v < 4; ++v) {
+      if (is_ideal(triangulation, labels, t, v)) {
+        if (vertex_sum[v] == angles.denominator) continue;
+        return fails(fmt::format(
+            "the angles at the ideal vertex {} of tetrahedron {} add up to {}/{} pi, not to pi", v,
+            t, shown(vertex_sum[v]), shown(angles.denominator)));
+      }
       if (vertex_sum[v] >= angles.denominator) {
         return fails(fmt::format(
             "the angles at vertex {} of tetrahedron {} add up to {}/{} pi, not less than pi", v, t,
@@ -126,9 +197,10 @@ CheckResult check(const Triangulation& triangulation, const StrictAngles& angles
     }
   }
   for (std::size_t e = 0; e < edge_sum.size(); ++e) {
-    if (edge_sum[e] != 2 * angles.denominator) {
-      return fails(fmt::format("the angles around edge class {} add up to {}/{} pi, not to 2 pi", e,
-                               shown(edge_sum[e]), shown(angles.denominator)));
+    if (edge_sum[e] != labels.edge_sum[e] * angles.denominator) {
+      return fails(fmt::format("the angles around edge class {} add up to {}/{} pi, not to {} pi",
+                               e, shown(edge_sum[e]), shown(angles.denominator),
+                               shown(labels.edge_sum[e])));
     }
   }
   return {true, {}};

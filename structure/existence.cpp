@@ -1,6 +1,7 @@
 #include "structure/existence.hpp"
 
 #include <optional>
+#include <string>
 
 #include "base/error.hpp"
 #include "structure/detail/angle_programme.hpp"
@@ -18,8 +19,9 @@ namespace {
 
 using topology::Triangulation;
 
-std::optional<Existence> search(const Triangulation& triangulation) {
-  detail::AngleProgramme programme(triangulation);
+std::optional<Existence> search(const Triangulation& triangulation,
+                                std::span<const topology::ConeAngle> cone_angles) {
+  detail::AngleProgramme programme(triangulation, cone_angles);
   std::optional<Existence> found;
   if (programme.solve()) {
     found = detail::by_rounding(triangulation, programme);
@@ -31,9 +33,19 @@ std::optional<Existence> search(const Triangulation& triangulation) {
 
 }  // namespace
 
-Existence existence(const Triangulation& triangulation) {
-  std::optional<Existence> found = search(triangulation);
+Existence existence(const Triangulation& triangulation,
+                    std::span<const topology::ConeAngle> cone_angles) {
+  for (std::size_t e = 0; e < cone_angles.size(); ++e)
+    if (!cone_angles[e].is_rational())
+      throw InvalidInput("the cone angle of edge class " + std::to_string(e) +
+                         " is not known to be a rational multiple of pi; angle structures are "
+                         "decided exactly for such angles only");
+  std::optional<Existence> found = search(triangulation, cone_angles);
   if (!found) throw InternalError("the existence of a strict angle structure could not be decided");
+  if (!topology::all_full(cone_angles))
+    std::visit(
+        [&](auto& proof) { proof.cone_angles.assign(cone_angles.begin(), cone_angles.end()); },
+        *found);
   const CheckResult result =
       std::visit([&](const auto& proof) { return check(triangulation, proof); }, *found);
   if (!result)

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -162,6 +163,31 @@ Certificate::Kind read_kind(const json& value) {
   refuse("\"kind\"", R"("none" or "semi")", value);
 }
 
+/// "2/3", in units of pi.
+topology::ConeAngle read_cone_angle(const json& value, const std::string& place) {
+  constexpr std::string_view kShape = "a fraction of pi such as \"2/3\", as a string";
+  if (!value.is_string()) refuse(place, kShape, value);
+  const auto& text = value.get_ref<const std::string&>();
+  std::int64_t terms[2] = {0, 1};
+  std::size_t term = 0, digits = 0;
+  for (const char c : text) {
+    if (c == '/' && term == 0 && digits > 0) {
+      term = 1;
+      terms[1] = 0;
+      digits = 0;
+    } else if (c >= '0' && c <= '9' && digits < 10) {
+      terms[term] = 10 * terms[term] + (c - '0');
+      ++digits;
+    } else {
+      refuse(place, kShape, value);
+    }
+  }
+  if (digits == 0 || terms[1] == 0 ||
+      std::max(terms[0], terms[1]) > topology::ConeAngle::kLargestTerm)
+    refuse(place, kShape, value);
+  return topology::ConeAngle::rational(terms[0], terms[1]);
+}
+
 }  // namespace
 
 Certificate parse_certificate(std::string_view text) {
@@ -187,6 +213,12 @@ Certificate parse_certificate(std::string_view text) {
     auto& w = certificate.vertex.emplace_back();
     for (std::size_t v = 0; v < 4; ++v)
       w[v] = read_integer(four[v], fmt::format("multiplier of vertex {} of tetrahedron {}", v, t));
+  }
+  if (const auto angles = object.find("cone_angles"); angles != object.end()) {
+    for (const json& k :
+         read_array(*angles, "\"cone_angles\"", "an array of strings, one an edge class"))
+      certificate.cone_angles.push_back(read_cone_angle(
+          k, fmt::format("cone angle of edge class {}", certificate.cone_angles.size())));
   }
   return certificate;
 }

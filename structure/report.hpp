@@ -9,6 +9,7 @@
 
 #include "solver/method.hpp"
 #include "structure/certificate.hpp"
+#include "topology/vertex_kinds.hpp"
 
 namespace tripus::structure {
 
@@ -38,9 +39,14 @@ std::string_view to_string(Advice advice);
 /// One vertex class.
 struct VertexReport {
   int link_euler_characteristic = 0;
-  int genus = 0;
-  std::string_view kind = "geodesic";  ///< a geodesic boundary component
-  double area = 0;                     ///< of the component, from the dihedral angles
+  bool orientable = true;  ///< the link
+  int genus = 0;           ///< of an orientable link
+  topology::VertexKind kind = topology::VertexKind::kHyperideal;
+  std::size_t cone_points = 0;  ///< edge ends here that are singular
+  double orbifold_euler_characteristic = 0;
+  /// Of the boundary component, or the solid angle at a finite vertex, from the dihedral angles; at
+  /// a cusp that of the horosphere from which lengths are measured.
+  double area = 0;
 };
 
 /// The answer to "which metric does this triangulation carry?". The numbers are those of the last

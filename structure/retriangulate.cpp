@@ -351,6 +351,10 @@ std::string_view to_string(SearchEnd end) {
 Retriangulation retriangulate(const Triangulation& triangulation, Report start,
                               const SolveOptions& solve_options,
                               const RetriangulateOptions& options) {
+  if (!topology::all_full(solve_options.cone_angles))
+    throw Unsupported(
+        "moves that keep cone angles are not known so far: retriangulation is for triangulations "
+        "without labels");
   return Search(triangulation, std::move(start), solve_options, options).run();
 }
 

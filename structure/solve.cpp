@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -15,10 +14,12 @@
 #include "structure/angle_structure.hpp"
 #include "structure/assess.hpp"
 #include "structure/detail/flat_minimiser.hpp"
+#include "structure/detail/gauss_newton.hpp"
 #include "structure/existence.hpp"
 #include "structure/method.hpp"
 #include "structure/starting_lengths.hpp"
 #include "topology/requirements.hpp"
+#include "topology/vertex_kinds.hpp"
 
 namespace tripus::structure {
 namespace {
@@ -90,8 +91,24 @@ Run run_in_lengths(const topology::Triangulation& triangulation, const SolveOpti
   return run;
 }
 
+/// The volume in angles knows open polytopes only: no ideal vertices, no parabolic edges.
+void require_angles_form(const topology::Triangulation& triangulation, const SolveOptions& options,
+                         const SolveMethod& method) {
+  const auto links = topology::orbifold_links(triangulation, options.cone_angles);
+  const bool hyperideal = std::ranges::all_of(
+      links, [](const auto& link) { return link.kind == topology::VertexKind::kHyperideal; });
+  const bool parabolic =
+      std::ranges::any_of(options.cone_angles, &topology::ConeAngle::is_parabolic);
+  if (!hyperideal || parabolic)
+    throw Unsupported(fmt::format(
+        "the method {} works with geodesic boundary only so far, not with {}; use a method in "
+        "lengths, such as newton",
+        method.name, hyperideal ? "parabolic edges" : "cusps and finite vertices"));
+}
+
 Run run_in_angles(const topology::Triangulation& triangulation, const SolveOptions& options,
                   const SolveMethod& method) {
+  require_angles_form(triangulation, options, method);
   Run run;
   run.lengths = starting_lengths(triangulation, options);
   const AngleStructure start = deepest_angle_structure(triangulation, options.cone_angles);
@@ -130,6 +147,24 @@ void require_options(const SolveOptions& options) {
   }
 }
 
+bool any_finite_vertex(const energies::CoVolume& energy) {
+  return std::ranges::any_of(
+      energy.links(), [](const auto& link) { return link.kind == topology::VertexKind::kFinite; });
+}
+
+/// There every method is the one that can do it.
+Run run_with_finite_vertices(const topology::Triangulation& triangulation,
+                             const SolveOptions& options, energies::CoVolume& energy) {
+  if (options.method != "auto" && options.method != "newton")
+    throw Unsupported("the method " + options.method +
+                      " does not work with finite vertices, where the problem is not convex; leave "
+                      "the method out");
+  Run run;
+  run.lengths = starting_lengths(triangulation, options);
+  run.summary = detail::gauss_newton(triangulation, energy, options, run.lengths);
+  return run;
+}
+
 /// One run of a method, judged. Without a limit of the user's, Newton's method gets one that
 /// metrics do not need: what is still running then is on its way to infinity.
 Report run_method(const topology::Triangulation& triangulation, const SolveOptions& options) {
@@ -138,11 +173,13 @@ Report run_method(const topology::Triangulation& triangulation, const SolveOptio
   if (options.max_iterations == 0 && method.minimiser != nullptr && method.minimiser->second_order)
     limited.max_iterations = kNewtonPatience;
   energies::CoVolume energy(triangulation, options.cone_angles);
-  const Run run = method.form == SolveMethod::Form::kAngles
+  const Run run = any_finite_vertex(energy)
+                      ? run_with_finite_vertices(triangulation, options, energy)
+                  : method.form == SolveMethod::Form::kAngles
                       ? run_in_angles(triangulation, limited, method)
                       : run_in_lengths(triangulation, limited, method, energy);
   Report report = assess(triangulation, energy, run.lengths, options.tolerance, run.summary);
-  report.method = method.name;
+  report.method = any_finite_vertex(energy) ? "gauss-newton" : method.name;
   return report;
 }
 
@@ -199,7 +236,7 @@ Report settle(const topology::Triangulation& triangulation, const SolveOptions& 
         kExactLimit);
     return report;
   }
-  Existence found = existence(triangulation);
+  Existence found = existence(triangulation, options.cone_angles);
   if (auto* certificate = std::get_if<Certificate>(&found)) {
     // A flat minimiser is more than a certificate says; it contradicts one of kind "none".
     if (certificate->kind == Certificate::Kind::kNone || report.outcome != Outcome::kDegenerate) {
@@ -241,6 +278,14 @@ std::optional<Report> metric_above_tolerance(const topology::Triangulation& tria
   return judged;
 }
 
+/// Whether angle structures decide, and can be decided exactly.
+bool is_decidable(const topology::Triangulation& triangulation, const SolveOptions& options) {
+  const auto links = topology::orbifold_links(triangulation, options.cone_angles);
+  return std::ranges::all_of(options.cone_angles, &topology::ConeAngle::is_rational) &&
+         std::ranges::none_of(
+             links, [](const auto& link) { return link.kind == topology::VertexKind::kFinite; });
+}
+
 Report find_outcome(const topology::Triangulation& triangulation, const SolveOptions& options) {
   Report report = run_method(triangulation, options);
   if (report.outcome != Outcome::kGeometric && was_cut_short(report, options)) {
@@ -257,11 +302,11 @@ Report find_outcome(const topology::Triangulation& triangulation, const SolveOpt
       return report;
     }
   }
-  if (!options.cone_angles.empty() || !options.evidence) return report;
+  if (!options.evidence || !is_decidable(triangulation, options)) return report;
   if (report.outcome != Outcome::kGeometric)
     return settle(triangulation, options, std::move(report));
   if (options.angle_structure) {
-    Existence found = existence(triangulation);
+    Existence found = existence(triangulation, options.cone_angles);
     if (auto* strict = std::get_if<StrictAngles>(&found)) report.strict_angles = std::move(*strict);
   }
   return report;
@@ -272,7 +317,7 @@ Report find_outcome(const topology::Triangulation& triangulation, const SolveOpt
 Report solve(const topology::Triangulation& triangulation, const SolveOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   require_options(options);
-  topology::require_solvable(triangulation);
+  topology::require_solvable(triangulation, options.cone_angles);
   Report report = find_outcome(triangulation, options);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;

@@ -8,6 +8,7 @@
 
 #include "base/tolerances.hpp"
 #include "structure/report.hpp"
+#include "topology/cone_angle.hpp"
 #include "topology/triangulation.hpp"
 
 namespace tripus::structure {
@@ -28,15 +29,16 @@ struct SolveOptions {
   /// A name from method_names(); "auto" is Newton, by a direct factorisation for small
   /// triangulations and by conjugate gradients for large ones.
   std::string method = "auto";
-  /// Lengths to start from [E], finite and > 0; empty for `initial_length` everywhere.
+  /// Lengths to start from [E], finite, and > 0 unless an end is ideal; empty for `initial_length`
+  /// everywhere. A parabolic edge always has the length 0.
   std::vector<double> initial_lengths;
-  /// One length for all edges, > 0; 0 for the length at which the mean edge curvature vanishes if
-  /// all tetrahedra are regular.
+  /// One length for all edges between hyperideal vertices, > 0; 0 for the length at which the mean
+  /// edge curvature vanishes if all tetrahedra are regular.
   double initial_length = 0;
   double tolerance = tolerance::kMaxCurvature;                  ///< on max|K|; > 0
   int max_iterations = 0;                                       ///< 0: the method's default
   double time_limit = std::numeric_limits<double>::infinity();  ///< seconds
-  std::vector<double> cone_angles;                              ///< [E] radians; empty for 2 pi
+  std::vector<topology::ConeAngle> cone_angles;                 ///< [E]; empty for 2 pi
   /// Called at every iteration if set; costs an evaluation of the energy and the volume each time.
   std::function<void(const HistoryRow&)> history;
   /// Called at every iteration if set, with its number and max|gradient|; cheap.
@@ -47,16 +49,20 @@ struct SolveOptions {
   bool angle_structure = false;  ///< also decide on exact strict angles where a metric was found
 };
 
-/// Finds the hyperbolic metric with totally geodesic boundary, or says with evidence why this
-/// triangulation carries none.
+/// Finds the complete hyperbolic metric with totally geodesic boundary, cusps at ideal vertices and
+/// the given cone angles, or says with evidence why this triangulation carries none.
+///
+/// Lengths at cusps are measured from horospheres of area sqrt(3)/2 each. These are embedded and
+/// disjoint in a manifold, as the shortest translation along them is at most 1.
 ///
 /// The outcome depends on the triangulation alone, not on method, start or labels, unless a limit
 /// that the options set ends the run: what does not end in a metric is settled by Newton's method
 /// from the default start and by an exact decision about angle structures (docs/theory.md section
-/// 5). There is no exact decision with cone angles other than 2 pi, nor beyond
-/// 10,000 tetrahedra.
-/// Throws InvalidInput for a triangulation outside the domain (see topology::require_solvable) and
-/// for options out of range. A triangulation that carries no metric is an answer, not an error.
+/// 5). There is no exact decision with cone angles that are not rational multiples of pi, nor
+/// beyond 10,000 tetrahedra, nor where a vertex is finite: there the problem is not convex, and
+/// what is not geometric is unresolved. Throws InvalidInput for a triangulation outside the domain
+/// (see topology::require_solvable) and for options out of range. A triangulation that carries no
+/// metric is an answer, not an error.
 Report solve(const topology::Triangulation& triangulation, const SolveOptions& options = {});
 
 }  // namespace tripus::structure

@@ -155,7 +155,7 @@ Plan plan_paper(const StudyOptions& options) {
     if (options.stop_requested != nullptr && *options.stop_requested) return {};
     const StudyInput& input = options.inputs[i];
     try {
-      topology::require_solvable(topology::Triangulation(input.gluings));
+      topology::require_geodesic_boundary(topology::Triangulation(input.gluings));
     } catch (const InvalidInput& error) {
       throw InvalidInput(tripus::quoted(input.name) + ": " + error.what());
     }

@@ -119,7 +119,7 @@ Plan plan_triangulations(const StudyOptions& options) {
   plan.tables = {layout()};
   for (const StudyInput& input : options.inputs) {
     try {
-      topology::require_solvable(topology::Triangulation(input.gluings));
+      topology::require_geodesic_boundary(topology::Triangulation(input.gluings));
     } catch (const InvalidInput& error) {
       throw InvalidInput(tripus::quoted(input.name) + ": " + error.what());
     }

@@ -139,7 +139,7 @@ Plan plan_valence(const StudyOptions& options) {
   for (const StudyInput& input : options.inputs) {
     const topology::Triangulation triangulation(input.gluings);
     try {
-      topology::require_solvable(triangulation);
+      topology::require_geodesic_boundary(triangulation);
     } catch (const InvalidInput& error) {
       throw InvalidInput(tripus::quoted(input.name) + ": " + error.what());
     }

@@ -5,9 +5,14 @@
 namespace tripus::embedding {
 
 std::span<const MeshFormat> mesh_formats() {
-  static constexpr std::array<MeshFormat, 3> formats{{
-      {"obj", "Wavefront OBJ: a group for each cell, vertex colours", write_obj},
-      {"ply", "binary PLY: cell, tetrahedron, side and colour of each triangle", write_ply},
+  static constexpr std::array<MeshFormat, 8> formats{{
+      {"obj", "Wavefront OBJ: a group for each cell", write_obj},
+      {"ply", "binary PLY: colour, cell and tetrahedron of each point", write_ply},
+      {"off", "Geomview's OFF", write_off},
+      {"stl", "binary STL, in single precision", write_stl},
+      {"glb", "glTF 2.0, binary: a mesh and a colour for each tetrahedron", write_glb},
+      {"gltf", "the same as text", write_gltf},
+      {"float.vtk", "as .vtk, but in single precision", write_float_vtk},
       {"vtk", "binary VTK legacy PolyData with cell data, for ParaView", write_vtk},
   }};
   return formats;

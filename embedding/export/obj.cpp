@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "embedding/colour.hpp"
 #include "embedding/export/mesh_formats.hpp"
 
 namespace tripus::embedding {
@@ -18,13 +17,10 @@ std::size_t write_obj(std::ostream& out, const Tessellation& tessellation) {
     text.clear();
     const auto to = std::back_inserter(text);
     const std::uint32_t tetrahedron = tessellation.cells()[c].tetrahedron;
-    const Colour colour = tetrahedron_colour(tetrahedron);
     fmt::format_to(to, "g cell_{}_tetrahedron_{}\n", c, tetrahedron);
     const std::vector<Vector3> points = tessellation.points(c);
-    for (const Vector3& p : points) {
-      fmt::format_to(to, "v {} {} {} {:.3f} {:.3f} {:.3f}\n", p[0], p[1], p[2], colour[0] / 255.0,
-                     colour[1] / 255.0, colour[2] / 255.0);
-    }
+    // No colours: some readers take them for more coordinates.
+    for (const Vector3& p : points) fmt::format_to(to, "v {} {} {}\n", p[0], p[1], p[2]);
     for (const auto& [p, q, r] : tessellation.triangles(c))
       fmt::format_to(to, "f {} {} {}\n", first + p, first + q, first + r);
     first += points.size();

@@ -27,13 +27,15 @@ void write_integers(std::ostream& out, const Tessellation& tessellation, const c
   out << '\n';
 }
 
+template <class Number>
 void write_surface(std::ostream& out, const Tessellation& tessellation) {
   const std::size_t cell_count = tessellation.cells().size();
   detail::Bytes bytes(kOrder);
-  out << fmt::format("POINTS {} double\n", tessellation.point_count());
+  out << fmt::format("POINTS {} {}\n", tessellation.point_count(),
+                     sizeof(Number) == sizeof(float) ? "float" : "double");
   for (std::size_t c = 0; c < cell_count && out; ++c) {
     for (const Vector3& point : tessellation.points(c))
-      for (const double coordinate : point) bytes.append(coordinate);
+      for (const double coordinate : point) bytes.append(static_cast<Number>(coordinate));
     bytes.write_to(out);
   }
   out << fmt::format("\nPOLYGONS {} {}\n", tessellation.triangle_count(),
@@ -49,12 +51,11 @@ void write_surface(std::ostream& out, const Tessellation& tessellation) {
   }
 }
 
-}  // namespace
-
-std::size_t write_vtk(std::ostream& out, const Tessellation& tessellation) {
+template <class Number>
+std::size_t write(std::ostream& out, const Tessellation& tessellation) {
   out << "# vtk DataFile Version 3.0\ncells of a universal cover, by Tripus\nBINARY\n"
          "DATASET POLYDATA\n";
-  write_surface(out, tessellation);
+  write_surface<Number>(out, tessellation);
   out << fmt::format("\nCELL_DATA {}\n", tessellation.triangle_count());
   const auto cells = tessellation.cells();
   write_integers(out, tessellation, "cell", [](std::size_t c, std::size_t) { return c; });
@@ -74,6 +75,16 @@ std::size_t write_vtk(std::ostream& out, const Tessellation& tessellation) {
   }
   out << '\n';
   return cells.size();
+}
+
+}  // namespace
+
+std::size_t write_vtk(std::ostream& out, const Tessellation& tessellation) {
+  return write<double>(out, tessellation);
+}
+
+std::size_t write_float_vtk(std::ostream& out, const Tessellation& tessellation) {
+  return write<float>(out, tessellation);
 }
 
 }  // namespace tripus::embedding

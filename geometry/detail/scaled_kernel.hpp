@@ -13,4 +13,8 @@ inline constexpr double kUnscaledLimit = 64.0;
 /// rows are kLanes apart. Returns 1 if the lane is flat, else 0.
 std::size_t scaled_angles_of_lane(const double* lengths, double* theta, double* jacobian);
 
+/// The same with ideal vertices: diagonal points to the lane's entry of G_00, rows kLanes apart.
+std::size_t mixed_scaled_angles_of_lane(const double* lengths, const double* diagonal,
+                                        double* theta, double* jacobian);
+
 }  // namespace tripus::geometry

@@ -14,6 +14,13 @@ namespace tripus::meshing::detail {
 
 static_assert(std::endian::native == std::endian::little, "binary files are read on little endian");
 
+/// The bytes of a number, the least significant first.
+template <class Number>
+void append_little_endian(std::string& out, Number value) {
+  const auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(value);
+  out.append(bytes.data(), bytes.size());
+}
+
 /// Numbers of a binary file.
 class Bytes {
  public:

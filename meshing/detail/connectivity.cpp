@@ -44,7 +44,8 @@ struct Wrong {
   }
 };
 
-std::vector<std::uint32_t> mates(const std::vector<Triangle>& triangles, const Name& name) {
+std::vector<std::uint32_t> mates(const std::vector<Triangle>& triangles, const Name& name,
+                                 const Places& places) {
   const std::vector<Side> sides = sorted_sides(triangles);
   std::vector<std::uint32_t> mate(sides.size(), kNone);
   Wrong open, crowded;
@@ -59,7 +60,7 @@ std::vector<std::uint32_t> mates(const std::vector<Triangle>& triangles, const N
   }
   if (crowded.count > 0) {
     const auto& s = crowded.first;
-    throw InvalidInput("edge " + edge_name(s[0].low, s[0].high) + " is not manifold: it is in " +
+    throw InvalidInput(places.edge(s[0].low, s[0].high) + " is not manifold: it is in " +
                        std::to_string(s.size()) + " triangles, the first of them " +
                        name(s[0].side / 3) + ", " + name(s[1].side / 3) + ", " +
                        name(s[2].side / 3) + in_all(crowded.count) +
@@ -67,7 +68,7 @@ std::vector<std::uint32_t> mates(const std::vector<Triangle>& triangles, const N
   }
   if (open.count > 0) {
     const Side& s = open.first.front();
-    throw InvalidInput("edge " + edge_name(s.low, s.high) + " is open: only " + name(s.side / 3) +
+    throw InvalidInput(places.edge(s.low, s.high) + " is open: only " + name(s.side / 3) +
                        " has it" + in_all(open.count) +
                        "; close the surface (merge points that lie in one place, fill holes)");
   }
@@ -76,15 +77,14 @@ std::vector<std::uint32_t> mates(const std::vector<Triangle>& triangles, const N
 
 /// The triangles around each point, walked across the mates, must be all that have it.
 void require_fans(const std::vector<Triangle>& triangles, std::size_t point_count,
-                  const std::vector<std::uint32_t>& mate, const Name& name,
-                  const Name& point_name) {
+                  const std::vector<std::uint32_t>& mate, const Name& name, const Places& places) {
   std::vector<bool> seen(3 * triangles.size(), false);  // corners
   std::vector<std::uint32_t> first(point_count, kNone);
   for (std::uint32_t start = 0; start < 3 * triangles.size(); ++start) {
     if (seen[start]) continue;
     const std::uint32_t point = triangles[start / 3][start % 3];
     if (first[point] != kNone)
-      throw InvalidInput(point_name(point) + " is not manifold: " + name(first[point] / 3) +
+      throw InvalidInput(places.point(point) + " is not manifold: " + name(first[point] / 3) +
                          " and " + name(start / 3) +
                          " meet there without a chain of triangles around it; separate the parts "
                          "of the surface that touch at this point");
@@ -139,10 +139,10 @@ void walk_components(const std::vector<Triangle>& triangles, const Name& name, C
 
 Connectivity require_closed_manifold(const std::vector<Triangle>& triangles,
                                      std::size_t point_count, const Name& name,
-                                     const Name& point_name) {
+                                     const Places& places) {
   Connectivity c;
-  c.mate = mates(triangles, name);
-  require_fans(triangles, point_count, c.mate, name, point_name);
+  c.mate = mates(triangles, name, places);
+  require_fans(triangles, point_count, c.mate, name, places);
   walk_components(triangles, name, c);
   return c;
 }

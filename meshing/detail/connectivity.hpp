@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "meshing/detail/places.hpp"
 #include "meshing/surface_mesh.hpp"
 
 namespace tripus::meshing::detail {
@@ -20,11 +21,11 @@ struct Connectivity {
 
 /// Checks that every edge is in two triangles, that the triangles at every point form one fan, and
 /// that the surface is two-sided; triangles are all different. `name` says what a triangle is
-/// called in messages. In O(T log T).
+/// called in messages, `places` what points and edges are. In O(T log T).
 /// Throws InvalidInput.
 Connectivity require_closed_manifold(const std::vector<Triangle>& triangles,
                                      std::size_t point_count,
                                      const std::function<std::string(std::size_t)>& name,
-                                     const std::function<std::string(std::size_t)>& point_name);
+                                     const Places& places);
 
 }  // namespace tripus::meshing::detail

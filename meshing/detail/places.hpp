@@ -13,15 +13,24 @@ class Places {
   /// `cell` is what cells are called; `lines` must outlive this.
   Places(const SourceLines& lines, std::string_view cell) : lines_(lines), cell_(cell) {}
 
-  std::string point(std::size_t i) const { return "point " + numbered(i, lines_.points); }
+  std::string point(std::size_t i) const {
+    return "point " + numbered(i, lines_.points, lines_.point_numbers);
+  }
   std::string cell(std::size_t i) const {
-    return std::string(cell_) + " " + numbered(i, lines_.cells);
+    return std::string(cell_) + " " + numbered(i, lines_.cells, lines_.cell_numbers);
+  }
+  std::string edge(std::size_t a, std::size_t b) const {
+    return "edge " + number(a, lines_.point_numbers) + "-" + number(b, lines_.point_numbers);
   }
   std::string_view cell_name() const { return cell_; }
 
  private:
-  static std::string numbered(std::size_t i, const std::vector<std::uint32_t>& lines) {
-    std::string text = std::to_string(i);
+  static std::string number(std::size_t i, const std::vector<std::uint32_t>& numbers) {
+    return std::to_string(i < numbers.size() ? numbers[i] : i);
+  }
+  static std::string numbered(std::size_t i, const std::vector<std::uint32_t>& lines,
+                              const std::vector<std::uint32_t>& numbers) {
+    std::string text = number(i, numbers);
     if (i < lines.size()) text += " (line " + std::to_string(lines[i]) + ")";
     return text;
   }

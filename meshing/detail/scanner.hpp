@@ -38,18 +38,31 @@ class Scanner {
   }
   /// Skips to the start of the next line; false at the end of the text.
   bool next_line() {
-    const std::size_t end = rest_.find('\n');
-    if (end == std::string_view::npos) {
+    const std::size_t end = line_end();
+    if (end == rest_.size()) {
       rest_ = {};
       return false;
     }
-    rest_.remove_prefix(end + 1);
+    rest_.remove_prefix(end + (rest_.substr(end).starts_with("\r\n") ? 2 : 1));
     ++line_;
     return true;
   }
+  /// Skips the rest of this line, but not its end.
+  void skip_line() { rest_.remove_prefix(line_end()); }
+  /// The rest of this line, which stays where it is.
+  std::string_view rest_of_line() const { return rest_.substr(0, line_end()); }
 
+  /// Makes so many characters, taken last, the next ones again.
+  void put_back(std::size_t count) { rest_ = {rest_.data() - count, rest_.size() + count}; }
   /// For binary blocks; lines are not counted in them.
   void skip_bytes(std::size_t count) { rest_.remove_prefix(std::min(count, rest_.size())); }
+
+  /// The same, and counts the lines.
+  void skip_counted(std::size_t characters) {
+    const std::string_view skipped = rest_.substr(0, characters);
+    line_ += static_cast<std::uint32_t>(std::count(skipped.begin(), skipped.end(), '\n'));
+    skip_bytes(characters);
+  }
 
   [[noreturn]] void fail(const std::string& what) const { fail_at(line_, what); }
   [[noreturn]] void fail_at(std::uint32_t line, const std::string& what) const {
@@ -78,18 +91,23 @@ class Scanner {
   }
 
  private:
+  /// Lines end with \n, \r\n or, as on old Macintoshes, \r.
+  bool at_line_end() const {
+    return rest_.front() == '\n' ||
+           (rest_.front() == '\r' && (rest_.size() == 1 || rest_[1] != '\n'));
+  }
+  std::size_t line_end() const { return std::min(rest_.find_first_of("\r\n"), rest_.size()); }
   void skip(bool within_line) {
     while (!rest_.empty()) {
       const char c = rest_.front();
-      if (c == '\n') {
+      if (at_line_end()) {
         if (within_line) return;
         ++line_;
         rest_.remove_prefix(1);
       } else if (is_space(c)) {
         rest_.remove_prefix(1);
       } else if (c == comment_ && comment_ != '\0') {
-        const std::size_t end = rest_.find('\n');
-        rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end);
+        rest_.remove_prefix(line_end());
       } else {
         return;
       }

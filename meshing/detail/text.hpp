@@ -3,6 +3,7 @@
 #include <charconv>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace tripus::meshing::detail {
 
@@ -23,10 +24,12 @@ inline std::string number_text(double x) {
   return {digits, std::to_chars(digits, digits + sizeof digits, x).ptr};
 }
 
-/// What is wrong with a face of so many corners, after "face 3".
-inline std::string not_a_triangle(std::size_t sides) {
-  return " has " + std::to_string(sides) +
-         " corners; only triangles are read: triangulate the surface first";
+/// In lower case.
+inline std::string lowered(std::string_view word) {
+  std::string low(word);
+  for (char& c : low)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return low;
 }
 
 }  // namespace tripus::meshing::detail

@@ -3,16 +3,18 @@
 #include <array>
 #include <utility>
 
+#include "meshing/detail/cells.hpp"
 #include "meshing/detail/scanner.hpp"
 #include "meshing/detail/text.hpp"
+#include "meshing/validate_tetrahedra.hpp"
 
 namespace tripus::meshing {
 namespace {
 
 using detail::Scanner;
 
-constexpr std::array<std::string_view, 6> kRefused{"Hexahedra",      "Prisms",  "Pyramids",
-                                                   "Quadrilaterals", "Edges3D", "TetrahedraP2"};
+constexpr std::array<std::string_view, 4> kRefused{"Hexahedra", "Prisms", "Pyramids",
+                                                   "TetrahedraP2"};
 
 bool is_word(std::string_view text) {
   return !text.empty() &&
@@ -22,14 +24,13 @@ bool is_word(std::string_view text) {
 struct Sections {
   std::vector<Point> points;
   SourceLines lines;
-  std::vector<Triangle> triangles;
-  std::vector<Tetrahedron> tetrahedra;
-  std::vector<std::uint32_t> triangle_lines, tetrahedron_lines;
+  detail::Cells cells;
+  double reference = 0;  ///< of the first cell
+  bool has_cell = false, has_references = false;
 };
 
 template <std::size_t Corners>
-void read_cells(Scanner& in, std::vector<std::array<std::uint32_t, Corners>>& cells,
-                std::vector<std::uint32_t>& lines, std::string_view what) {
+void read_cells(Scanner& in, Sections& found, std::string_view what) {
   const std::uint32_t count = in.count(what, 2 * (Corners + 1));
   for (std::uint32_t i = 0; i < count; ++i) {
     std::array<std::uint32_t, Corners> cell;
@@ -38,9 +39,17 @@ void read_cells(Scanner& in, std::vector<std::array<std::uint32_t, Corners>>& ce
       if (corner == 0) in.fail("point 0 does not exist; Medit numbers points from 1");
       --corner;  // the points may come later in the file: compared with their number at the end
     }
-    cells.push_back(cell);
-    lines.push_back(in.line());
-    in.number("a reference number");
+    const std::uint32_t line = in.line();
+    if constexpr (Corners == 4) {
+      what == "the number of tetrahedra" ? found.cells.add_tetrahedron(cell, line)
+                                         : found.cells.add_face(cell, line);
+    } else {
+      found.cells.add_face(cell, line);
+    }
+    const double reference = in.number("a reference number");
+    if (!found.has_cell) found.reference = reference;
+    found.has_cell = true;
+    found.has_references |= reference != found.reference;
   }
 }
 
@@ -54,17 +63,6 @@ void read_points(Scanner& in, Sections& found) {
   }
 }
 
-template <class Cells>
-void check_corners(const Scanner& in, const Cells& cells, const std::vector<std::uint32_t>& lines,
-                   std::size_t points) {
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    for (const std::uint32_t corner : cells[i])
-      if (corner >= points)
-        in.fail_at(lines[i], "point " + std::to_string(corner + std::uint64_t{1}) +
-                                 " does not exist; the file has " + std::to_string(points) +
-                                 " points, numbered from 1");
-}
-
 void read_section(Scanner& in, std::string_view name, Sections& found) {
   if (name == "Dimension") {
     if (in.natural("the dimension") != 3) in.fail("only meshes in three dimensions are read");
@@ -72,9 +70,11 @@ void read_section(Scanner& in, std::string_view name, Sections& found) {
     if (!found.points.empty()) in.fail("a second section \"Vertices\"");
     read_points(in, found);
   } else if (name == "Triangles") {
-    read_cells(in, found.triangles, found.triangle_lines, "the number of triangles");
+    read_cells<3>(in, found, "the number of triangles");
   } else if (name == "Tetrahedra") {
-    read_cells(in, found.tetrahedra, found.tetrahedron_lines, "the number of tetrahedra");
+    read_cells<4>(in, found, "the number of tetrahedra");
+  } else if (name == "Quadrilaterals") {
+    read_cells<4>(in, found, "the number of quadrilaterals");
   } else {
     for (const std::string_view refused : kRefused)
       if (name == refused && in.natural("a count") != 0)
@@ -98,16 +98,10 @@ MeshFile read_medit(std::string_view text) {
               " where the name of a section was expected");
     read_section(in, name, found);
   }
-  check_corners(in, found.triangles, found.triangle_lines, found.points.size());
-  check_corners(in, found.tetrahedra, found.tetrahedron_lines, found.points.size());
-  if (found.tetrahedra.empty()) {
-    found.lines.cells = std::move(found.triangle_lines);
-    return SurfaceFile{{std::move(found.points), std::move(found.triangles)},
-                       std::move(found.lines)};
-  }
-  found.lines.cells = std::move(found.tetrahedron_lines);
-  return TetrahedralFile{{std::move(found.points), std::move(found.tetrahedra)},
-                         std::move(found.lines)};
+  std::vector<std::string> notes;
+  if (found.has_references) notes.push_back("reference numbers, which differ, not read");
+  return found.cells.finish(std::move(found.points), std::move(found.lines), std::move(notes),
+                            "Medit mesh", 1);
 }
 
 std::string write_medit(const TetrahedralMesh& mesh) {
@@ -119,6 +113,12 @@ std::string write_medit(const TetrahedralMesh& mesh) {
   }
   out += "Tetrahedra\n" + std::to_string(mesh.tetrahedra.size()) + "\n";
   for (const Tetrahedron& t : mesh.tetrahedra) {
+    for (const std::uint32_t corner : t) out += std::to_string(corner + 1) + " ";
+    out += "0\n";
+  }
+  const std::vector<Triangle> boundary = boundary_triangles(mesh);
+  out += "Triangles\n" + std::to_string(boundary.size()) + "\n";
+  for (const Triangle& t : boundary) {
     for (const std::uint32_t corner : t) out += std::to_string(corner + 1) + " ";
     out += "0\n";
   }

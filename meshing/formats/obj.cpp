@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "meshing/detail/faces.hpp"
 #include "meshing/detail/scanner.hpp"
 #include "meshing/detail/text.hpp"
 
@@ -11,8 +12,45 @@ namespace {
 
 using detail::Scanner;
 
-constexpr std::array<std::string_view, 13> kSkipped{
-    "vt", "vn", "vp", "o", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "l", "p"};
+/// Lines that say nothing about the surface, and may come first.
+constexpr std::array<std::string_view, 26> kSkipped{
+    "vt",        "vn",     "vp",    "o",     "g",    "s",     "mg",       "usemtl",   "mtllib",
+    "usemap",    "maplib", "l",     "p",     "lod",  "bevel", "c_interp", "d_interp", "shadow_obj",
+    "trace_obj", "ctech",  "stech", "illum", "call", "csh",   "bmat",     "step"};
+/// Curves and curved surfaces.
+constexpr std::array<std::string_view, 17> kCurved{
+    "cstype", "deg", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv",
+    "sp",     "end", "con",  "bsp",   "bzp",  "cdc",  "cdp",  "res"};
+
+template <class Words>
+bool is_in(const Words& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// The words of an OBJ line, which goes on behind a "\" at its end.
+class Line {
+ public:
+  explicit Line(Scanner& in) : in_(in) {}
+
+  std::string_view word() {
+    std::string_view found = in_.word_of_line();
+    while (found == "\\" && in_.next_line()) found = in_.word_of_line();
+    if (found.size() > 1 && found.ends_with('\\')) {
+      in_.put_back(1);
+      found.remove_suffix(1);
+    }
+    return found;
+  }
+  /// To its end.
+  void skip() {
+    while (in_.rest_of_line().ends_with('\\') && in_.next_line()) {
+    }
+    in_.skip_line();
+  }
+
+ private:
+  Scanner& in_;
+};
 
 /// The point of a corner "7", "7/1", "7//3" or "-1/2/3", counted from 0. It may come later in the
 /// file, so only its sign is checked here.
@@ -29,48 +67,107 @@ std::uint32_t read_corner(const Scanner& in, std::string_view word, std::size_t 
   return static_cast<std::uint32_t>(points_so_far) - value;
 }
 
-void read_face(Scanner& in, SurfaceFile& file) {
-  Triangle triangle{};
-  std::size_t sides = 0;
-  for (std::string_view word = in.word_of_line(); !word.empty(); word = in.word_of_line()) {
-    const std::uint32_t corner = read_corner(in, word, file.mesh.points.size());
-    if (sides < 3) triangle[sides] = corner;
-    ++sides;
+class Reader {
+ public:
+  explicit Reader(std::string_view text) : in_("OBJ", text, '#') {}
+
+  SurfaceFile read() {
+    do {
+      const std::string_view key = Line(in_).word();
+      if (key.empty()) continue;
+      read_line(key);
+    } while (in_.next_line());
+    for (std::size_t f = 0; f < faces_.count(); ++f)
+      for (const std::uint32_t corner : faces_.corners(f))
+        if (corner >= file_.mesh.points.size())
+          in_.fail_at(faces_.line(f), "point " + std::to_string(corner + std::uint64_t{1}) +
+                                          " does not exist; the file has " +
+                                          std::to_string(file_.mesh.points.size()) +
+                                          " points, numbered from 1");
+    faces_.finish(file_);
+    if (colours_) file_.notes.push_back("colours or weights of the points not read");
+    if (lines_ > 0)
+      file_.notes.push_back(detail::counted(lines_, "line or point", "lines and points") +
+                            " left out");
+    return std::move(file_);
   }
-  if (sides != 3)
-    in.fail("face " + std::to_string(file.mesh.triangles.size()) + detail::not_a_triangle(sides));
-  file.mesh.triangles.push_back(triangle);
-  file.lines.cells.push_back(in.line());
+
+ private:
+  void read_line(std::string_view key) {
+    if (key == "v") {
+      read_point();
+    } else if (key == "f" || key == "fo") {
+      read_face();
+    } else if (is_in(kSkipped, key)) {
+      if (key == "l" || key == "p") ++lines_;
+      Line(in_).skip();
+    } else {
+      in_.fail(quoted(std::string(key.substr(0, 32))) + " is not supported" +
+               (is_in(kCurved, key) ? " (a curved surface)" : "") +
+               "; save the surface as plain triangles (v and f lines)");
+    }
+  }
+
+  void read_point() {
+    Line line(in_);
+    Point point;
+    for (double& x : point) x = in_.number(line.word(), "a coordinate");
+    file_.mesh.points.push_back(point);
+    file_.lines.points.push_back(in_.line());
+    if (line.word().empty()) return;
+    colours_ = true;
+    line.skip();
+  }
+
+  void read_face() {
+    const std::uint32_t number = in_.line();
+    Line line(in_);
+    corners_.clear();
+    for (std::string_view word = line.word(); !word.empty(); word = line.word())
+      corners_.push_back(read_corner(in_, word, file_.mesh.points.size()));
+    faces_.add(corners_, number);
+  }
+
+  Scanner in_;
+  SurfaceFile file_;
+  detail::Faces faces_;
+  std::vector<std::uint32_t> corners_;
+  std::size_t lines_ = 0;
+  bool colours_ = false;
+};
+
+/// A corner begins with a digit or a sign.
+bool is_number(std::string_view word) {
+  return !word.empty() &&
+         (std::string_view("+-.0123456789").find(word.front()) != std::string_view::npos);
 }
 
 }  // namespace
 
-SurfaceFile read_obj(std::string_view text) {
-  Scanner in("OBJ", text, '#');
-  SurfaceFile file;
+bool starts_obj(std::string_view content) {
+  Scanner in("", content.substr(0, 1 << 16), '#');
   do {
     const std::string_view key = in.word_of_line();
     if (key.empty()) continue;
-    if (key == "v") {
-      Point point;
-      for (double& x : point) x = in.number(in.word_of_line(), "a coordinate");
-      file.mesh.points.push_back(point);
-      file.lines.points.push_back(in.line());
-    } else if (key == "f") {
-      read_face(in, file);
-    } else if (std::find(kSkipped.begin(), kSkipped.end(), key) == kSkipped.end()) {
-      in.fail(quoted(std::string(key.substr(0, 32))) +
-              " is not supported; save the surface as plain triangles (v and f lines)");
-    }
+    if (key == "v" || key == "vn" || key == "vt" || key == "f") return is_number(in.word_of_line());
+    if (!is_in(kSkipped, key) && !is_in(kCurved, key)) return false;
+    Line(in).skip();
   } while (in.next_line());
-  for (std::size_t t = 0; t < file.mesh.triangles.size(); ++t)
-    for (const std::uint32_t corner : file.mesh.triangles[t])
-      if (corner >= file.mesh.points.size())
-        in.fail_at(file.lines.cells[t], "point " + std::to_string(corner + std::uint64_t{1}) +
-                                            " does not exist; the file has " +
-                                            std::to_string(file.mesh.points.size()) +
-                                            " points, numbered from 1");
-  return file;
+  return false;
+}
+
+SurfaceFile read_obj(std::string_view text) { return Reader(text).read(); }
+
+std::string write_obj(const SurfaceMesh& mesh) {
+  std::string out = "# a surface, by Tripus\n";
+  for (const Point& point : mesh.points) {
+    out += "v ";
+    detail::append_numbers(out, point);
+  }
+  for (const Triangle& t : mesh.triangles)
+    out += "f " + std::to_string(t[0] + 1) + " " + std::to_string(t[1] + 1) + " " +
+           std::to_string(t[2] + 1) + "\n";
+  return out;
 }
 
 }  // namespace tripus::meshing

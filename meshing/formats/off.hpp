@@ -7,10 +7,15 @@
 
 namespace tripus::meshing {
 
-/// Geomview's OFF, as text: "OFF", counts, points, faces. Also COFF, NOFF and STOFF, whose extra
-/// columns are skipped. Polygons with more than three corners are refused.
-/// Throws InvalidInput with the line.
+/// Geomview's OFF, read by tokens as Geomview does, whatever the lines: an optional brace, a header
+/// of [ST][C][N][4][n]OFF that may touch the first count, counts, points, faces, each with colours
+/// up to the end of its line. Also what other programs write: no number of edges, colours of
+/// another number of columns behind the points, polygons, and the binary form. Normals, colours and
+/// textures are skipped. Throws InvalidInput with the line or byte.
 SurfaceFile read_off(std::string_view text);
+
+/// Whether a text begins as OFF does; a lone word is rather a signature.
+bool starts_off(std::string_view content);
 
 /// OFF with coordinates that read back to the same doubles.
 std::string write_off(const SurfaceMesh& mesh);

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "meshing/detail/bytes.hpp"
+#include "meshing/detail/faces.hpp"
 #include "meshing/detail/scanner.hpp"
 #include "meshing/detail/text.hpp"
 
@@ -185,6 +188,10 @@ class Values {
     if (is_text_) text_.fail(what);
     bytes_.fail(what);
   }
+  [[noreturn]] void fail_at(std::uint32_t line, const std::string& what) const {
+    if (is_text_) text_.fail_at(line, what);
+    throw InvalidInput("PLY: " + what);
+  }
 
  private:
   Scanner text_;
@@ -220,29 +227,87 @@ void read_points(Values& in, const Element& element, SurfaceFile& file) {
   }
 }
 
-void read_faces(Values& in, const Element& element, SurfaceFile& file) {
+/// The corners of a list, of which -1 may end a strip.
+constexpr std::uint32_t kStripEnd = UINT32_MAX;
+
+void read_list(Values& in, const Property& property, bool is_strip,
+               std::vector<std::uint32_t>& corners) {
+  const std::uint32_t sides = in.take_natural(*property.count, UINT32_MAX, "a number of corners");
+  corners.clear();
+  for (std::uint32_t k = 0; k < sides; ++k) {
+    const double value = in.take(property.type);
+    if (is_strip && value == -1) {
+      corners.push_back(kStripEnd);
+      continue;
+    }
+    if (!(value >= 0 && value < UINT32_MAX - 1) || value != std::floor(value))
+      in.fail(detail::number_text(value) + " where the number of a point was expected");
+    corners.push_back(static_cast<std::uint32_t>(value));
+  }
+}
+
+void add_strips(std::span<const std::uint32_t> corners, std::uint32_t line, detail::Faces& faces) {
+  while (!corners.empty()) {
+    const auto end = std::find(corners.begin(), corners.end(), kStripEnd) - corners.begin();
+    const auto length = static_cast<std::size_t>(end);
+    faces.add_strip(corners.first(length), line);
+    corners = corners.subspan(std::min(length + 1, corners.size()));
+  }
+}
+
+void read_faces(Values& in, const Element& element, bool is_strip, detail::Faces& faces) {
   const auto is_list = [](const Property& p) {
     return p.count && (p.name == "vertex_indices" || p.name == "vertex_index");
   };
   if (std::count_if(element.properties.begin(), element.properties.end(), is_list) != 1)
-    in.fail("the element \"face\" needs one list property \"vertex_indices\"");
-  file.mesh.triangles.reserve(element.count);
+    in.fail("the element " + quoted(std::string(element.name)) +
+            " needs one list property \"vertex_indices\"");
+  std::vector<std::uint32_t> corners;
   for (std::uint32_t i = 0; i < element.count; ++i) {
     for (const Property& property : element.properties) {
       if (!is_list(property)) {
         skip_property(in, property);
         continue;
       }
-      const std::uint32_t sides =
-          in.take_natural(*property.count, UINT32_MAX, "a number of corners");
-      if (sides != 3) in.fail("face " + std::to_string(i) + detail::not_a_triangle(sides));
-      Triangle triangle;
-      for (std::uint32_t& corner : triangle)
-        corner = in.take_natural(property.type, file.mesh.points.size(), "the number of a point");
-      file.mesh.triangles.push_back(triangle);
+      read_list(in, property, is_strip, corners);
+      if (is_strip) {
+        add_strips(corners, in.line(), faces);
+      } else {
+        faces.add(corners, in.line());
+      }
     }
-    if (in.line() > 0) file.lines.cells.push_back(in.line());
   }
+}
+
+void require_corners_exist(const Values& in, const detail::Faces& faces, std::size_t points) {
+  for (std::size_t f = 0; f < faces.count(); ++f)
+    for (const std::uint32_t corner : faces.corners(f))
+      if (corner >= points)
+        in.fail_at(faces.line(f), "face " + std::to_string(f) + ": point " +
+                                      std::to_string(corner) + " does not exist; the file has " +
+                                      std::to_string(points) + " points, numbered from 0");
+}
+
+/// "normals", say: what of the points and faces nobody reads.
+std::vector<std::string> notes_of(const Header& header) {
+  std::vector<std::string> notes;
+  for (const Element& element : header.elements) {
+    std::string names;
+    const bool is_known =
+        element.name == "vertex" || element.name == "face" || element.name == "tristrips";
+    for (const Property& p : element.properties) {
+      const bool is_read = p.name == "x" || p.name == "y" || p.name == "z" ||
+                           p.name == "vertex_indices" || p.name == "vertex_index";
+      if (is_known && !is_read && names.size() < 60)
+        names += (names.empty() ? "" : ", ") + std::string(p.name.substr(0, 32));
+    }
+    if (!is_known && element.count > 0) {
+      notes.push_back("element " + quoted(std::string(element.name.substr(0, 32))) + " not read");
+    } else if (!names.empty()) {
+      notes.push_back("properties of " + quoted(std::string(element.name)) + " not read: " + names);
+    }
+  }
+  return notes;
 }
 
 }  // namespace
@@ -254,15 +319,15 @@ SurfaceFile read_ply(std::string_view text) {
   in.next_line();
   Values values(header.coding, in);
   SurfaceFile file;
+  detail::Faces faces;
   bool has_points = false, has_faces = false;
   for (const Element& element : header.elements) {
     values.require_room(element);
     if (element.name == "vertex" && !has_points) {
       read_points(values, element, file);
       has_points = true;
-    } else if (element.name == "face" && !has_faces) {
-      if (!has_points) values.fail("the element \"face\" comes before \"vertex\"");
-      read_faces(values, element, file);
+    } else if (element.name == "face" || element.name == "tristrips") {
+      read_faces(values, element, element.name == "tristrips", faces);
       has_faces = true;
     } else {
       for (std::uint32_t i = 0; i < element.count; ++i)
@@ -271,7 +336,25 @@ SurfaceFile read_ply(std::string_view text) {
   }
   if (!has_points || !has_faces)
     values.fail("the file has no element " + std::string(has_points ? "\"face\"" : "\"vertex\""));
+  require_corners_exist(values, faces, file.mesh.points.size());
+  file.notes = notes_of(header);
+  faces.finish(file);
   return file;
+}
+
+std::string write_ply(const SurfaceMesh& mesh) {
+  std::string out = "ply\nformat binary_little_endian 1.0\ncomment a surface, by Tripus\n";
+  out += "element vertex " + std::to_string(mesh.points.size()) +
+         "\nproperty double x\nproperty double y\nproperty double z\n";
+  out += "element face " + std::to_string(mesh.triangles.size()) +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const Point& point : mesh.points)
+    for (const double x : point) detail::append_little_endian(out, x);
+  for (const Triangle& t : mesh.triangles) {
+    out.push_back(3);
+    for (const std::uint32_t corner : t) detail::append_little_endian(out, corner);
+  }
+  return out;
 }
 
 }  // namespace tripus::meshing

@@ -4,6 +4,8 @@
 
 #include "base/error.hpp"
 #include "meshing/detail/scanner.hpp"
+#include "meshing/detail/text.hpp"
+#include "meshing/formats/gmsh.hpp"
 #include "meshing/formats/medit.hpp"
 #include "meshing/formats/obj.hpp"
 #include "meshing/formats/off.hpp"
@@ -11,6 +13,7 @@
 #include "meshing/formats/stl.hpp"
 #include "meshing/formats/tetgen_files.hpp"
 #include "meshing/formats/vtk.hpp"
+#include "meshing/formats/vtk_xml.hpp"
 
 namespace tripus::meshing {
 namespace {
@@ -19,7 +22,7 @@ using detail::Scanner;
 
 struct Format {
   std::string_view name;
-  bool (*matches)(std::string_view content);
+  bool (*matches)(std::string_view content, std::string_view name);
   MeshFile (*read)(std::string_view content);
 };
 
@@ -34,55 +37,61 @@ bool is_number(std::string_view word) {
                               std::errc::invalid_argument;
 }
 
-/// "OFF" alone might be an isomorphism signature.
-bool starts_off(std::string_view content) {
-  Scanner in("", content.substr(0, 4096), '#');
-  const std::string_view head = in.word();
-  return head.size() <= 5 && head.ends_with("OFF") && !in.word().empty();
-}
-
 bool starts_ply(std::string_view content) { return first_word(content) == "ply"; }
 bool starts_medit(std::string_view content) {
   return first_word(content) == "MeshVersionFormatted";
 }
-bool starts_vtk(std::string_view content) { return content.starts_with("# vtk DataFile"); }
-bool starts_stl(std::string_view content) {
-  return first_word(content) == "solid" || is_binary_stl(content);
+bool starts_gmsh(std::string_view content) { return first_word(content) == "$MeshFormat"; }
+
+bool ends_with(std::string_view name, std::string_view ending) {
+  return name.size() >= ending.size() &&
+         detail::lowered(name.substr(name.size() - ending.size())) == ending;
 }
 
-/// The first line that says something is "v" with a number, or one of the keys that come before.
-bool starts_obj(std::string_view content) {
-  Scanner in("", content.substr(0, 1 << 16), '#');
-  do {
-    const std::string_view key = in.word_of_line();
-    if (key.empty() || key == "o" || key == "g" || key == "s" || key == "mtllib" || key == "usemtl")
-      continue;
-    return (key == "v" || key == "vn" || key == "vt") && is_number(in.word_of_line());
-  } while (in.next_line());
-  return false;
+template <SurfaceFile (*Read)(std::string_view)>
+MeshFile surface(std::string_view text) {
+  return Read(text);
+}
+template <bool (*Starts)(std::string_view)>
+bool by_content(std::string_view content, std::string_view) {
+  return Starts(content);
 }
 
 /// The first that matches is taken. A new format is one file and one line here.
 constexpr std::array kFormats{
-    Format{"VTK legacy", starts_vtk, read_vtk},
-    Format{"OFF", starts_off, [](std::string_view text) -> MeshFile { return read_off(text); }},
-    Format{"PLY", starts_ply, [](std::string_view text) -> MeshFile { return read_ply(text); }},
-    Format{"Medit mesh", starts_medit, read_medit},
-    Format{"STL", starts_stl, [](std::string_view text) -> MeshFile { return read_stl(text); }},
-    Format{"Wavefront OBJ", starts_obj,
-           [](std::string_view text) -> MeshFile { return read_obj(text); }},
+    Format{"VTK legacy", by_content<starts_vtk>, read_vtk},
+    Format{"VTK XML", by_content<starts_vtk_xml>, read_vtk_xml},
+    Format{"OFF", by_content<starts_off>, surface<read_off>},
+    Format{"PLY", by_content<starts_ply>, surface<read_ply>},
+    Format{"Medit mesh", by_content<starts_medit>, read_medit},
+    Format{"Gmsh mesh", by_content<starts_gmsh>, read_gmsh},
+    Format{"STL",
+           [](std::string_view content, std::string_view name) {
+             return starts_stl(content, ends_with(name, ".stl"));
+           },
+           surface<read_stl>},
+    Format{"Wavefront OBJ", by_content<starts_obj>, surface<read_obj>},
 };
 
 constexpr std::string_view kTetgen = "TetGen .node and .ele";
 
 bool is_tetgen_name(std::string_view name) {
-  return name.ends_with(".node") || name.ends_with(".ele");
+  return ends_with(name, ".node") || ends_with(name, ".ele");
 }
 
-const Format* find_format(std::string_view content) {
+const Format* find_format(std::string_view content, std::string_view name) {
   for (const Format& format : kFormats)
-    if (format.matches(content)) return &format;
+    if (format.matches(content, name)) return &format;
   return nullptr;
+}
+
+/// The other file of the pair, in the same case of the letters.
+std::string companion_of(std::string_view name) {
+  const std::size_t dot = name.rfind('.');
+  const bool is_upper = name.find_first_of("NE", dot) != std::string_view::npos;
+  const std::string_view other =
+      ends_with(name, ".node") ? (is_upper ? ".ELE" : ".ele") : (is_upper ? ".NODE" : ".node");
+  return std::string(name.substr(0, dot)) + std::string(other);
 }
 
 std::string_view without_mark(std::string_view content) {
@@ -95,24 +104,25 @@ std::string_view without_mark(std::string_view content) {
 std::optional<std::string_view> detect_mesh_format(std::string_view content,
                                                    std::string_view name) {
   content = without_mark(content);
-  if (const Format* format = find_format(content)) return format->name;
+  if (const Format* format = find_format(content, name)) return format->name;
   if (is_tetgen_name(name) && is_number(first_word(content))) return kTetgen;
   return std::nullopt;
 }
 
 MeshFile read_mesh(std::string_view content, std::string_view name, const ReadFile& read_file) {
   content = without_mark(content);
-  if (const Format* format = find_format(content)) return format->read(content);
-  if (!is_tetgen_name(name)) {
-    std::string known(kTetgen);
-    for (const Format& format : kFormats) known += ", " + std::string(format.name);
-    throw InvalidInput("no mesh format is recognised; there are " + known);
-  }
-  const bool is_node = name.ends_with(".node");
-  const std::string other =
-      std::string(name.substr(0, name.rfind('.'))) + (is_node ? ".ele" : ".node");
-  const std::string companion = read_file(other);
+  if (const Format* format = find_format(content, name)) return format->read(content);
+  if (!is_tetgen_name(name))
+    throw InvalidInput("no mesh format is recognised; there are " + mesh_format_names());
+  const bool is_node = ends_with(name, ".node");
+  const std::string companion = read_file(companion_of(name));
   return is_node ? read_tetgen(content, companion) : read_tetgen(companion, content);
+}
+
+std::string mesh_format_names() {
+  std::string names;
+  for (const Format& format : kFormats) names += std::string(format.name) + ", ";
+  return names + std::string(kTetgen);
 }
 
 }  // namespace tripus::meshing

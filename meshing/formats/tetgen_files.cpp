@@ -47,6 +47,8 @@ std::uint32_t read_points(std::string_view text, TetrahedralFile& file) {
 
 void read_tetrahedra(std::string_view text, std::uint32_t first, TetrahedralFile& file) {
   Scanner in("TetGen .ele file", text, '#');
+  if (Scanner ahead = in; ahead.word().empty())
+    in.fail("there is nothing in it; .node and .ele hold a solid in tetrahedra, not a surface");
   const std::uint32_t count = in.count("the number of tetrahedra", 10);
   const std::uint32_t corners = in.natural("the number of points of a tetrahedron");
   if (corners != 4 && corners != 10)

@@ -60,7 +60,7 @@ void limit(int resource, rlim_t value) {
 void bind_process(const TetgenRequest& request) {
   const rlimit none{0, 0};
   setrlimit(RLIMIT_CORE, &none);
-#if !defined(__SANITIZE_ADDRESS__)  // its shadow memory is beyond any limit
+#if !defined(TRIPUS_SANITIZED)  // its shadow memory is beyond any limit
   limit(RLIMIT_AS, request.memory_limit);
 #endif
   limit(RLIMIT_CPU, request.processor_seconds);

@@ -23,8 +23,8 @@ std::span<const double> DenseSystem::load(const Problem& problem) {
   return diagonal_;
 }
 
-bool DenseSystem::solve(const Problem&, std::span<const double> shift, std::span<const double> g,
-                        double, std::span<double> d) {
+bool DenseSystem::solve(const Problem& problem, std::span<const double> shift,
+                        std::span<const double> g, double, std::span<double> d) {
   std::fill(factor_.begin(), factor_.end(), 0.0);
   for (std::size_t j = 0; j < n_; ++j) {
     const auto begin = static_cast<std::size_t>(pattern_.column_start[j]);
@@ -36,6 +36,7 @@ bool DenseSystem::solve(const Problem&, std::span<const double> shift, std::span
     column[j] += shift[j];
     d[j] = -g[j];
   }
+  for (const std::uint32_t pin : problem.pins()) factor_[pin * (n_ + 1)] += diagonal_[pin];
   if (!factor_cholesky(factor_, n_)) return false;
   solve_cholesky(factor_, n_, d);
   return true;

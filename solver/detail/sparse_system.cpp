@@ -91,8 +91,8 @@ std::span<const double> SparseSystem::load(const Problem& problem) {
   return diagonal_;
 }
 
-bool SparseSystem::solve(const Problem&, std::span<const double> shift, std::span<const double> g,
-                         double, std::span<double> d) {
+bool SparseSystem::solve(const Problem& problem, std::span<const double> shift,
+                         std::span<const double> g, double, std::span<double> d) {
   Cholmod& c = *cholmod_;
   if (c.factor == nullptr) return false;
   std::copy(c.values.begin(), c.values.end(), c.shifted.begin());
@@ -100,6 +100,8 @@ bool SparseSystem::solve(const Problem&, std::span<const double> shift, std::spa
     c.shifted[static_cast<std::size_t>(c.column_start[j])] += shift[j];
     c.right_values[j] = -g[j];
   }
+  for (const std::uint32_t pin : problem.pins())
+    c.shifted[static_cast<std::size_t>(c.column_start[pin])] += diagonal_[pin];
   cholmod_factorize(&c.matrix, c.factor, &c.common);
   if (c.common.status != CHOLMOD_OK || c.factor->minor < c.factor->n) {
     if (c.common.status < CHOLMOD_OK) cholmod_free_factor(&c.factor, &c.common);

@@ -44,16 +44,17 @@ glp_smcp simplex_options() {
 }  // namespace
 
 AngleProgramme::AngleProgramme(const topology::Triangulation& triangulation,
-                               std::span<const double> cone_angles)
+                               std::span<const topology::ConeAngle> cone_angles)
     : lock_(lock_if_needed()),
       owns_environment_(make_environment()),
       old_term_out_(glp_term_out(GLP_OFF)),
+      constraints_(triangulation, cone_angles),
       corner_count_(6 * triangulation.tetrahedron_count()),
       edge_count_(triangulation.edge_count()),
       programme_(glp_create_prob()) {
   glp_set_obj_dir(programme_, GLP_MAX);
   add_columns();
-  add_rows(triangulation, cone_angles);
+  add_rows(triangulation);
 }
 
 AngleProgramme::~AngleProgramme() {
@@ -70,8 +71,7 @@ void AngleProgramme::add_columns() {
   glp_set_obj_coef(programme_, margin, 1);
 }
 
-void AngleProgramme::add_rows(const topology::Triangulation& triangulation,
-                              std::span<const double> cone_angles) {
+void AngleProgramme::add_rows(const topology::Triangulation& triangulation) {
   const int edges = static_cast<int>(edge_count_);
   const int vertices = static_cast<int>(4 * triangulation.tetrahedron_count());
   const int margin = static_cast<int>(corner_count_) + 1;
@@ -79,21 +79,34 @@ void AngleProgramme::add_rows(const topology::Triangulation& triangulation,
   Triplets a;
   for (int e = 0; e < edges; ++e) {
     const auto around = triangulation.corners(static_cast<std::size_t>(e));
-    const double sum = cone_angles.empty() ? 2 : cone_angles[static_cast<std::size_t>(e)];
-    glp_set_row_bnds(programme_, e + 1, GLP_FX, sum, sum);
-    for (const auto corner : around)
-      a.add(e + 1, static_cast<int>(6 * corner.tetrahedron()) + corner.edge() + 1, 1);
+    const double sum = constraints_.edge_sum[static_cast<std::size_t>(e)];
+    const bool parabolic = constraints_.parabolic[static_cast<std::size_t>(e)];
+    glp_set_row_bnds(programme_, e + 1, parabolic ? GLP_FR : GLP_FX, sum, sum);
+    for (const auto corner : around) {
+      const int column = static_cast<int>(6 * corner.tetrahedron()) + corner.edge() + 1;
+      if (parabolic) {
+        glp_set_col_bnds(programme_, column, GLP_FX, 0, 0);
+      } else {
+        a.add(e + 1, column, 1);
+      }
+    }
+    if (parabolic) continue;
     a.add(e + 1, margin, static_cast<double>(around.size()));
   }
   for (int v = 0; v < vertices; ++v) {
     const int row = edges + v + 1;
-    glp_set_row_bnds(programme_, row, GLP_UP, 0, 1);
+    const auto vertex = static_cast<std::size_t>(v);
+    glp_set_row_bnds(programme_, row, constraints_.ideal[vertex] ? GLP_FX : GLP_UP, 1, 1);
     for (int other = 0; other < 4; ++other) {
       const int edge =
           topology::kEdgeNumber[static_cast<std::size_t>(v % 4)][static_cast<std::size_t>(other)];
-      if (edge >= 0) a.add(row, 6 * (v / 4) + edge + 1, 1);
+      if (edge < 0) continue;
+      const std::size_t t = static_cast<std::size_t>(v / 4);
+      if (!constraints_.parabolic[triangulation.edge_class(t, edge)])
+        a.add(row, 6 * (v / 4) + edge + 1, 1);
     }
-    a.add(row, margin, 4);  // three angles and the gap itself
+    // Three angles and, where the sum may be less than pi, the gap itself.
+    a.add(row, margin, constraints_.corners[vertex] + (constraints_.ideal[vertex] ? 0 : 1));
   }
   glp_load_matrix(programme_, static_cast<int>(a.row.size()) - 1, a.row.data(), a.column.data(),
                   a.value.data());
@@ -123,7 +136,9 @@ double AngleProgramme::margin() const {
 std::vector<double> AngleProgramme::angles() const {
   std::vector<double> found(corner_count_);
   for (std::size_t c = 0; c < corner_count_; ++c)
-    found[c] = glp_get_col_prim(programme_, static_cast<int>(c) + 1) + margin();
+    found[c] = glp_get_col_type(programme_, static_cast<int>(c) + 1) == GLP_FX
+                   ? 0
+                   : glp_get_col_prim(programme_, static_cast<int>(c) + 1) + margin();
   return found;
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "structure/detail/angle_constraints.hpp"
 #include "topology/triangulation.hpp"
 
 struct glp_prob;
@@ -12,14 +13,15 @@ struct glp_prob;
 namespace tripus::structure::detail {
 
 /// The linear programme of the widest margin (docs/theory.md (50)), in units of pi:
-///     max m:  angle_c >= m,  vertex sums <= 1 - m,  edge sums = cone angles.
+///     max m:  angle_c >= m,  vertex sums <= 1 - m (= 1 at ideal vertices),  edge sums = cone
+///     angles.
 /// It always has an optimum. GLPK does the work and stays inside; programmes of
 /// one thread must be destroyed in the reverse of the order in which they were made.
 class AngleProgramme {
  public:
-  ///   cone_angles [E] in units of pi; empty for 2
+  ///   cone_angles [E]; empty for 2 pi
   explicit AngleProgramme(const topology::Triangulation& triangulation,
-                          std::span<const double> cone_angles = {});
+                          std::span<const topology::ConeAngle> cone_angles = {});
   ~AngleProgramme();
   AngleProgramme(const AngleProgramme&) = delete;
   AngleProgramme& operator=(const AngleProgramme&) = delete;
@@ -32,7 +34,7 @@ class AngleProgramme {
 
   double margin() const;
   std::vector<double> angles() const;              ///< [T x 6] units of pi
-  std::vector<double> vertex_multipliers() const;  ///< [T x 4] the dual w_v, >= 0 but for rounding
+  std::vector<double> vertex_multipliers() const;  ///< [T x 4] w_v, >= 0 but for rounding
 
   /// What determines the numbers exactly: the rows that hold with equality, by nonbasic status, and
   /// the columns not at 0. Rows are edge classes 0..E-1, then tetrahedron vertices E + 4 t + v;
@@ -43,13 +45,16 @@ class AngleProgramme {
   };
   Basis basis() const;
 
+  const AngleConstraints& constraints() const { return constraints_; }
+
  private:
   void add_columns();
-  void add_rows(const topology::Triangulation& triangulation, std::span<const double> cone_angles);
+  void add_rows(const topology::Triangulation& triangulation);
 
   std::unique_lock<std::mutex> lock_;  // held where GLPK has one environment for all threads
   bool owns_environment_;              // GLPK had none in this thread: it goes with the programme
   int old_term_out_;
+  const AngleConstraints constraints_;
   std::size_t corner_count_;  // 6 T
   std::size_t edge_count_;
   glp_prob* programme_;

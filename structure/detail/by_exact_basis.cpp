@@ -14,8 +14,10 @@ using topology::Triangulation;
 /// with equality, and the multipliers from those of the columns not at 0.
 class BasisSystems {
  public:
-  BasisSystems(const Triangulation& triangulation, const AngleProgramme::Basis& basis)
+  BasisSystems(const Triangulation& triangulation, const AngleConstraints& constraints,
+               const AngleProgramme::Basis& basis)
       : triangulation_(triangulation),
+        constraints_(constraints),
         basis_(basis),
         edge_count_(triangulation.edge_count()),
         corner_count_(6 * triangulation.tetrahedron_count()),
@@ -32,7 +34,8 @@ class BasisSystems {
       system.rows[row].emplace_back(column, a);
     });
     for (std::size_t i = 0; i < basis_.rows.size(); ++i)
-      system.right_side[i] = basis_.rows[i] < edge_count_ ? 2 : 1;
+      system.right_side[i] =
+          basis_.rows[i] < edge_count_ ? constraints_.exact_sum[basis_.rows[i]] : Rational(1);
     return spread(solve(system), basis_.columns, column_place_.size());
   }
 
@@ -66,7 +69,8 @@ class BasisSystems {
     for (std::size_t e = 0; e < edge_count_; ++e)
       visit_if_there(e, corner_count_, static_cast<long>(triangulation_.valence(e)));
     for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
-      for (std::size_t v = 0; v < 4; ++v) visit_if_there(edge_count_ + 4 * t + v, corner_count_, 4);
+      for (std::size_t v = 0; v < 4; ++v)
+        visit_if_there(edge_count_ + 4 * t + v, corner_count_, margin_coefficient(4 * t + v));
       for (std::size_t e = 0; e < 6; ++e) {
         const std::size_t column = 6 * t + e;
         visit_if_there(triangulation_.edge_class(t, static_cast<int>(e)), column, 1);
@@ -74,6 +78,10 @@ class BasisSystems {
           visit_if_there(edge_count_ + 4 * t + static_cast<std::size_t>(v), column, 1);
       }
     }
+  }
+
+  long margin_coefficient(std::size_t vertex) const {
+    return constraints_.corners[vertex] + (constraints_.ideal[vertex] ? 0 : 1);
   }
 
   /// The values at their places among `size`, 0 elsewhere.
@@ -87,6 +95,7 @@ class BasisSystems {
   }
 
   const Triangulation& triangulation_;
+  const AngleConstraints& constraints_;
   const AngleProgramme::Basis& basis_;
   std::size_t edge_count_;
   std::size_t corner_count_;
@@ -100,23 +109,27 @@ Integer common_denominator(const std::vector<Rational>& values) {
   return denominator;
 }
 
-StrictAngles exact_angles(const std::vector<Rational>& primal) {
+StrictAngles exact_angles(const Triangulation& triangulation, const AngleConstraints& constraints,
+                          const std::vector<Rational>& primal) {
   StrictAngles angles;
   angles.denominator = common_denominator(primal);
   angles.numerator.resize(primal.size() / 6);
   const Rational scaled_margin = primal.back() * angles.denominator;
   for (std::size_t c = 0; c + 1 < primal.size(); ++c) {
+    if (constraints.parabolic[triangulation.edge_class(c / 6, static_cast<int>(c % 6))]) continue;
     const Rational angle = primal[c] * angles.denominator + scaled_margin;
     angles.numerator[c / 6][c % 6] = angle.get_num();
   }
   return angles;
 }
 
-/// The vertex multipliers [T x 4] as integers; nothing if one is negative.
+/// The vertex multipliers [T x 4] as integers; nothing if one is negative that must not be.
 std::optional<std::vector<std::array<Integer, 4>>> exact_multipliers(
-    const std::vector<Rational>& dual, std::size_t edge_count) {
+    const std::vector<Rational>& dual, const AngleConstraints& constraints) {
+  const std::size_t edge_count = constraints.edge_sum.size();
   const std::vector<Rational> w(dual.begin() + static_cast<std::ptrdiff_t>(edge_count), dual.end());
-  if (std::ranges::any_of(w, [](const Rational& each) { return each < 0; })) return std::nullopt;
+  for (std::size_t v = 0; v < w.size(); ++v)
+    if (w[v] < 0 && !constraints.ideal[v]) return std::nullopt;
   const Integer denominator = common_denominator(w);
   std::vector<std::array<Integer, 4>> integers(w.size() / 4);
   for (std::size_t v = 0; v < w.size(); ++v)
@@ -128,20 +141,22 @@ std::optional<std::vector<std::array<Integer, 4>>> exact_multipliers(
 
 std::optional<Existence> by_exact_basis(const Triangulation& triangulation,
                                         const AngleProgramme& programme) {
+  const AngleConstraints& constraints = programme.constraints();
   const AngleProgramme::Basis basis = programme.basis();
   if (basis.rows.size() != basis.columns.size()) return std::nullopt;
-  const BasisSystems systems(triangulation, basis);
+  const BasisSystems systems(triangulation, constraints, basis);
   const auto primal = systems.primal();
   if (!primal) return std::nullopt;
-  const StrictAngles angles = exact_angles(*primal);
-  if (check(triangulation, angles)) return angles;
+  const StrictAngles angles = exact_angles(triangulation, constraints, *primal);
+  if (primal->back() > 0) return angles;
   const auto dual = systems.dual();
   if (!dual) return std::nullopt;
-  auto w = exact_multipliers(*dual, triangulation.edge_count());
+  auto w = exact_multipliers(*dual, constraints);
   if (!w) return std::nullopt;
-  auto certificate = certificate_from(triangulation, *std::move(w));
+  auto certificate = certificate_from(triangulation, constraints, *std::move(w));
   if (!certificate) return std::nullopt;
-  if (certificate->kind == Certificate::Kind::kSemi && !is_angle_structure(triangulation, angles))
+  if (certificate->kind == Certificate::Kind::kSemi &&
+      !is_angle_structure(triangulation, constraints, angles))
     return std::nullopt;
   return *std::move(certificate);
 }

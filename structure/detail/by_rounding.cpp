@@ -74,7 +74,8 @@ std::optional<Existence> none_by_rounding(const Triangulation& triangulation,
                                           const AngleProgramme& programme) {
   const std::vector<double> w = programme.vertex_multipliers();
   for (std::int64_t q = 1; q <= kLargestDenominator; q = next_denominator(q)) {
-    auto found = certificate_from(triangulation, rounded_multipliers(w, q));
+    auto found =
+        certificate_from(triangulation, programme.constraints(), rounded_multipliers(w, q));
     if (found && found->kind == Certificate::Kind::kNone) return *std::move(found);
   }
   return std::nullopt;
@@ -87,12 +88,14 @@ std::optional<Existence> semi_by_rounding(const Triangulation& triangulation,
   const std::vector<double> w = programme.vertex_multipliers();
   std::optional<Certificate> certificate;
   for (std::int64_t q = 1; q <= kLargest && !certificate; q = next_denominator(q))
-    certificate = certificate_from(triangulation, rounded_multipliers(w, q));
+    certificate =
+        certificate_from(triangulation, programme.constraints(), rounded_multipliers(w, q));
   if (!certificate || certificate->kind == Certificate::Kind::kNone) return certificate;
   const std::vector<double> angles = programme.angles();
   for (std::int64_t q = 1; q <= kLargest; q = next_denominator(q)) {
     const auto rounded = rounded_angles(triangulation, angles, q);
-    if (rounded && is_angle_structure(triangulation, *rounded)) return *std::move(certificate);
+    if (rounded && is_angle_structure(triangulation, programme.constraints(), *rounded))
+      return *std::move(certificate);
   }
   return std::nullopt;
 }
@@ -101,6 +104,8 @@ std::optional<Existence> semi_by_rounding(const Triangulation& triangulation,
 
 std::optional<Existence> by_rounding(const Triangulation& triangulation,
                                      const AngleProgramme& programme) {
+  // Rounding keeps edge sums of 2 and makes no vertex sum exactly 1.
+  if (!programme.constraints().plain) return std::nullopt;
   // The tolerance only chooses what is tried: a wrong guess finds nothing.
   if (programme.margin() > tolerance::kAngleMargin)
     return strict_by_rounding(triangulation, programme);

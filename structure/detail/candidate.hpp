@@ -5,17 +5,21 @@
 #include <vector>
 
 #include "structure/certificate.hpp"
+#include "structure/detail/angle_constraints.hpp"
 #include "topology/triangulation.hpp"
 
 namespace tripus::structure::detail {
 
-/// A certificate from vertex multipliers w >= 0 [T x 4] alone: given w, the largest u_e that (43)
-/// allows is the minimum of w_v + w_v' over the corners of e, and it makes R smallest. Common
-/// factors of w are taken out. Nothing if that R is not <= 0, or w = 0.
+/// A certificate from vertex multipliers w [T x 4] alone, >= 0 but at ideal vertices: given w, the
+/// largest u_e that (43) allows is the minimum of w_v + w_v' over the corners of e, and it makes R
+/// smallest. Common factors of w are taken out. Nothing if that R is not <= 0, or w = 0.
+/// The constraints must be exact. The cone angles of the result are left empty.
 std::optional<Certificate> certificate_from(const topology::Triangulation& triangulation,
+                                            const AngleConstraints& constraints,
                                             std::vector<std::array<Integer, 4>> w);
 
-/// Exactly: angles >= 0, vertex sums <= 1, edge sums = 2; strict or not.
-bool is_angle_structure(const topology::Triangulation& triangulation, const StrictAngles& angles);
+/// Exactly: angles >= 0, vertex sums <= 1 or = 1, edge sums = cone angle; strict or not.
+bool is_angle_structure(const topology::Triangulation& triangulation,
+                        const AngleConstraints& constraints, const StrictAngles& angles);
 
 }  // namespace tripus::structure::detail

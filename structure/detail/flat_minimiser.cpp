@@ -6,6 +6,7 @@
 
 #include "base/tolerances.hpp"
 #include "energies/co_volume.hpp"
+#include "geometry/mixed_tetrahedron.hpp"
 #include "geometry/truncated_tetrahedron.hpp"
 #include "structure/assess.hpp"
 #include "structure/method.hpp"
@@ -52,14 +53,29 @@ struct Held {
   const Report& before;
   std::vector<std::size_t> tetrahedra;
   std::vector<double> x;
+  /// Only to ask of which kind the vertices are.
+  const energies::CoVolume* energy = nullptr;
+
+  std::array<double, 6> angles_of(std::size_t t) const {
+    std::array<double, 6> l, theta;
+    for (std::size_t i = 0; i < 6; ++i) l[i] = x[triangulation.edge_class(t, static_cast<int>(i))];
+    if (energy->is_hyperideal()) {
+      geometry::extended_dihedral_angles(l, theta);
+      return theta;
+    }
+    std::array<double, 4> diagonal;
+    for (std::size_t v = 0; v < 4; ++v) {
+      const auto& link = energy->links()[triangulation.vertex_class(t, static_cast<int>(v))];
+      diagonal[v] = link.kind == topology::VertexKind::kIdeal ? 0 : 1;
+    }
+    geometry::mixed_dihedral_angles(l, diagonal, theta);
+    return theta;
+  }
 
   /// Whether all of them are flat in the way they were before, as far as rounding can tell.
   bool are_flat() const {
     return std::ranges::all_of(tetrahedra, [&](std::size_t t) {
-      std::array<double, 6> l, theta;
-      for (std::size_t i = 0; i < 6; ++i)
-        l[i] = x[triangulation.edge_class(t, static_cast<int>(i))];
-      geometry::extended_dihedral_angles(l, theta);
+      const std::array<double, 6> theta = angles_of(t);
       return theta[straight_edge(before.dihedral_angles[t])] >=
              std::numbers::pi - tolerance::kFlatAngleMargin;
     });
@@ -81,10 +97,7 @@ struct Held {
   double excess_angle(std::size_t e) const {
     double sum = 0;
     for (const std::size_t t : tetrahedra) {
-      std::array<double, 6> l, theta;
-      for (std::size_t i = 0; i < 6; ++i)
-        l[i] = x[triangulation.edge_class(t, static_cast<int>(i))];
-      geometry::extended_dihedral_angles(l, theta);
+      const std::array<double, 6> theta = angles_of(t);
       const std::size_t straight = straight_edge(before.dihedral_angles[t]);
       for (std::size_t i = 0; i < 6; ++i) {
         if (triangulation.edge_class(t, static_cast<int>(i)) != e) continue;
@@ -97,7 +110,8 @@ struct Held {
   /// Up to where, between 0 and kLongestMove beyond its length, the excess angle of a free edge
   /// class is as `below` says.
   double crossing(std::size_t e, bool (*below)(double excess)) {
-    double lower = 0, upper = x[e] + kLongestMove;
+    const bool bounded = energy->is_hyperideal() || energy->is_between_hyperideal(e);
+    double lower = bounded ? 0 : x[e] - kLongestMove, upper = x[e] + kLongestMove;
     for (;;) {
       x[e] = lower + (upper - lower) / 2;
       if (!(x[e] > lower && x[e] < upper)) return x[e];
@@ -121,7 +135,8 @@ std::optional<Report> flat_minimiser(const Triangulation& triangulation,
                                      const SolveOptions& options, const Report& report) {
   Held held{triangulation, report, nearly_flat(triangulation, report), report.edge_lengths};
   if (held.tetrahedra.empty()) return std::nullopt;
-  energies::CoVolume energy(triangulation);
+  energies::CoVolume energy(triangulation, options.cone_angles);
+  held.energy = &energy;
   std::vector<double> curvature(held.x.size());
   energy.evaluate(held.x, curvature, {});
   energy.hold_flat(held.tetrahedra);

@@ -439,7 +439,7 @@ struct Checker {
 
 ProofCheck check_proof(const Triangulation& triangulation, const ProofText& proof,
                        const Context& context) {
-  topology::require_solvable(triangulation);
+  topology::require_geodesic_boundary(triangulation);
   if (!proof.proved) return {false, "nothing is claimed"};
   const Precision precision(bits_for(proof));
   Checker checker{triangulation, proof, context};

@@ -227,7 +227,7 @@ double Proof::largest_radius() const {
 
 Proof prove(const Triangulation& triangulation, std::span<const double> lengths,
             const ProveOptions& options, const Context& context) {
-  topology::require_solvable(triangulation);
+  topology::require_geodesic_boundary(triangulation);
   if (lengths.size() != triangulation.edge_count()) {
     throw InvalidInput(
         fmt::format("{} lengths for {} edge classes", lengths.size(), triangulation.edge_count()));

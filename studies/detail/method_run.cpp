@@ -11,6 +11,7 @@
 #include "structure/assess.hpp"
 #include "structure/method.hpp"
 #include "structure/solve.hpp"
+#include "topology/requirements.hpp"
 
 namespace tripus::studies::detail {
 namespace {
@@ -105,6 +106,7 @@ structure::Report require_metric(const topology::Triangulation& triangulation,
                                  const std::string& name) {
   structure::Report report;
   try {
+    topology::require_geodesic_boundary(triangulation);
     report = structure::solve(triangulation);
   } catch (const InvalidInput& error) {
     throw InvalidInput(tripus::quoted(name) + ": " + error.what());

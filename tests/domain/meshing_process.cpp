@@ -115,7 +115,7 @@ TEST(MeshingProcess, IsMissing) {
 }
 
 TEST(MeshingProcess, RunsOutOfMemory) {
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(TRIPUS_SANITIZED)
   GTEST_SKIP() << "address space has no limit under the sanitizer";
 #endif
   TetrahedralizeOptions options;

@@ -57,8 +57,6 @@ Counts count(const std::string& file) {
 
 // An earlier floating-point classification of all four lists together: 6,035 geometric and 14 flat
 // minimisers with a strict structure; 213 + 1,463 with semi-angle structures only; 3,633 with none.
-// It held the vertex sums at a cusp to pi, where here they are < pi as everywhere: 41 of the 50
-// cusped triangulations that are "semi" here were strict there.
 TEST(Lists, HaveTheCountsOfTheFloatingPointClassification) {
   const Counts two = count("triangulations-2.txt");
   const Counts three = count("triangulations-3.txt");
@@ -68,11 +66,10 @@ TEST(Lists, HaveTheCountsOfTheFloatingPointClassification) {
   EXPECT_EQ(three.strict, 166);
   EXPECT_EQ(three.semi, 24);
   EXPECT_EQ(three.none, 50);
-  EXPECT_EQ(cusped.strict, 0);
-  EXPECT_EQ(cusped.semi, 50);
-  constexpr int kStrictWithIdealCusps = 41;
-  EXPECT_EQ(two.strict + three.strict + four.strict, 6035 + 14 - kStrictWithIdealCusps);
-  EXPECT_EQ(two.semi + three.semi + four.semi + cusped.semi, 213 + 1463 + kStrictWithIdealCusps);
+  EXPECT_EQ(cusped.strict, 41);
+  EXPECT_EQ(cusped.semi, 9);
+  EXPECT_EQ(two.strict + three.strict + four.strict + cusped.strict, 6035 + 14);
+  EXPECT_EQ(two.semi + three.semi + four.semi + cusped.semi, 213 + 1463);
   EXPECT_EQ(two.none + three.none + four.none + cusped.none, 3633);
 }
 

@@ -363,7 +363,7 @@ TEST(ConeAngles, OtherThanAFullTurnClaimNothingExact) {
   for (const char* signature : {"cPcbbbihq", kBoundaryCase, kNone, "dLQbcbcaekw"}) {
     SCOPED_TRACE(signature);
     const auto triangulation = decode(signature);
-    for (const double angle : {0.5, 3.0, 7.0, 40.0}) {
+    for (const double angle : {0.5, 3.0, 7.0}) {
       SolveOptions options;
       options.angle_structure = true;
       options.cone_angles.assign(triangulation.edge_count(), angle);

@@ -16,7 +16,7 @@ def all_triangulations(number):
 
 
 class Order(ProgramTest):
-    BAD = ["cPcbbb", "no such file.json", "bkaagj", "cPcbbbiht", "-", "{}", "\ufffd", "cPcbbbihq x"]
+    BAD = ["cPcbbb", "no such file.json", "bkaahd", "cPcbbbiht 7=2", "-", "{}", "\ufffd", "cPcbbbihq x"]
 
     def setUp(self):
         super().setUp()

@@ -146,11 +146,11 @@ class EmbedFiles(ProgramTest):
         self.assertEqual(lines[:2], ["ply", "format binary_little_endian 1.0"])
         self.assertIn("element vertex 112", lines)
         self.assertIn("element face 196", lines)
-        for property_ in ("uchar red", "int cell", "int tetrahedron", "uchar side"):
+        for property_ in ("uchar red", "int cell", "int tetrahedron"):
             self.assertIn(f"property {property_}", lines)
-        self.assertEqual(len(body), 112 * 24 + 196 * 25)
-        cells = [struct.unpack_from("<i", body, 112 * 24 + 25 * n + 16)[0] for n in range(196)]
-        self.assertEqual(Counter(cells), Counter({c: 28 for c in range(7)}))
+        self.assertEqual(len(body), 112 * 35 + 196 * 13)
+        cells = [struct.unpack_from("<i", body, 35 * n + 27)[0] for n in range(112)]
+        self.assertEqual(Counter(cells), Counter({c: 16 for c in range(7)}))
 
     def test_vtk(self):
         self.embed("-o", "x.VTK", "--cells", "3", "--model", "klein")
@@ -183,7 +183,7 @@ class EmbedRefusals(ProgramTest):
             self.assert_refused("embed", TRIPUS, *arguments, says=says, kind="usage")
 
     def test_files(self):
-        self.assert_refused("embed", TRIPUS, "-o", "x.stl", says=".json or .obj or .ply or .vtk or .svg")
+        self.assert_refused("embed", TRIPUS, "-o", "x.dxf", says=".json or .obj or .ply or .off or .stl or .glb or .gltf or .float.vtk or .vtk or .svg")
         for option in ("-o", "--circles"):
             self.assert_refused("embed", TRIPUS, option, "", says=".svg", kind="usage")
         self.assert_refused("embed", TRIPUS, "--circles", "x.obj", says=".svg", kind="usage")

@@ -54,12 +54,11 @@ class Boundaries(ProgramTest):
             result = self.run_program(verb, REAL_BOUNDARY)
             self.assertNotEqual(result.status, 2, result.err)
             self.assertIn("coned off", result.err)
-        answer = self.json_answer("info", REAL_BOUNDARY)
+        answer = read_json(self.run_program("info", REAL_BOUNDARY, "--json").text)
         self.assertIn("coned off", answer["notes"][0])
-        self.assertEqual(self.run_program("info", REAL_BOUNDARY, "--quiet").err, "")
         self.write("list", f"{TRIPUS}\n{REAL_BOUNDARY}\n")
         batch = self.run_program("info", "--batch", "list")
-        self.assertRegex(batch.err, r"^tripus: line 2: note: .*coned off")
+        self.assertRegex(batch.err, r"^tripus: note: .*coned off")
 
     def test_finite_vertices_are_removed_with_a_note(self):
         """The tripus, with a tetrahedron parted into four at a new vertex, and its faces folded."""
@@ -69,10 +68,11 @@ class Boundaries(ProgramTest):
         self.write("parted.json", json.dumps({"gluings": parted}))
         info = self.json_answer("info", "parted.json")
         self.assertIn("finite", [vertex["kind"] for vertex in info["vertices"]])
-        answer = self.json_answer("solve", "parted.json")
+        answer = read_json(self.run_program("solve", "parted.json", "--json").text)
         self.assertAlmostEqual(answer["volume"], TRIPUS_VOLUME, delta=1e-12)
         self.assertIn("finite vertex", answer["notes"][0])
-        self.assertEqual(self.json_answer("canonize", "parted.json")["signature"], TRIPUS)
+        canonized = read_json(self.run_program("canonize", "parted.json", "--json").text)
+        self.assertEqual(canonized["signature"], TRIPUS)
         self.assertIn("finite vertex", self.run_program("solve", "parted.json").err)
 
     @staticmethod
@@ -138,8 +138,8 @@ class Names(ProgramTest):
         for verb in ("info", "solve", "mesh", "canonize"):
             self.assert_refused(verb, "graph.json", says="tripus tube")
             for name in ("binary", "prose"):
-                self.assert_refused(verb, name, says="unrecognised input")
+                self.assert_refused(verb, name, says="no format that is known; looked for")
             message = self.run_program(verb, "binary").err
             self.assertNotIn("PNG", message)
-            for words in ("a signature", "JSON", "OFF", "Medit"):
+            for words in ("isomorphism signature", "JSON", "OFF", "Medit"):
                 self.assertIn(words, message)

@@ -353,7 +353,13 @@ class Components(ProgramTest):
         self.assertEqual(result.status, 1)
 
     def test_one_that_cannot_be_solved_is_named(self):
-        self.assert_refused("solve", TRIPUS + "cPcbbbiht", "--components", says="component 1")
+        self.assert_refused("solve", TRIPUS + "cPcbbbiht", "--components", "--cone-order", "1=2",
+                            says="only the edge classes 0 to 0")
+
+    def test_each_by_its_kind(self):
+        answer = self.json_answer("solve", TRIPUS + "cPcbbbiht", "--components")
+        kinds = [one["vertices"][0]["kind"] for one in answer["components"]]
+        self.assertEqual(kinds, ["geodesic", "cusp"])
 
 
 class Methods(ProgramTest):

@@ -173,7 +173,10 @@ class TubeToMetric(ProgramTest):
         self.assertEqual(run.status, 1, run.err)
         self.assertNotEqual(read_json(run.text)["outcome"], "geometric")
 
-    def test_a_torus_is_refused_by_name(self):
+    def test_the_trefoil_is_a_cusp_without_a_metric(self):
         run = self.solve("trefoil")
-        self.assertEqual(run.status, 2)
-        self.assertIn("torus", run.err)
+        self.assertEqual(run.status, 1, run.err)
+        answer = read_json(run.text)
+        self.assertEqual([v["kind"] for v in answer["vertices"]], ["cusp"])
+        self.assertIn(answer["outcome"], ("degenerate", "infeasible"))
+        self.assertEqual(answer["certificate"]["kind"], "semi")

@@ -168,10 +168,10 @@ TEST_F(Files, ObjHasAClosedGroupForEachCell) {  // E8
   }
 }
 
-TEST_F(Files, PlyHoldsCellsColoursAndSides) {  // E8
+TEST_F(Files, PlyHoldsCellsAndColours) {  // E8
   const std::string text = text_of(write_ply);
   const std::size_t body = text.find("end_header\n") + 11;
-  constexpr std::size_t kPoint = 24, kFace = 1 + 12 + 3 + 4 + 4 + 1;
+  constexpr std::size_t kPoint = 24 + 3 + 4 + 4, kFace = 1 + 12;
   ASSERT_EQ(text.size(), body + 32 * kPoint + 56 * kFace);
   Triangles triangles;
   for (std::size_t n = 0; n < 56; ++n) {
@@ -179,14 +179,17 @@ TEST_F(Files, PlyHoldsCellsColoursAndSides) {  // E8
     EXPECT_EQ(face[0], 3);
     std::array<std::uint32_t, 3> triangle{};
     std::memcpy(triangle.data(), face + 1, 12);
-    std::int32_t cell = -1, tetrahedron = -1;
-    std::memcpy(&cell, face + 16, 4);
-    std::memcpy(&tetrahedron, face + 20, 4);
-    EXPECT_EQ(cell, n < 28 ? 0 : 1);
-    EXPECT_EQ(tetrahedron, static_cast<std::int32_t>(cells_[std::size_t(cell)].tetrahedron));
-    EXPECT_EQ(static_cast<std::uint8_t>(face[13]), tetrahedron_colour(unsigned(tetrahedron))[0]);
-    EXPECT_LT(face[24], 8);
     triangles.push_back(triangle);
+    for (const std::uint32_t p : triangle) {
+      ASSERT_LT(p, 32u);
+      const char* point = text.data() + body + p * kPoint;
+      std::int32_t cell = -1, tetrahedron = -1;
+      std::memcpy(&cell, point + 27, 4);
+      std::memcpy(&tetrahedron, point + 31, 4);
+      ASSERT_EQ(cell, n < 28 ? 0 : 1);
+      EXPECT_EQ(tetrahedron, static_cast<std::int32_t>(cells_[std::size_t(cell)].tetrahedron));
+      EXPECT_EQ(static_cast<std::uint8_t>(point[24]), tetrahedron_colour(unsigned(tetrahedron))[0]);
+    }
   }
   expect_closed(triangles);
 }

@@ -185,16 +185,18 @@ TEST(CertificateJson, RefusesWithThePlace) {
 TEST(CertificateFrom, TakesTheLargestEdgeMultipliers) {
   const auto triangulation = decode("dLQbcbcaekw");
   const Certificate expected = low_valence_certificate(triangulation, 1, Certificate::Kind::kSemi);
+  const detail::AngleConstraints constraints(triangulation);
   auto w = expected.vertex;
   for (auto& four : w)
     for (Integer& each : four) each *= 12;
-  EXPECT_EQ(detail::certificate_from(triangulation, w), expected);
-  EXPECT_EQ(detail::certificate_from(triangulation, std::vector<std::array<Integer, 4>>(3)),
+  EXPECT_EQ(detail::certificate_from(triangulation, constraints, w), expected);
+  EXPECT_EQ(detail::certificate_from(triangulation, constraints,
+                                     std::vector<std::array<Integer, 4>>(3)),
             std::nullopt);
   w[0][0] += 24;
   w[1][1] += 24;
   w[2][2] += 24;
-  EXPECT_EQ(detail::certificate_from(triangulation, w), std::nullopt);
+  EXPECT_EQ(detail::certificate_from(triangulation, constraints, w), std::nullopt);
 }
 
 TEST(RationalSystem, SolvesAndFindsSingularMatrices) {

@@ -100,6 +100,13 @@ TEST(Formats, ReadsBothGenerationsOfReginaAndItsTable) {
   EXPECT_NE(std::string(kDetail).find(table), std::string::npos) << table;
 }
 
+// The heading of Regina 7.4.1.
+TEST(Formats, ReadsTheTableOfNewerRegina) {
+  std::string table = kDetail;
+  table.replace(table.find("glued to:   "), 12, "gluing:     ");
+  EXPECT_EQ(read_triangulation(table).gluings, regina_sample());
+}
+
 // Regina nests packets: the link below a triangulation is not part of it.
 TEST(Formats, LeavesNestedPacketsOfReginaAlone) {
   std::string nested = kThirdGeneration;
@@ -131,9 +138,53 @@ TEST(Formats, RoundTrips) {
     EXPECT_EQ(read_json(write_json(original)).name, original.name);
     EXPECT_EQ(read_snappea(write_snappea(original)).gluings, original.gluings);
     EXPECT_EQ(read_regina_table(write_regina_table(original)).gluings, original.gluings);
+    const auto data_file = read_regina_xml(write_regina_xml(original));
+    ASSERT_EQ(data_file.size(), 1u);
+    EXPECT_EQ(data_file[0].gluings, original.gluings);
+    EXPECT_EQ(data_file[0].name, original.name);
   }
   EXPECT_EQ(read_json(write_json({"", regina_sample()})).gluings, regina_sample());
   EXPECT_THROW((void)write_snappea({"", regina_sample()}), InvalidInput);
+}
+
+// Regina 7.4.1: locks in hexadecimal, a description.
+TEST(Formats, SaysWhatIsNotRead) {
+  std::string locked = kThirdGeneration;
+  locked.replace(locked.find("<simplex>"), 9, "<simplex lock=\"12\" desc=\"first\">");
+  const NamedGluings read = read_triangulation(locked);
+  EXPECT_EQ(read.gluings, regina_sample());
+  EXPECT_EQ(read.notes, (std::vector<std::string>{"locks of tetrahedra and faces not read",
+                                                  "descriptions of tetrahedra not read"}));
+  EXPECT_TRUE(read_triangulation(kThirdGeneration).notes.empty());
+}
+
+TEST(Formats, ReadsSnapPeaPacketsOfRegina) {
+  for (const char* element : {"snappeadata", "snappea"}) {
+    const std::string text = std::string("<regina engine=\"7.4\"><") + element +
+                             " label=\"knot\">" + kFigureEight + "</" + element + "></regina>";
+    EXPECT_EQ(read_triangulation(text).name, "knot");
+    EXPECT_EQ(isosig(read_triangulation(text).gluings), "cPcbbbiht");
+  }
+}
+
+// Fields instead of lines: all on one, and one on each.
+TEST(Formats, ReadsSnappeaInFreeForm) {
+  const std::string text = kFigureEight;
+  const std::size_t body = text.find("not_attempted");
+  for (const char separator : {' ', '\n'}) {
+    std::string free = text.substr(body);
+    for (char& c : free)
+      if (c == ' ' || c == '\n') c = separator;
+    EXPECT_EQ(read_snappea(text.substr(0, body) + free).gluings, read_snappea(text).gluings);
+  }
+}
+
+TEST(Formats, ReadsSignaturesWithWhatProgramsAdd) {
+  for (const char* text :
+       {"cPcbbbiht_BaCB", "cPcbbbiht.qa", "cPcbbbiht_BaCB(0,0)", "cPcbbbiht(0,0)"})
+    EXPECT_EQ(isosig(read_triangulation(text).gluings), "cPcbbbiht") << text;
+  for (const char* text : {"cPcbbbiht_BaCB(1,2)", "cPcbbbiht(-3,0)", "cPcbbbiht_BaCB(0,0)(0.5,0)"})
+    EXPECT_THROW((void)read_triangulation(text), Unsupported) << text;
 }
 
 TEST(Formats, AreRecognisedByContent) {

@@ -1,13 +1,17 @@
 #include "topology/formats/formats.hpp"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
+#include "base/compression.hpp"
 #include "base/error.hpp"
 #include "topology/detail/text.hpp"
 #include "topology/formats/json.hpp"
+#include "topology/formats/orb.hpp"
 #include "topology/formats/regina.hpp"
+#include "topology/formats/signature.hpp"
 #include "topology/formats/snappea.hpp"
-#include "topology/isosig.hpp"
 
 namespace tripus::topology {
 namespace {
@@ -17,31 +21,37 @@ struct Format {
   std::string_view name;
   /// Given the text without surrounding white space, not empty.
   bool (*matches)(std::string_view);
-  NamedGluings (*read)(std::string_view);
+  std::vector<NamedGluings> (*read)(std::string_view);
 };
 
 bool starts_json(std::string_view text) { return text.front() == '{' || text.front() == '['; }
+bool starts_orb(std::string_view text) { return text.starts_with("% orb"); }
 bool starts_snappea(std::string_view text) { return text.front() == '%'; }
-bool starts_xml(std::string_view text) { return text.front() == '<'; }
 bool holds_table(std::string_view text) {
   return text.find("glued to:") != std::string_view::npos ||
+         text.find("|  gluing:") != std::string_view::npos ||
          (text.starts_with("Tet") && text.find("face:") != std::string_view::npos);
 }
 
-NamedGluings read_isosig(std::string_view text) {
-  return {std::string(detail::trimmed(text)), decode_isosig(text), isosig_sign(text) != 0};
+template <NamedGluings (*Read)(std::string_view)>
+std::vector<NamedGluings> one(std::string_view text) {
+  std::vector<NamedGluings> all;
+  all.push_back(Read(text));
+  return all;
 }
 
 /// The first that matches is taken. A new format is one file and one line here.
 constexpr std::array kFormats{
-    Format{TextFormat::kJson, "JSON", starts_json, read_json},
-    Format{TextFormat::kSnappea, "SnapPea triangulation", starts_snappea, read_snappea},
-    Format{TextFormat::kReginaXml, "Regina data file", starts_xml, read_regina_xml},
-    Format{TextFormat::kReginaTable, "Regina gluing table", holds_table, read_regina_table},
-    Format{TextFormat::kIsosig, "isomorphism signature", looks_like_isosig, read_isosig},
+    Format{TextFormat::kJson, "JSON", starts_json, one<read_json>},
+    Format{TextFormat::kOrb, "Orb triangulation", starts_orb, one<read_orb>},
+    Format{TextFormat::kSnappea, "SnapPea triangulation", starts_snappea, one<read_snappea>},
+    Format{TextFormat::kReginaXml, "Regina data file", starts_regina_xml, read_regina_xml},
+    Format{TextFormat::kReginaTable, "Regina gluing table", holds_table, one<read_regina_table>},
+    Format{TextFormat::kIsosig, "isomorphism signature", looks_like_signature, one<read_signature>},
 };
 
-bool is_gzip(std::string_view text) { return text.starts_with("\x1f\x8b"); }
+/// What a compressed text may hold at most.
+constexpr std::size_t kLargestText = std::size_t{1} << 30;
 
 const Format* find_format(std::string_view text) {
   text.remove_prefix(text.starts_with("\xef\xbb\xbf") ? 3 : 0);
@@ -50,6 +60,15 @@ const Format* find_format(std::string_view text) {
   for (const Format& format : kFormats)
     if (format.matches(text)) return &format;
   return nullptr;
+}
+
+/// ", starting with ...", if that is something to read.
+std::string beginning(std::string_view text) {
+  auto rest = detail::trimmed(text);
+  const std::string_view line = detail::take_line(rest).substr(0, 64);
+  const bool is_text =
+      std::all_of(line.begin(), line.end(), [](char c) { return c >= ' ' && c <= '~'; });
+  return is_text ? ", starting with " + quoted(std::string(line)) : "";
 }
 
 }  // namespace
@@ -66,25 +85,57 @@ std::string_view format_name(TextFormat format) {
   return format == TextFormat::kGzip ? "gzip data" : "unknown format";
 }
 
-NamedGluings read_triangulation(std::string_view text) {
-  if (is_gzip(text))
-    throw InvalidInput(
-        "this is gzip-compressed data; decompress it first (gunzip, or in Regina: save as "
-        "uncompressed XML)");
+std::string format_names() {
+  std::string names;
+  for (const Format& each : kFormats) names += (names.empty() ? "" : ", ") + std::string(each.name);
+  return names;
+}
+
+std::vector<NamedGluings> read_triangulations(std::string_view text) {
+  if (is_gzip(text)) {
+    const std::string content = gunzip(text, kLargestText);
+    if (is_gzip(content)) throw InvalidInput("the data are gzip-compressed twice");
+    return read_triangulations(content);
+  }
   if (detail::trimmed(text).empty())
     throw InvalidInput("the input is empty; expected a triangulation");
   const Format* format = find_format(text);
-  if (!format) {
-    std::string known;
-    for (const Format& each : kFormats)
-      known += (known.empty() ? "" : ", ") + std::string(each.name);
-    auto rest = detail::trimmed(text);
-    throw InvalidInput("unrecognised input, starting with " +
-                       quoted(std::string(detail::take_line(rest).substr(0, 64))) +
-                       "; expected one of: " + known);
-  }
+  if (!format)
+    throw InvalidInput("unrecognised input" + beginning(text) +
+                       "; expected one of: " + format_names());
   text.remove_prefix(text.starts_with("\xef\xbb\xbf") ? 3 : 0);
   return format->read(text);
+}
+
+NamedGluings read_triangulation(std::string_view text) {
+  std::vector<NamedGluings> all = read_triangulations(text);
+  if (all.size() == 1) return std::move(all.front());
+  throw InvalidInput("there are " + std::to_string(all.size()) +
+                     " triangulations in it; choose one by its label: " + label_list(all));
+}
+
+std::string label_list(const std::vector<NamedGluings>& all) {
+  constexpr std::size_t kMostShown = 10;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(all.size(), kMostShown); ++i)
+    list += (i == 0 ? "" : ", ") + quoted(all[i].name);
+  if (all.size() > kMostShown) list += " and " + std::to_string(all.size() - kMostShown) + " more";
+  return list;
+}
+
+NamedGluings pick_triangulation(std::vector<NamedGluings> all, std::string_view label) {
+  const auto has_label = [&](const NamedGluings& each) { return each.name == label; };
+  const auto count = std::count_if(all.begin(), all.end(), has_label);
+  if (count > 1)
+    throw InvalidInput(std::to_string(count) + " triangulations have the label " +
+                       quoted(std::string(label)) + "; choose by number, from 1 to " +
+                       std::to_string(all.size()));
+  if (count == 1) return std::move(*std::find_if(all.begin(), all.end(), has_label));
+  const auto number = detail::parse_integer(label);
+  if (number && *number >= 1 && static_cast<std::uint64_t>(*number) <= all.size())
+    return std::move(all[static_cast<std::size_t>(*number - 1)]);
+  throw InvalidInput("no triangulation has the label " + quoted(std::string(label)) +
+                     "; there are " + label_list(all));
 }
 
 std::vector<BatchLine> read_batch(std::string_view text) {

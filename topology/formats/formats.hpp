@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "topology/cone_angle.hpp"
 #include "topology/gluings.hpp"
 
 namespace tripus::topology {
@@ -14,19 +15,20 @@ namespace tripus::topology {
 struct NamedGluings {
   std::string name;  ///< empty if the file has none
   Gluings gluings;
+  std::vector<ConeAngle> cone_angles = {};  ///< [E] of Triangulation(gluings); empty if unlabelled
+  std::vector<std::string> notes = {};      ///< what of the file was not read, in words for people
   /// Whether the labels mean an orientation. A signature without a sign says nothing about it.
   bool orientation_known = true;
-  /// What was changed or left out in reading it, each a sentence without its full stop.
-  std::vector<std::string> notes = {};
 };
 
 enum class TextFormat {
   kIsosig,
   kJson,
   kSnappea,
+  kOrb,
   kReginaXml,
   kReginaTable,
-  kGzip,     ///< recognised in order to be refused with advice
+  kGzip,     ///< gzip-compressed, whatever is in it
   kUnknown,  ///< none of these
 };
 
@@ -37,9 +39,24 @@ TextFormat detect_format(std::string_view text);
 /// The name by which messages and documentation call the format.
 std::string_view format_name(TextFormat format);
 
-/// Reads a triangulation in whatever format the text has.
-/// Throws InvalidInput saying what is wrong and where, or which formats there are.
+/// The names of all formats, for messages: "JSON, SnapPea triangulation, ...".
+std::string format_names();
+
+/// Reads the one triangulation of a text in whatever format it has, also gzip-compressed.
+/// Throws InvalidInput saying what is wrong and where, or which formats there are; Unsupported for
+/// Dehn fillings.
 NamedGluings read_triangulation(std::string_view text);
+
+/// All triangulations of a text: several only of a Regina data file, which may hold any number.
+/// Throws the same.
+std::vector<NamedGluings> read_triangulations(std::string_view text);
+
+/// The triangulation of that label among several, or else, if `label` is a number from 1, the one
+/// at that place. Throws InvalidInput naming the labels if there is none, or if two have it.
+NamedGluings pick_triangulation(std::vector<NamedGluings> all, std::string_view label);
+
+/// The labels of several triangulations, for messages: "\"a\", \"b\" and 7 more".
+std::string label_list(const std::vector<NamedGluings>& all);
 
 /// One input of a batch file.
 struct BatchLine {

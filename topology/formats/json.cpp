@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "topology/detail/text.hpp"
+#include "topology/triangulation.hpp"
 
 namespace tripus::topology {
 namespace {
@@ -58,6 +59,25 @@ void read_face(const json& entry, std::size_t t, std::size_t f, Gluings& gluings
   gluings.set_one_side(t, static_cast<int>(f), entry[0].get<TetrahedronIndex>(), *perm);
 }
 
+/// One label an edge class: 3, 2.5, "5/2", 0 for a parabolic edge.
+std::vector<ConeAngle> read_cone_orders(const json& list, const Gluings& gluings) {
+  const std::size_t edges = Triangulation(gluings).edge_count();
+  if (!list.is_array() || list.size() != edges)
+    throw InvalidInput("JSON: \"cone_orders\" is " + shown(list) + "; expected " +
+                       std::to_string(edges) + " cone orders, one an edge class");
+  std::vector<ConeAngle> angles;
+  for (const json& entry : list) {
+    try {
+      angles.push_back(
+          parse_cone_order(entry.is_string() ? entry.get_ref<const std::string&>() : entry.dump()));
+    } catch (const InvalidInput& error) {
+      throw InvalidInput("JSON: cone order of edge class " + std::to_string(angles.size()) + ": " +
+                         error.what());
+    }
+  }
+  return angles;
+}
+
 }  // namespace
 
 NamedGluings read_json(std::string_view text) {
@@ -81,6 +101,8 @@ NamedGluings read_json(std::string_view text) {
     for (std::size_t f = 0; f < 4; ++f) read_face(row[f], t, f, result.gluings);
   }
   require_consistent(result.gluings, OpenFaces::kAllowed);
+  if (const auto orders = document.find("cone_orders"); orders != document.end())
+    result.cone_angles = read_cone_orders(*orders, result.gluings);
   return result;
 }
 
@@ -106,7 +128,14 @@ std::string write_json(const NamedGluings& triangulation) {
     }
     out += "]";
   }
-  return out + "]}\n";
+  out += "]";
+  if (!all_full(triangulation.cone_angles)) {
+    out += ", \"cone_orders\": [";
+    for (std::size_t e = 0; e < triangulation.cone_angles.size(); ++e)
+      out += (e > 0 ? ", \"" : "\"") + triangulation.cone_angles[e].order_text() + "\"";
+    out += "]";
+  }
+  return out + "}\n";
 }
 
 }  // namespace tripus::topology

@@ -18,6 +18,7 @@ constexpr std::array<int, 4> kFaceOfColumn{3, 2, 1, 0};
 bool is_header(std::string_view line) {
   return detail::trimmed(line).starts_with("Tet") && line.find('|') != std::string_view::npos &&
          (line.find("glued to:") != std::string_view::npos ||
+          line.find("gluing:") != std::string_view::npos ||
           line.find("face:") != std::string_view::npos);
 }
 

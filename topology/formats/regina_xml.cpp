@@ -1,93 +1,23 @@
+#include <algorithm>
+#include <array>
+#include <cstring>
 #include <optional>
+#include <string>
+
+#include <pugixml.hpp>
 
 #include "base/error.hpp"
 #include "topology/detail/text.hpp"
 #include "topology/formats/regina.hpp"
+#include "topology/formats/snappea.hpp"
 
-// A Regina file is XML, but the part of XML that it uses is small: tags with quoted attributes,
-// comments, and numbers as text. Tags are scanned in order, without recursion, so nesting costs
-// nothing. The two generations differ in their tags and in how permutations are numbered.
+// The generations differ in their elements and in how permutations are numbered. The tree is walked
+// without recursion, so that deep nesting costs nothing.
 
 namespace tripus::topology {
 namespace {
 
-struct Tag {
-  std::string_view name;        // with a leading / when closing
-  std::string_view attributes;  // raw
-  std::size_t end = 0;          // just after its '>'
-};
-
 [[noreturn]] void fail(const std::string& what) { throw InvalidInput("Regina data file: " + what); }
-
-/// The next tag from `from` on; comments, declarations and CDATA are skipped.
-std::optional<Tag> next_tag(std::string_view text, std::size_t from) {
-  while ((from = text.find('<', from)) != std::string_view::npos) {
-    const auto rest = text.substr(from);
-    const auto skip_to = [&](std::string_view mark) {
-      const std::size_t end = text.find(mark, from);
-      from = end == std::string_view::npos ? text.size() : end + mark.size();
-    };
-    if (rest.starts_with("<!--")) {
-      skip_to("-->");
-    } else if (rest.starts_with("<![CDATA[")) {
-      skip_to("]]>");
-    } else if (rest.starts_with("<!") || rest.starts_with("<?")) {
-      skip_to(">");
-    } else {
-      char quote = 0;
-      std::size_t end = from + 1;
-      for (; end < text.size() && (quote != 0 || text[end] != '>'); ++end) {
-        if (quote == 0 && (text[end] == '"' || text[end] == '\''))
-          quote = text[end];
-        else if (text[end] == quote)
-          quote = 0;
-      }
-      if (end == text.size()) return std::nullopt;
-      auto body = text.substr(from + 1, end - from - 1);
-      const auto name = detail::take_token(body);
-      return Tag{name, body, end + 1};
-    }
-  }
-  return std::nullopt;
-}
-
-std::string without_entities(std::string_view text) {
-  static constexpr std::pair<std::string_view, char> kEntities[] = {
-      {"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}};
-  std::string out;
-  while (!text.empty()) {
-    char c = text.front();
-    std::size_t length = 1;
-    for (const auto& [entity, meaning] : kEntities)
-      if (text.starts_with(entity)) {
-        c = meaning;
-        length = entity.size();
-      }
-    out += c;
-    text.remove_prefix(length);
-  }
-  return out;
-}
-
-bool is_empty_element(const Tag& tag) {
-  return tag.name.ends_with('/') || tag.attributes.ends_with('/');
-}
-
-/// The value of an attribute, or nothing.
-std::optional<std::string> attribute(const Tag& tag, std::string_view wanted) {
-  std::string_view rest = tag.attributes;
-  while (true) {
-    const std::size_t equals = rest.find('=');
-    if (equals == std::string_view::npos) return std::nullopt;
-    const auto name = detail::trimmed(rest.substr(0, equals));
-    const std::size_t open = rest.find_first_of("\"'", equals);
-    if (open == std::string_view::npos) return std::nullopt;
-    const std::size_t close = rest.find(rest[open], open + 1);
-    if (close == std::string_view::npos) return std::nullopt;
-    if (name == wanted) return without_entities(rest.substr(open + 1, close - open - 1));
-    rest.remove_prefix(close + 1);
-  }
-}
 
 /// Bits 2i, 2i+1 hold the image of i.
 std::optional<Perm4> from_image_pack(std::int64_t code) {
@@ -105,14 +35,15 @@ std::optional<Perm4> from_s4_index(std::int64_t code) {
   return p.is_odd() == (code % 2 == 1) ? p : Perm4::from_rank(static_cast<int>(code ^ 1));
 }
 
-/// How a triangulation is written.
-struct Dialect {
-  std::string_view row;  // the tag of one tetrahedron
-  std::string_view end;  // the tag that closes the triangulation
-  std::optional<Perm4> (*perm)(std::int64_t);
-};
+int s4_index(Perm4 p) {
+  for (int code = 0; code < 24; ++code)
+    if (from_s4_index(code) == p) return code;
+  throw InternalError("a permutation without a number");
+}
 
-void read_row(std::string_view numbers, const Dialect& dialect, std::size_t t, Gluings& gluings) {
+using PermOf = std::optional<Perm4> (*)(std::int64_t);
+
+void read_row(std::string_view numbers, PermOf perm_of, std::size_t t, Gluings& gluings) {
   for (int f = 0; f < 4; ++f) {
     const auto other_token = detail::take_token(numbers);
     const auto perm_token = detail::take_token(numbers);
@@ -123,7 +54,7 @@ void read_row(std::string_view numbers, const Dialect& dialect, std::size_t t, G
       fail(face + quoted(std::string(other_token)) + "; expected a tetrahedron, or -1");
     if (*other < 0) continue;
     const auto code = detail::parse_integer(perm_token);
-    const auto perm = code ? dialect.perm(*code) : std::nullopt;
+    const auto perm = code ? perm_of(*code) : std::nullopt;
     if (!perm)
       fail(face + quoted(std::string(perm_token)) + "; expected the number of a permutation");
     gluings.set_one_side(t, f, static_cast<TetrahedronIndex>(*other), *perm);
@@ -132,53 +63,118 @@ void read_row(std::string_view numbers, const Dialect& dialect, std::size_t t, G
     fail("tetrahedron " + std::to_string(t) + " has more than eight numbers");
 }
 
-/// The rows directly inside the element that `from` is in; packets may be nested deeper.
-Gluings read_rows(std::string_view text, std::size_t from, const Dialect& dialect) {
-  Gluings gluings;
-  std::size_t depth = 0;
-  while (const auto tag = next_tag(text, from)) {
-    from = tag->end;
-    if (tag->name.starts_with('/')) {
-      if (depth-- > 0) continue;
-      require_consistent(gluings, OpenFaces::kAllowed);
-      return gluings;
-    }
-    if (depth == 0 && tag->name == dialect.row) {
-      const std::size_t t = gluings.tetrahedron_count();
-      gluings.resize(t + 1);
-      const std::size_t close = text.find('<', from);
-      read_row(text.substr(from, close == std::string_view::npos ? close : close - from), dialect,
-               t, gluings);
-    }
-    if (!is_empty_element(*tag)) ++depth;
+/// The rows directly inside an element; packets may be nested deeper.
+NamedGluings read_rows(const pugi::xml_node& element, const char* row, PermOf perm_of) {
+  NamedGluings result;
+  bool locked = false, described = false;
+  for (const pugi::xml_node& each : element.children(row)) {
+    const std::size_t t = result.gluings.tetrahedron_count();
+    result.gluings.resize(t + 1);
+    read_row(each.child_value(), perm_of, t, result.gluings);
+    locked |= std::strspn(each.attribute("lock").value(), "0") !=
+              std::strlen(each.attribute("lock").value());
+    described |= *each.attribute("desc").value() != 0;
   }
-  fail("the triangulation is not closed by <" + std::string(dialect.end) + ">");
+  require_consistent(result.gluings, OpenFaces::kAllowed);
+  if (locked) result.notes.push_back("locks of tetrahedra and faces not read");
+  if (described) result.notes.push_back("descriptions of tetrahedra not read");
+  return result;
+}
+
+/// The triangulation that an element is, if it is one.
+std::optional<NamedGluings> triangulation_of(const pugi::xml_node& element) {
+  const std::string_view name = element.name();
+  if (name == "tri") {
+    if (std::string_view(element.attribute("dim").value()) != "3") return std::nullopt;
+    const bool by_index = std::string_view(element.attribute("perm").value()) == "index";
+    return read_rows(element, "simplex", by_index ? from_s4_index : from_image_pack);
+  }
+  if (name == "snappeadata" || name == "snappea") {
+    const std::string_view text = detail::trimmed(element.child_value());
+    if (text.empty()) return std::nullopt;
+    return read_snappea(text);
+  }
+  if (name != "packet") return std::nullopt;
+  const std::string_view type = element.attribute("type").value();
+  if (type != "3-Manifold Triangulation" && type != "Triangulation") return std::nullopt;
+  return read_rows(element.child("tetrahedra"), "tet", from_image_pack);
+}
+
+/// Of an element itself, or of the packet of the second generation that holds it.
+std::string label_of(const pugi::xml_node& element) {
+  if (const auto label = element.attribute("label")) return label.value();
+  return element.parent().attribute("label").value();
+}
+
+/// The next element in the order of the file, or nothing.
+pugi::xml_node next_in_order(pugi::xml_node node) {
+  if (node.first_child()) return node.first_child();
+  while (node && !node.next_sibling()) node = node.parent();
+  return node ? node.next_sibling() : node;
 }
 
 }  // namespace
 
-NamedGluings read_regina_xml(std::string_view text) {
-  std::size_t from = 0;
-  std::optional<std::string> packet;  // the label of a second-generation triangulation
-  while (const auto tag = next_tag(text, from)) {
-    from = tag->end;
-    if (is_empty_element(*tag)) continue;
-    if (tag->name == "tri" && attribute(*tag, "dim") == "3") {
-      const bool by_index = attribute(*tag, "perm") == "index";
-      const Dialect dialect{"simplex", "/tri", by_index ? from_s4_index : from_image_pack};
-      return {attribute(*tag, "label").value_or(""), read_rows(text, from, dialect)};
-    }
-    if (tag->name == "packet") {
-      packet.reset();
-      if (attribute(*tag, "type") == "3-Manifold Triangulation")
-        packet = attribute(*tag, "label").value_or("");
-    } else if (packet && tag->name == "tetrahedra") {
-      return {*packet, read_rows(text, from, {"tet", "/tetrahedra", from_image_pack})};
-    }
+bool starts_regina_xml(std::string_view text) {
+  constexpr std::array<std::string_view, 5> kNames{"regina", "reginadata", "tri", "packet",
+                                                   "container"};
+  while (text.starts_with("<?") || text.starts_with("<!")) {
+    const std::string_view end = text.starts_with("<!--") ? "-->" : ">";
+    const std::size_t place = text.find(end);
+    if (place == std::string_view::npos) return false;
+    text = detail::trimmed(text.substr(place + end.size()));
   }
-  fail(
-      "no 3-manifold triangulation in it; expected <tri dim=\"3\"> or <packet "
-      "type=\"3-Manifold Triangulation\">");
+  if (!text.starts_with('<')) return false;
+  text = text.substr(1, text.find_first_of(" \t\r\n/>") - 1);
+  return std::find(kNames.begin(), kNames.end(), text) != kNames.end();
+}
+
+std::vector<NamedGluings> read_regina_xml(std::string_view text) {
+  pugi::xml_document document;
+  const auto parsed = document.load_buffer(text.data(), text.size());
+  if (!parsed)
+    fail("the XML is broken at byte " + std::to_string(parsed.offset) + " (" +
+         parsed.description() + "): an element is not closed, or the file is cut off");
+  std::vector<NamedGluings> all;
+  for (pugi::xml_node node = document.first_child(); node; node = next_in_order(node)) {
+    auto found = triangulation_of(node);
+    if (!found) continue;
+    if (const std::string label = label_of(node); !label.empty()) found->name = label;
+    all.push_back(*std::move(found));
+  }
+  if (all.empty())
+    fail(
+        "no 3-manifold triangulation in it; expected <tri dim=\"3\"> or <packet "
+        "type=\"3-Manifold Triangulation\">");
+  return all;
+}
+
+std::string write_regina_xml(const NamedGluings& triangulation) {
+  const Gluings& gluings = triangulation.gluings;
+  pugi::xml_document document;
+  pugi::xml_node regina = document.append_child("regina");
+  regina.append_attribute("engine") = "7.3";
+  pugi::xml_node tri = regina.append_child("tri");
+  tri.append_attribute("dim") = 3;
+  tri.append_attribute("size") = static_cast<unsigned long long>(gluings.tetrahedron_count());
+  tri.append_attribute("perm") = "index";
+  tri.append_attribute("label") = triangulation.name.c_str();
+  for (std::size_t t = 0; t < gluings.tetrahedron_count(); ++t) {
+    std::string row = " ";
+    for (int f = 0; f < 4; ++f)
+      row += gluings.is_open(t, f) ? std::string("-1 -1 ")
+                                   : std::to_string(gluings.neighbour(t, f)) + " " +
+                                         std::to_string(s4_index(gluings.gluing(t, f))) + " ";
+    tri.append_child("simplex").text() = row.c_str();
+  }
+  struct Text : pugi::xml_writer {
+    std::string text;
+    void write(const void* data, std::size_t size) override {
+      text.append(static_cast<const char*>(data), size);
+    }
+  } out;
+  document.save(out, "  ");
+  return out.text;
 }
 
 }  // namespace tripus::topology

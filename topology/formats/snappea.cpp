@@ -8,9 +8,10 @@
 #include "base/error.hpp"
 #include "topology/detail/text.hpp"
 
-// The file is read by lines, not by fields: programs disagree about what stands between the two
-// lines that matter (Orb adds edge data, older SnapPea leaves the curves out), but all write
-// four neighbours on one line and four permutations on the next.
+// Where the lines of a file are as most write them, it is read by lines and not by fields: programs
+// disagree about what stands between the two lines that matter (Orb adds edge data, older SnapPea
+// leaves the curves out), but all write four neighbours on one line and four permutations on the
+// next. SnapPea itself reads by fields, and so is read what has no such lines.
 
 namespace tripus::topology {
 namespace {
@@ -73,18 +74,52 @@ void read_tetrahedron(const Line& first, const Tokens& neighbours, const Line& s
   }
 }
 
-}  // namespace
+/// Tokens with their lines, from the third line on.
+struct Token {
+  std::string_view text;
+  std::size_t line;
+};
 
-NamedGluings read_snappea(std::string_view text) {
-  std::vector<Line> lines = significant_lines(text);
-  if (lines.empty() || !(lines[0].text.starts_with("% Triangulation") ||
-                         lines[0].text.starts_with("% triangulation")))
-    throw InvalidInput("SnapPea file: the first line is " +
-                       quoted(lines.empty() ? "" : std::string(lines[0].text)) +
-                       "; expected \"% Triangulation\"");
-  NamedGluings result;
-  if (lines.size() > 1) result.name = lines[1].text;
+std::vector<Token> tokens_of(const std::vector<Line>& lines) {
+  std::vector<Token> tokens;
+  for (std::size_t i = 2; i < lines.size(); ++i)
+    for (std::string_view rest = lines[i].text; !rest.empty();)
+      if (const auto token = detail::take_token(rest); !token.empty())
+        tokens.push_back({token, lines[i].number});
+  return tokens;
+}
 
+bool is_cusp(std::string_view token) {
+  return token == "torus" || token == "Torus" || token == "klein" || token == "Klein" ||
+         token == "KLEIN" || token == "TORUS";
+}
+
+/// A number that is not 0 in whatever notation; what is no number counts as 0.
+bool is_not_zero(std::string_view token) {
+  return token.substr(0, token.find_first_of("eE")).find_first_of("123456789") !=
+         std::string_view::npos;
+}
+
+/// The number of cusps. Throws Unsupported for a filling.
+std::size_t count_cusps(const std::vector<Token>& tokens) {
+  std::size_t cusps = 0;
+  for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
+    if (!is_cusp(tokens[i].text)) continue;
+    const std::string_view m = tokens[i + 1].text, l = tokens[i + 2].text;
+    if (is_not_zero(m) || is_not_zero(l))
+      throw Unsupported("SnapPea file, line " + std::to_string(tokens[i].line) + ": cusp " +
+                        std::to_string(cusps) + " has the Dehn filling " +
+                        quoted("(" + std::string(m) + "," + std::string(l) + ")") +
+                        "; fillings are not supported yet: triangulate the filled manifold first, "
+                        "in SnapPy by filled_triangulation()");
+    ++cusps;
+  }
+  return cusps;
+}
+
+/// By lines: see the top of this file.
+Gluings read_by_lines(const std::vector<Line>& lines) {
+  Gluings gluings;
   // The number of tetrahedra is the last number alone on a line before the first pair of lines.
   std::optional<std::size_t> announced;
   std::size_t next = 0;
@@ -101,13 +136,13 @@ NamedGluings read_snappea(std::string_view text) {
         fail(lines[i], quoted(std::string(lines[i].text)) +
                            " tetrahedra are announced, more than the file has lines for");
       announced = static_cast<std::size_t>(*count);
-      result.gluings = Gluings(*announced);
+      gluings = Gluings(*announced);
       continue;
     }
     if (!announced) fail(lines[i], "a tetrahedron before the number of tetrahedra");
     if (next == *announced)
       fail(lines[i], "more tetrahedra than the " + std::to_string(*announced) + " announced");
-    read_tetrahedron(lines[i], *neighbours, lines[i + 1], *perms, next++, result.gluings);
+    read_tetrahedron(lines[i], *neighbours, lines[i + 1], *perms, next++, gluings);
     ++i;
   }
   if (!announced) throw InvalidInput("SnapPea file: the number of tetrahedra is missing");
@@ -116,6 +151,73 @@ NamedGluings read_snappea(std::string_view text) {
                        " tetrahedra are announced, but tetrahedron " + std::to_string(next) +
                        " is missing; expected a line of four neighbours and a line of four "
                        "permutations for each");
+  return gluings;
+}
+
+/// By tokens, as SnapPea itself reads, whatever the lines; everything must be there.
+Gluings read_by_tokens(const std::vector<Token>& tokens) {
+  std::size_t next = 0;
+  const auto take = [&](const std::string& what) -> const Token& {
+    if (next == tokens.size()) throw InvalidInput("SnapPea file: it ends before " + what);
+    return tokens[next++];
+  };
+  const auto number = [&](const std::string& what) {
+    const Token& token = take(what);
+    const auto value = detail::parse_integer(token.text);
+    if (!value || *value < 0)
+      fail({token.line, token.text}, quoted(std::string(token.text)) + " as " + what);
+    return static_cast<std::size_t>(*value);
+  };
+  take("the kind of the solution");
+  take("the volume");
+  take("the orientability");
+  if (take("the Chern-Simons invariant").text == "CS_known") take("the Chern-Simons invariant");
+  const std::size_t cusps = number("the number of torus cusps") + number("that of Klein bottles");
+  for (std::size_t i = 0; i < cusps; ++i)
+    for (int k = 0; k < 3; ++k) take("the cusps");
+  const std::size_t count = number("the number of tetrahedra");
+  // Neighbours, permutations, cusps, four times sixteen numbers of curves, a shape.
+  constexpr std::size_t kEach = 4 + 4 + 4 + 64 + 2;
+  if (count > (tokens.size() - next) / kEach)
+    throw InvalidInput("SnapPea file: " + std::to_string(count) +
+                       " tetrahedra are announced, more than the file has numbers for");
+  Gluings gluings(count);
+  for (std::size_t t = 0; t < count; ++t, next += kEach) {
+    Tokens neighbours, perms;
+    for (std::size_t f = 0; f < 4; ++f) {
+      neighbours[f] = tokens[next + f].text;
+      perms[f] = tokens[next + 4 + f].text;
+    }
+    read_tetrahedron({tokens[next].line, {}}, neighbours, {tokens[next + 4].line, {}}, perms, t,
+                     gluings);
+  }
+  return gluings;
+}
+
+/// Whether the two lines of some tetrahedron stand as programs write them.
+bool has_pair_of_lines(const std::vector<Line>& lines) {
+  for (std::size_t i = 2; i + 1 < lines.size(); ++i)
+    if (four_tokens(lines[i].text, is_index) && four_tokens(lines[i + 1].text, looks_like_perm))
+      return true;
+  return false;
+}
+
+}  // namespace
+
+NamedGluings read_snappea(std::string_view text) {
+  const std::vector<Line> lines = significant_lines(text);
+  if (lines.empty() || !(lines[0].text.starts_with("% Triangulation") ||
+                         lines[0].text.starts_with("% triangulation")))
+    throw InvalidInput("SnapPea file: the first line is " +
+                       quoted(lines.empty() ? "" : std::string(lines[0].text)) +
+                       "; expected \"% Triangulation\"");
+  NamedGluings result;
+  if (lines.size() > 1) result.name = lines[1].text;
+  const std::vector<Token> tokens = tokens_of(lines);
+  if (count_cusps(tokens) > 0)
+    result.notes.push_back("peripheral curves and shapes of the SnapPea file not read");
+  const bool is_free = !has_pair_of_lines(lines) && tokens.size() > 20;
+  result.gluings = is_free ? read_by_tokens(tokens) : read_by_lines(lines);
   require_consistent(result.gluings, OpenFaces::kAllowed);
   return result;
 }

@@ -8,9 +8,9 @@
 namespace tripus::topology {
 
 /// Reads SnapPea's triangulation text ("% Triangulation"), as SnapPea, SnapPy, Regina and Orb
-/// write it. Of each tetrahedron only the line of neighbours and the line of permutations after it
-/// are read; cusps, peripheral curves and shapes are skipped. `//` starts a comment.
-/// Throws InvalidInput naming the line, tetrahedron and face.
+/// write it, also in free form, where lines mean nothing. Of each tetrahedron only the neighbours
+/// and the permutations are read; peripheral curves and shapes are skipped. `//` starts a comment.
+/// Throws InvalidInput naming the line, tetrahedron and face; Unsupported for Dehn fillings.
 NamedGluings read_snappea(std::string_view text);
 
 /// The file Regina would write: no cusps listed, structures left for the reader to compute.

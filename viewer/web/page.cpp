@@ -90,7 +90,7 @@ void append_report(Text& out, const structure::Report& report) {
   append_list(out, report.vertices.size(), [&](std::size_t v) {
     fmt::format_to(std::back_inserter(out),
                    "{{\"genus\":{},\"kind\":\"{}\",\"area\":", report.vertices[v].genus,
-                   report.vertices[v].kind);
+                   topology::to_string(report.vertices[v].kind));
     append_number(out, report.vertices[v].area);
     out.push_back('}');
   });

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "meshing/formats/read_mesh.hpp"
+
+namespace tripus::meshing::detail {
+
+/// The faces of a file, which may be polygons and may come before the points: cut into triangles
+/// when all of it was read.
+class Faces {
+ public:
+  /// A face with its line, or 0. Corners that follow an equal one are left out.
+  /// Throws InvalidInput for more corners than kMostCorners.
+  void add(std::span<const std::uint32_t> corners, std::uint32_t line);
+  /// A strip: each corner from the third on makes a triangle with the two before it.
+  void add_strip(std::span<const std::uint32_t> corners, std::uint32_t line);
+
+  std::size_t count() const { return lines_.size(); }
+  std::span<const std::uint32_t> corners(std::size_t face) const {
+    return std::span(corners_).subspan(start_[face], start_[face + 1] - start_[face]);
+  }
+  std::uint32_t line(std::size_t face) const { return lines_[face]; }
+
+  /// Cuts them; corners must be below the number of points. Adds the notes.
+  void finish(SurfaceFile& file) const;
+
+ private:
+  std::vector<std::uint32_t> corners_;
+  std::vector<std::size_t> start_{0};
+  std::vector<std::uint32_t> lines_;
+  std::size_t strips_ = 0;
+};
+
+/// "1 point", "2 points".
+std::string counted(std::size_t count, std::string_view one, std::string_view many);
+
+}  // namespace tripus::meshing::detail

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "meshing/tube/spatial_graph.hpp"
+
+namespace tripus::meshing {
+
+/// Reads a graph in space in whatever format the content has: Tripus's JSON, Geomview's VECT, the
+/// lines of a Wavefront OBJ, or a list of points, one a line, with an empty line between the
+/// polylines. In the last three a point where three or more pieces meet is a vertex; pieces that
+/// close up make a knot. A list that touches nothing else is closed from its last point to its
+/// first; an end of a VECT or OBJ line that touches nothing is loose, as in JSON.
+/// Throws InvalidInput with the line; what read_spatial_graph throws for JSON.
+SpatialGraph read_graph(std::string_view content);
+
+/// The names of the formats, for messages.
+std::string graph_format_names();
+
+}  // namespace tripus::meshing

@@ -1,0 +1,186 @@
+// Cusps, cone angles, finite vertices: published volumes and those of other programs.
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "structure/solve.hpp"
+#include "tests/support/data_files.hpp"
+#include "topology/formats/formats.hpp"
+#include "topology/isosig.hpp"
+#include "topology/vertex_kinds.hpp"
+
+namespace tripus::structure {
+namespace {
+
+using topology::ConeAngle;
+using topology::Triangulation;
+using topology::VertexKind;
+
+Triangulation decoded(const std::string& isosig) {
+  return Triangulation(topology::decode_isosig(isosig));
+}
+
+Report solved(const Triangulation& triangulation, std::vector<ConeAngle> cone_angles = {},
+              double start = 0) {
+  SolveOptions options;
+  options.cone_angles = std::move(cone_angles);
+  options.initial_length = start;
+  return solve(triangulation, options);
+}
+
+void expect_volume(const Report& report, double volume, double within) {
+  EXPECT_EQ(report.outcome, Outcome::kGeometric) << report.message;
+  EXPECT_LE(report.max_curvature, 1e-12);
+  EXPECT_NEAR(report.volume, volume, within);
+}
+
+// The figure-eight knot's complement and its sister: two regular ideal tetrahedra, 6
+// Lobachevsky(pi/3).
+TEST(Cusps, KnownByName) {
+  expect_volume(solved(decoded("cPcbbbiht")), 2.0298832128193072500, 1e-13);
+  expect_volume(solved(decoded("cPcbbbdxm")), 2.0298832128193072500, 1e-13);
+  expect_volume(solved(decoded("bkaaid")), 1.0149416064096536250, 1e-13);  // Gieseking's
+  expect_volume(solved(decoded("dLQacccjjkg")), 7.797636880294839658242, 1e-13);
+}
+
+// Cone orders 2 on both edges make the torus a hyperideal link; the tetrahedra become the tripus's.
+TEST(Cusps, ATorusWithConePointsIsHyperideal) {
+  const Triangulation m = decoded("cPcbbbiht");
+  const Report report = solved(m, {ConeAngle::rational(1, 1), ConeAngle::rational(1, 1)});
+  expect_volume(report, 6.45199027083503286530, 1e-13);
+  ASSERT_EQ(report.vertices.size(), 1u);
+  EXPECT_EQ(report.vertices[0].kind, VertexKind::kHyperideal);
+  EXPECT_DOUBLE_EQ(report.vertices[0].orbifold_euler_characteristic, -2);
+  EXPECT_NEAR(report.vertices[0].area, 4 * std::numbers::pi, 1e-12);
+}
+
+TEST(Cusps, SnapPysCensusUpToFiveTetrahedraFromTwoStarts) {
+  const auto rows = testing::data_table("cusped-census-5.tsv");
+  ASSERT_EQ(rows.size(), 415u);
+  for (const auto& row : rows) {
+    SCOPED_TRACE(row.at("isosig"));
+    const Triangulation m = decoded(row.at("isosig"));
+    ASSERT_EQ(m.is_orientable(), row.at("orientable") == "yes");
+    for (const double start : {0.0, 2.0}) {
+      const Report report = solved(m, {}, start);
+      expect_volume(report, std::stod(row.at("volume")), 1e-12);
+      EXPECT_EQ(std::to_string(report.vertices.size()), row.at("cusps"));
+      for (const VertexReport& vertex : report.vertices) {
+        EXPECT_EQ(vertex.kind, VertexKind::kIdeal);
+        EXPECT_NEAR(vertex.area, std::sqrt(3.0) / 2, 1e-12);
+      }
+    }
+  }
+}
+
+// M_{g,k} has the least number of tetrahedra, g + k: all with 3 and 4 of them are in the list, and
+// there its volume is the only one that belongs to g = 3, k = 1 and to g = 2, k = 2 (arXiv
+// math/0211425: 12 and 1 manifolds).
+TEST(Cusps, VolumesOfFrigerioMartelliPetronio) {
+  std::map<std::pair<int, int>, double> volume;
+  for (const auto& row : testing::data_table("volumes-mgk.tsv"))
+    volume[{std::stoi(row.at("g")), std::stoi(row.at("k"))}] = std::stod(row.at("volume"));
+  std::map<std::pair<int, int>, int> met;
+  for (const std::string& isosig : testing::data_lines("triangulations-cusped.txt")) {
+    SCOPED_TRACE(isosig);
+    const Triangulation m = decoded(isosig);
+    const Report report = solved(m);
+    if (report.outcome != Outcome::kGeometric) {
+      EXPECT_EQ(report.outcome, Outcome::kInfeasible);
+      ASSERT_TRUE(report.certificate);
+      EXPECT_TRUE(check(m, *report.certificate)) << check(m, *report.certificate).reason;
+      continue;
+    }
+    int genus = 0, cusps = 0;
+    for (const VertexReport& vertex : report.vertices) {
+      if (vertex.kind == VertexKind::kIdeal) ++cusps;
+      if (vertex.kind == VertexKind::kHyperideal) genus += vertex.genus;
+    }
+    ++met[{genus, cusps}];
+    if (static_cast<std::size_t>(genus + cusps) == m.tetrahedron_count())
+      expect_volume(report, volume.at({genus, cusps}), 1e-13);
+  }
+  EXPECT_EQ((met[{3, 1}]), 12);
+  EXPECT_GE((met[{2, 1}]), 18);
+  EXPECT_GE((met[{2, 2}]), 1);
+}
+
+/// An example of Orb: the triangulation and its cone angles.
+struct Labelled {
+  Triangulation triangulation;
+  std::vector<ConeAngle> cone_angles;
+};
+
+Labelled orb_example(const testing::Row& row) {
+  const auto faces = testing::split(row.at("gluings"), ' ');
+  topology::Gluings gluings(faces.size() / 4);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const auto parts = testing::split(faces[i], ':');
+    const std::string& p = parts.at(1);
+    gluings.set_one_side(
+        i / 4, static_cast<int>(i % 4),
+        static_cast<topology::TetrahedronIndex>(std::stoul(parts[0])),
+        topology::Perm4::from_images(p[0] - '0', p[1] - '0', p[2] - '0', p[3] - '0'));
+  }
+  Labelled example{Triangulation(std::move(gluings)), {}};
+  example.cone_angles.resize(example.triangulation.edge_count());
+  if (row.at("labels") == "-") return example;
+  for (const std::string& label : testing::split(row.at("labels"), ' ')) {
+    const auto sides = testing::split(label, '=');
+    const auto place = testing::split(sides.at(0), ':');
+    const int edge =
+        topology::kEdgeNumber[std::size_t(place.at(1)[0] - '0')][std::size_t(place.at(1)[1] - '0')];
+    example.cone_angles[example.triangulation.edge_class(std::stoul(place[0]), edge)] =
+        topology::parse_cone_order(sides.at(1));
+  }
+  return example;
+}
+
+TEST(Orbifolds, ExamplesOfOrbThatAreGeometric) {
+  int convex = 0, finite = 0;
+  for (const auto& row : testing::data_table("orb-examples.tsv")) {
+    if (row.at("solution") != "geometric_solution") continue;
+    SCOPED_TRACE(row.at("name"));
+    const Labelled example = orb_example(row);
+    const bool has_finite = row.at("finite_vertices") == "yes";
+    const Report report = solved(example.triangulation, example.cone_angles);
+    expect_volume(report, std::stod(row.at("volume")), 1e-11);
+    ++(has_finite ? finite : convex);
+  }
+  EXPECT_EQ(convex, 60);
+  EXPECT_EQ(finite, 13);
+}
+
+// n V(2 pi / (d k)): every triangulation with uniform valence d, order k on every edge.
+TEST(Orbifolds, UniformValencesAndOrders) {
+  const auto regular = [](double t) {
+    // docs/theory.md (27), by Simpson's rule on a fine grid.
+    constexpr int kSteps = 4000;
+    const auto l = [](double s) { return std::acosh(std::cos(s) / (2 * std::cos(s) - 1)); };
+    double sum = 0;
+    for (int i = 1; i <= kSteps; ++i) {
+      const double a = t * (i - 1) / kSteps, b = t * i / kSteps;
+      sum += (l(a) + 4 * l((a + b) / 2) + l(b)) * (b - a) / 6;
+    }
+    return 3.66386237670887606022 - 3 * sum;
+  };
+  for (const char* isosig : {"cPcbbbihq", "cPcbbbiht", "bkaaid"}) {
+    const Triangulation m = decoded(isosig);
+    const auto valence = static_cast<double>(m.valence(0));
+    for (int k = 2; k <= 50; ++k) {
+      SCOPED_TRACE(std::string(isosig) + " " + std::to_string(k));
+      const Report report =
+          solved(m, std::vector<ConeAngle>(m.edge_count(), ConeAngle::rational(2, k)));
+      expect_volume(report,
+                    static_cast<double>(m.tetrahedron_count()) *
+                        regular(2 * std::numbers::pi / (valence * k)),
+                    1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tripus::structure

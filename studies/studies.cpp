@@ -22,7 +22,7 @@ constexpr Study kStudies[] = {
      "many triangulations of one manifold: which carry the metric, and how well", 1000,
      "distinct triangulations an input", detail::plan_triangulations},
     {"valence", "Valences of 6 and more: proved to carry the metric",
-     "triangulations with edge classes of high valence only: a proof of the metric for each", 6,
+     "edge classes of high valence only: a proof of the metric for each", 6,
      "least valence of an edge class", detail::plan_valence},
 };
 

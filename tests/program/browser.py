@@ -14,7 +14,7 @@ FLAGS = ["--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsa
          "--disable-component-update", "--disable-sync", "--hide-scrollbars",
          "--disable-dev-shm-usage"]
 # A picture of 200x150 takes seconds; a browser that hangs must not hang the tests.
-TIME_LIMIT = 100
+TIME_LIMIT = 240
 
 
 def page_text(path, fragment="", flags=(), window=(500, 400)):

@@ -21,7 +21,7 @@ std::string_view first_filling(std::string_view text) {
     const std::size_t end = std::min(text.find(')', begin), text.size() - 1);
     const std::string_view filling = text.substr(begin, end - begin + 1);
     if (filling.find_first_of("123456789") != std::string_view::npos) return filling;
-    begin = text.find('(', end);
+    begin = text.find('(', begin + 1);
   }
   return {};
 }

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "base/context.hpp"
+#include "base/error.hpp"
 #include "base/tolerances.hpp"
 #include "orthospectrum/spectrum.hpp"
 #include "topology/homology.hpp"
@@ -192,8 +193,16 @@ std::string_view to_string(Verdict verdict) {
 Comparison compare(const Triangulation& first, const Triangulation& second,
                    const CanonizeOptions& options, Orientations orientations) {
   if (auto decided = compare_topology(first, second)) return *decided;
-  topology::require_geodesic_boundary(first);
-  topology::require_geodesic_boundary(second);
+  try {
+    topology::require_geodesic_boundary(first);
+    topology::require_geodesic_boundary(second);
+  } catch (const InvalidInput&) {
+    Comparison result;
+    result.orientations_known = orientations == Orientations::kKnown;
+    compare_triangulations(result, first, second, options);
+    if (result.verdict == Verdict::kHomeomorphic) return result;
+    throw;
+  }
   if (std::max(first.tetrahedron_count(), second.tetrahedron_count()) > kSlowToCanonize)
     if (auto decided = compare_arcs(first, second, options.solve)) return *decided;
   Comparison result;

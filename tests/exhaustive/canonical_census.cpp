@@ -126,7 +126,8 @@ TEST(Signatures, DecodeToTheManifold) {
     const CanonizeAnswer answer = canonize(decoded);
     ASSERT_TRUE(answer.manifold);
     EXPECT_EQ(answer.report.outcome, structure::Outcome::kGeometric);
-    EXPECT_TRUE(answer.manifold->path.empty());
+    // A larger one may be simplified first, and the moves lead back.
+    EXPECT_TRUE(answer.manifold->path.empty() || !answer.manifold->simplified.empty());
     EXPECT_EQ(answer.manifold->signature.unoriented, entry.signature);
     EXPECT_EQ(answer.manifold->cells, entry.cells);
     // The sign is that of the decoded triangulation by definition.

@@ -152,7 +152,8 @@ class Census(ProgramTest):
         self.assertEqual(len(self.run_program("census", "--cells", "Octahedra").lines), 78)
 
     def test_names_belong_to_one_manifold(self):
-        other = "eLMkbcdddheipi"  # not in the shipped census
+        # Of six tetrahedra: not in the shipped census.
+        other = self.run_program("cover", TRIPUS, "--degree", "3").text.split()[0]
         self.write("list", f"{TRIPUS}\n{other}\n")
         self.assertEqual(self.run_program("census", "--from", "list", "--tsv", "own.tsv").status, 0)
         shipped = {line.split()[0]: line.split()[-1]
@@ -161,6 +162,7 @@ class Census(ProgramTest):
             entry = json.loads(line)
             self.assertEqual(shipped.get(entry["name"], entry["signature"]), entry["signature"])
             if entry["name"] not in shipped:
+                self.assertEqual(entry["tetrahedra"], 6)
                 self.assertEqual(entry["name"], entry["signature"])
                 self.assertEqual(self.run_program("info", entry["name"]).status, 0)
         self.assertEqual(self.run_program("identify", TRIPUS, "--in", "own.tsv").status, 0)

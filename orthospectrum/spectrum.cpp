@@ -5,6 +5,8 @@
 #include <numeric>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "base/tolerances.hpp"
 #include "orthospectrum/detail/stage.hpp"
 
@@ -26,10 +28,10 @@ void require_options(const SpectrumOptions& options) {
   if (by_length == (options.count != 0))
     throw InvalidInput("either a length or a number of arcs bounds an orthospectrum");
   if (by_length && !(options.length > 0 && options.length <= kLongestArc)) {
-    throw InvalidInput("the length " + std::to_string(options.length) +
-                       " is not greater than 0 and at most " +
-                       std::to_string(static_cast<int>(kLongestArc)) +
-                       ": feet of longer arcs are too close for double precision");
+    throw InvalidInput(
+        fmt::format("the length {} is not greater than 0 and at most {}: feet of longer arcs are "
+                    "too close for double precision",
+                    options.length, kLongestArc));
   }
 }
 

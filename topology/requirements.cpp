@@ -92,8 +92,8 @@ void require_geodesic_boundary(const Triangulation& triangulation) {
   require_connected(triangulation);
   if (is_closed(triangulation))
     throw Unsupported(
-        "the link of every vertex is a sphere, so the manifold is closed; closed manifolds are "
-        "known to `tripus solve` only so far: geodesic boundary needs a link of genus 2 or more");
+        "the link of every vertex is a sphere, so the manifold is closed; its metric can be "
+        "solved for, but nothing else so far: geodesic boundary needs a link of genus 2 or more");
   for (std::size_t v = 0; v < triangulation.vertex_count(); ++v) {
     const VertexLink& link = triangulation.link(v);
     if (!link.orientable)
@@ -106,7 +106,7 @@ void require_geodesic_boundary(const Triangulation& triangulation) {
                          "remove it");
     if (link.euler_characteristic == 0)
       throw Unsupported(link_place(triangulation, v) +
-                        " is a torus; cusps are known to `tripus solve` only so far: for the "
+                        " is a torus; a metric with cusps can be solved for, but for the "
                         "rest every link must have genus 2 or more");
   }
 }

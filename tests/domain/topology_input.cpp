@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(
                         "cusp", "cPcbbbiht",
                         "the link of vertex class 0 (vertex 0 of tetrahedron 0) is a torus; cusps"},
                     BadInput{"sphere", "bkaagj",
-                             "is a sphere, so the manifold is closed; closed manifolds are known"},
+                             "is a sphere, so the manifold is closed; its metric can be solved for"},
                     BadInput{"klein", "bkaaid", "is a Klein bottle"}));
 
 TEST(Requirements, ACuspIsUnsupportedRatherThanInvalid) {

@@ -47,11 +47,11 @@ class Links(ProgramTest):
     what knows geodesic boundary only refuses them, and solve what no metric can have."""
 
     CASES = [
-        ("cPcbbbiht", "unsupported", "(vertex 0 of tetrahedron 0) is a torus; cusps are known to"),
+        ("cPcbbbiht", "unsupported", "(vertex 0 of tetrahedron 0) is a torus; a metric with cusps can be solved for"),
         ("cPcbbbdxm", "unsupported", "is a torus"),
-        ("bkaagj", "unsupported", "so the manifold is closed; closed manifolds are known to"),
-        ("bkaagb", "unsupported", "so the manifold is closed; closed manifolds are known to"),
-        ("cMcabbgqs", "unsupported", "so the manifold is closed; closed manifolds are known to"),
+        ("bkaagj", "unsupported", "so the manifold is closed; its metric can be solved for"),
+        ("bkaagb", "unsupported", "so the manifold is closed; its metric can be solved for"),
+        ("cMcabbgqs", "unsupported", "so the manifold is closed; its metric can be solved for"),
         ("bkaaid", "invalid-input", "is a Klein bottle"),
         ("bkaahd", "invalid-input", "its own reverse"),
         ("bkaagd", "invalid-input", "its own reverse"),

@@ -101,7 +101,7 @@ struct Inputs {
 Inputs read_lists(const std::vector<std::string>& paths) {
   Inputs inputs;
   for (const std::string& path : paths)
-    for (const auto& line : topology::read_batch(read_file(path))) {
+    for (const auto& line : read_batch_file(path)) {
       try {
         if (line.text == "-") throw InvalidInput(kNoStandardInput);
         const topology::NamedGluings loaded = load_manifold_input(line.text);

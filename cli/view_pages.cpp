@@ -154,7 +154,7 @@ void check_list(const std::string& list, const std::string& index) {
                        " is the list itself; give the index another name, such as index.html");
   // A pipe can be read only once.
   const bool is_pipe = std::filesystem::is_fifo(list, unknown);
-  if (!is_pipe) (void)topology::read_batch(read_file(list));
+  if (!is_pipe) (void)read_batch_file(list);
 }
 
 }  // namespace

@@ -165,7 +165,7 @@ void Journal::read(const std::string& text, const std::string& header) {
     throw InvalidInput(name + ": line 1, which says what it is of, is damaged; remove the file to "
                        "begin anew");
   if (line != header)
-    throw InvalidInput(name + " is of other work: it says " + quoted(line, 400) + ", this run is " +
+    throw InvalidInput(name + " is of other inputs, options or version: it says " + quoted(line, 400) + ", this run is " +
                        quoted(header, 400) + "; name another file, or remove it to begin anew");
   std::vector<std::size_t> damaged;
   std::size_t number = 2, at = end + 1;

@@ -6,7 +6,6 @@
 #include "topology/isosig.hpp"
 #include "topology/orientation.hpp"
 #include "topology/requirements.hpp"
-#include "topology/simplify/small_triangulations.hpp"
 
 namespace tripus::canonical {
 namespace {
@@ -77,9 +76,6 @@ std::vector<double> cell_edge_lengths(const CanonicalManifold& manifold) {
 
 namespace {
 
-/// Up to so many tetrahedra the search for a triangulation with the metric shrinks by itself.
-constexpr std::size_t kFew = 5;
-
 constexpr const char* kNotCanonical =
     "The metric was found, but no triangulation that subdivides the canonical decomposition.";
 
@@ -101,8 +97,9 @@ class Canonizer {
   CanonizeAnswer run() {
     auto metric = find_metric();
     if (!metric) return without_metric();
-    answer_.manifold =
-        canonize_metric(metric->triangulation, metric->report, options_.proto_canonical);
+    ProtoCanonicalOptions proto = options_.proto_canonical;
+    if (proto.stop_requested == nullptr) proto.stop_requested = solve_.stop_requested;
+    answer_.manifold = canonize_metric(metric->triangulation, metric->report, proto);
     if (!answer_.manifold) {
       answer_.message = kNotCanonical;
       return std::move(answer_);
@@ -117,9 +114,6 @@ class Canonizer {
  private:
   std::optional<Metric> find_metric() {
     topology::require_geodesic_boundary(input_);
-    if (options_.retriangulate && input_.tetrahedron_count() > kFew) {
-      if (auto small = simplified()) return small;
-    }
     const Gluings gluings = topology::oriented(input_.gluings());
     // Vertices and edges keep their numbers only if the labels did not change.
     Triangulation triangulation = gluings == input_.gluings() ? input_ : Triangulation(gluings);
@@ -139,20 +133,6 @@ class Canonizer {
     }
     return Metric{Triangulation(std::move(found.gluings)), std::move(found.report),
                   std::move(found.simplified), std::move(found.path)};
-  }
-
-  /// A smaller triangulation, if it carries the metric.
-  std::optional<Metric> simplified() {
-    for (Gluings& gluings :
-         topology::small_triangulations(input_.gluings(), 1, solve_.stop_requested)) {
-      if (gluings.tetrahedron_count() >= input_.tetrahedron_count()) return std::nullopt;
-      Triangulation triangulation(std::move(gluings));
-      answer_.report = structure::solve(triangulation, solve_);
-      if (answer_.report.outcome != Outcome::kGeometric) return std::nullopt;
-      std::string signature = topology::full_isosig(triangulation.gluings()).oriented();
-      return Metric{std::move(triangulation), answer_.report, std::move(signature), {}};
-    }
-    return std::nullopt;
   }
 
   CanonizeAnswer without_metric() {

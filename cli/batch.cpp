@@ -82,8 +82,8 @@ class Batch {
   };
 
   std::string interrupted_text(std::size_t answered, const BatchOptions& options) const {
-    return fmt::format("tripus: interrupted: the first {} of {} inputs are answered; {}\n", answered,
-                       lines_.size(),
+    return fmt::format("tripus: interrupted: {} of {} inputs answered, none after these; {}\n",
+                       answered, lines_.size(),
                        options.resume.empty()
                            ? "--json --resume FILE, with these answers in FILE, goes on from there"
                            : "the same command goes on from there");

@@ -81,7 +81,7 @@ Inputs read_lists(const std::vector<std::string>& paths) {
   Inputs inputs;
   for (const std::string& path : paths) {
     require_not_written(path);
-    for (const auto& line : topology::read_batch(read_file(path))) {
+    for (const auto& line : read_batch_file(path)) {
       try {
         if (line.text == "-") throw InvalidInput(kNoStandardInput);
         require_not_written(line.text);
@@ -129,6 +129,11 @@ void declare_outputs(const CensusCommand& command) {
 }
 
 int make(CensusCommand& command) {
+  const std::string path = journal_of(command);
+  const auto interrupted = [&](std::size_t done, std::size_t of) {
+    return fmt::format("tripus: interrupted after {} of {} triangulations{}\n", done, of,
+                       path.empty() ? "" : "; the same command goes on from there");
+  };
   const Inputs inputs = read_lists(command.lists);
   const std::vector<std::string>& list = inputs.triangulations;
   if (list.empty()) {
@@ -137,7 +142,6 @@ int make(CensusCommand& command) {
                            : fmt::format("none of the {} could be read: no census was made",
                                          counted(inputs.refused, "line", "lines")));
   }
-  const std::string path = journal_of(command);
   std::optional<Journal> journal;
   if (!path.empty()) journal.emplace(path, work_of(command, list));
   std::vector<CensusLine> lines;
@@ -154,18 +158,19 @@ int make(CensusCommand& command) {
   catch_interrupts();
   Progress progress(!command.quiet);
   std::size_t count = resumed;
+  set_last_words(interrupted(count, total));
   command.classify.stop_requested = &interrupt_requested();
   command.classify.canonize.solve.stop_requested = &interrupt_requested();
   command.classify.on_line = [&](const CensusLine& line) {
     if (journal) journal->add(canonical::to_journal(line));
     ++count;
+    set_last_words(interrupted(count, total));
     if (progress.due()) progress.show(fmt::format("{} of {} triangulations", count, total));
   };
   for (CensusLine& line : canonical::classify(todo, command.classify))
     lines.push_back(std::move(line));
   if (lines.size() < total) {
-    write_message(fmt::format("tripus: interrupted after {} of {} triangulations{}\n", lines.size(),
-                              total, path.empty() ? "" : "; the same command goes on from there"));
+    write_message(interrupted(lines.size(), total));
     return kNoAnswer;
   }
   std::size_t own = 0, moved = 0, refused = inputs.refused;

@@ -153,7 +153,7 @@ void check_list(const std::string& list) {
   std::error_code unknown;
   // A pipe can be read only once.
   const bool is_pipe = std::filesystem::is_fifo(list, unknown);
-  if (!is_pipe) (void)topology::read_batch(read_file(list));
+  if (!is_pipe) (void)read_batch_file(list);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ constexpr std::size_t kWarmStart = 32;
 /// Up to so many tetrahedra the search makes moves everywhere, beyond only around the trouble.
 constexpr std::size_t kSmall = 12;
 /// Moves at concave faces, and as many more for each tetrahedron, after which they are taken to go
-/// in circles: without circles a tenth of them was enough in every census.
+/// in circles.
 constexpr std::size_t kMoves = 100, kMovesPerTetrahedron = 20;
 /// Tetrahedra that the search may add.
 constexpr std::size_t kExtra = 2;

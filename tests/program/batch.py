@@ -1,8 +1,8 @@
 """--batch: one answer a line, in the order of the input, whatever the lines are."""
 
 import json
-import random
 import os
+import random
 import signal
 import subprocess
 import time

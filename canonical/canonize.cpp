@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/error.hpp"
 #include "topology/isosig.hpp"
 #include "topology/orientation.hpp"
 #include "topology/requirements.hpp"
@@ -97,8 +98,17 @@ class Canonizer {
   CanonizeAnswer run() {
     auto metric = find_metric();
     if (!metric) return without_metric();
-    answer_.manifold =
-        canonize_metric(metric->triangulation, metric->report, options_.proto_canonical);
+    answer_.manifold = canonical_of(*metric);
+    const bool is_own = metric->simplified.empty() && metric->path.empty();
+    if (!answer_.manifold && is_own && options_.retriangulate && !stopped()) {
+      // Nearly flat tetrahedra spoil the tilts, whose moves then go in circles: from a smaller
+      // triangulation it is another way.
+      Report start = metric->report;
+      start.outcome = Outcome::kUnresolved;
+      auto other = by_moves(metric->triangulation, std::move(start));
+      if (other) metric = std::move(other);
+      if (metric && !metric->simplified.empty()) answer_.manifold = canonical_of(*metric);
+    }
     if (!answer_.manifold) {
       answer_.message = kNotCanonical;
       return std::move(answer_);
@@ -111,6 +121,22 @@ class Canonizer {
   }
 
  private:
+  bool stopped() const {
+    return solve_.stop_requested != nullptr && solve_.stop_requested->load();
+  }
+
+  std::optional<CanonicalManifold> canonical_of(const Metric& metric) const {
+    ProtoCanonicalOptions proto = options_.proto_canonical;
+    if (proto.stop_requested == nullptr) proto.stop_requested = solve_.stop_requested;
+    try {
+      return canonize_metric(metric.triangulation, metric.report, proto);
+    } catch (const InternalError&) {
+      // Tilts that contradict each other: by rounding, if another triangulation agrees.
+      if (!metric.simplified.empty() || !options_.retriangulate) throw;
+      return std::nullopt;
+    }
+  }
+
   std::optional<Metric> find_metric() {
     topology::require_geodesic_boundary(input_);
     const Gluings gluings = topology::oriented(input_.gluings());
@@ -123,8 +149,13 @@ class Canonizer {
       answer_.message = answer_.report.message;
       return std::nullopt;
     }
-    structure::Retriangulation found =
-        structure::retriangulate(triangulation, answer_.report, solve_, options_.retriangulation);
+    return by_moves(triangulation, answer_.report);
+  }
+
+  /// Another triangulation of the manifold that carries the metric.
+  std::optional<Metric> by_moves(const Triangulation& triangulation, Report start) {
+    structure::Retriangulation found = structure::retriangulate(
+        triangulation, std::move(start), solve_, options_.retriangulation);
     if (found.report.outcome != Outcome::kGeometric) {
       answer_.message = found.report.message;
       answer_.advice = found.report.advice;

@@ -16,6 +16,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orthospectrum_text.hpp"
+#include "cli/output_names.hpp"
 #include "cli/progress.hpp"
 #include "cli/remedies.hpp"
 #include "cli/report_text.hpp"
@@ -208,6 +209,10 @@ void add_orthospectrum(CLI::App& program, Command& chosen) {
       kInputHelp + "\n" + kExitStatusHelp);
   verb->final_callback([command, &chosen] {
     chosen = [command] {
+      for (const auto& [option, path] : {std::pair("--tsv", command->table),
+                                         std::pair("--picture", command->picture),
+                                         std::pair("--plot", command->plot)})
+        if (!path.empty()) declare_output(option, path);
       return answer_inputs(command->common,
                            [&](const std::string& input) { return spectrum_one(*command, input); });
     };

@@ -5,11 +5,11 @@
 #include <exception>
 #include <limits>
 #include <mutex>
-#include <thread>
 #include <tuple>
 
 #include <fmt/format.h>
 
+#include "base/threads.hpp"
 #include "base/tolerances.hpp"
 
 namespace tripus::orthospectrum::detail {
@@ -184,11 +184,7 @@ void StageRunner::run_tiles(const Reach& reach, std::span<const Lid> lids, std::
     const std::scoped_lock lock(guard);
     windows_ += unfolding.window_count();
   };
-  std::vector<std::jthread> others;
-  const std::size_t wanted = std::min<std::size_t>(threads_, results.size());
-  for (std::size_t n = 1; n < wanted; ++n) others.emplace_back(work);
-  work();
-  others.clear();  // joins
+  run_on_threads(std::min<std::size_t>(threads_, results.size()), work);
   if (failure) std::rethrow_exception(failure);
 }
 

@@ -26,7 +26,7 @@ Manifold from_text(const nb::bytes& given, const Limits& limits) {
     topology::NamedGluings loaded = topology::read_triangulation(text);
     const StopFlag stop(context);
     make_ideal(loaded, topology::FiniteVertices::kKeep, stop.get());
-    for (const std::string& note : loaded.notes) context.note("the text: " + note);
+    for (const std::string& note : loaded.notes) context.note(note);
     return Manifold(std::move(loaded));
   });
 }
@@ -91,7 +91,7 @@ nb::tuple from_mesh(const PointArray& points, const IndexArray& cells, const nb:
     options.progress = context.progress;
     options.stop_requested = stop.get();
     meshing::Manifold made = meshing::manifold_of(file, options);
-    for (const std::string& note : made.notes) context.note("the mesh: " + note);
+    for (const std::string& note : made.notes) context.note(note);
     return made;
   });
   nb::dict stages;

@@ -114,7 +114,7 @@ void Work::warn() const {
   if (notes_.empty()) return;
   const nb::object category = nb::module_::import_("tripus._errors").attr("InputNote");
   for (const std::string& note : notes_)
-    if (PyErr_WarnEx(category.ptr(), note.c_str(), 2) != 0) throw nb::python_error();
+    if (PyErr_WarnEx(category.ptr(), note.c_str(), 3) != 0) throw nb::python_error();
 }
 
 }  // namespace tripus::python

@@ -390,7 +390,7 @@ class Manifold:
 
     def _no_metric(self) -> NoMetric:
         verdict = self.verdict()
-        hint = ": retriangulated() looks for another" if verdict.advice == "retriangulate" else ""
+        hint = " retriangulated() looks for one that does." if verdict.advice == "retriangulate" else ""
         return NoMetric(f"{self} has no metric: {verdict.message}{hint}", verdict)
 
     def volume(self, verified: bool = False) -> Volume:

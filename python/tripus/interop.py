@@ -86,6 +86,8 @@ def from_regina(triangulation: Any) -> _core.Manifold:
             raise Unsupported(
                 "the SnapPeaTriangulation has Dehn fillings; give its filledAll()"
             )
+    if not hasattr(triangulation, "tetrahedra"):
+        raise InvalidInput(f"a regina {type(triangulation).__name__} is no triangulation")
     table = []
     for tetrahedron in triangulation.tetrahedra():
         row: list[Any] = []

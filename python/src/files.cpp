@@ -4,7 +4,9 @@
 
 #include "base/output_file.hpp"
 #include "manifold/prepared.hpp"
+#include "meshing/formats/read_graph.hpp"
 #include "meshing/manifold.hpp"
+#include "meshing/tube/tube_surface.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 #include "topology/formats/json.hpp"
@@ -19,11 +21,13 @@ namespace {
 using PointArray = nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 using IndexArray = nb::ndarray<const std::uint32_t, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 
-/// The triangulation that a text holds, as `load` gives that of a file.
-Manifold from_text(const nb::bytes& given, const Limits& limits) {
+/// The triangulation that a text holds, as `load` gives that of a file. What another program wrote
+/// for us, such as peripheral curves, is left out without a note.
+Manifold from_text(const nb::bytes& given, bool notes, const Limits& limits) {
   const std::string text = as_string(given);
   return run(limits, [&](const Context& context) {
     topology::NamedGluings loaded = topology::read_triangulation(text);
+    if (!notes) loaded.notes.clear();
     const StopFlag stop(context);
     make_ideal(loaded, topology::FiniteVertices::kKeep, stop.get());
     for (const std::string& note : loaded.notes) context.note(note);
@@ -101,11 +105,30 @@ nb::tuple from_mesh(const PointArray& points, const IndexArray& cells, const nb:
   return nb::make_tuple(Manifold(topology::NamedGluings{called, std::move(solid.gluings)}), stages);
 }
 
+/// The surface of the tube around a graph in space: points and triangles.
+nb::tuple tube_around(const nb::bytes& drawing, const Limits& limits) {
+  const std::string text = as_string(drawing);
+  const meshing::SurfaceMesh surface = run(limits, [&](const Context& context) {
+    const StopFlag stop(context);
+    meshing::TubeOptions options;
+    options.progress = [&](std::string_view activity) { context.report(activity); };
+    options.stop_requested = stop.get();
+    return meshing::tube_surface(meshing::read_graph(text), options);
+  });
+  std::vector<double> points;
+  for (const auto& p : surface.points) points.insert(points.end(), p.begin(), p.end());
+  std::vector<std::uint32_t> triangles;
+  for (const auto& t : surface.triangles) triangles.insert(triangles.end(), t.begin(), t.end());
+  return nb::make_tuple(owned(std::move(points), {surface.points.size(), 3}),
+                        owned(std::move(triangles), {surface.triangles.size(), 3}));
+}
+
 }  // namespace
 
 void bind_files(nb::module_& module) {
   module.def("from_text", from_text);
   module.def("to_text", to_text);
+  module.def("tube_around", tube_around);
   module.def("from_mesh", from_mesh);
   module.def("renamed", [](const Manifold& manifold, const nb::bytes& name) {
     topology::NamedGluings given{as_string(name), manifold.triangulation().gluings()};

@@ -1,13 +1,15 @@
 #include "python/src/running.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <condition_variable>
 
 #include <pthread.h>
 
 namespace tripus::python {
 namespace {
 
-/// Two flags of the work that the main thread is at: what the signal handler may touch.
+/// The flag of the work that the main thread is at: what the signal handler may touch.
 std::atomic<std::atomic<bool>*> current_flag{nullptr};
 /// Python's own handler, which is called after ours.
 void (*python_handler)(int) = nullptr;
@@ -45,10 +47,12 @@ void prepare_for_work() {
 Work::Work(const Limits& limits) : progress_(limits.progress) {
   context_.threads = limits.threads;
   context_.stop_flag = &stop_;
-  if (limits.time_limit)
+  if (limits.time_limit) {
     context_.deadline = Context::Clock::now() +
                         std::chrono::duration_cast<Context::Clock::duration>(
                             std::chrono::duration<double>(std::min(*limits.time_limit, 1e9)));
+    start_timer();
+  }
   if (progress_.is_valid() && !progress_.is_none())
     context_.progress = [this](std::string_view activity, std::size_t tetrahedra) {
       report(activity, tetrahedra);
@@ -75,6 +79,18 @@ Work::Work(const Limits& limits) : progress_(limits.progress) {
   sigaction(SIGINT, &mine, nullptr);
 }
 
+void Work::start_timer() {
+  timer_ = std::jthread([this](const std::stop_token& over) {
+    std::mutex mutex;
+    std::condition_variable_any wake;
+    std::unique_lock lock(mutex);
+    const auto end = *context_.deadline + std::chrono::milliseconds(20);
+    if (wake.wait_until(lock, over, end, [] { return false; }) || over.stop_requested()) return;
+    timed_out_ = true;
+    stop_ = true;
+  });
+}
+
 Work::~Work() {
   if (!catches_) return;
   current_flag = outer_;
@@ -94,7 +110,7 @@ void Work::report(std::string_view activity, std::size_t tetrahedra) {
 }
 
 void Work::call(const std::function<void()>& work) {
-  stop_ = false;
+  stop_ = timed_out_.load();
   const nb::gil_scoped_release unlocked;
   if (is_forked) {
     std::thread(work).join();
@@ -107,7 +123,7 @@ bool Work::must_repeat() {
   if (!stop_) return false;
   if (failure_) std::rethrow_exception(failure_);
   if (PyErr_CheckSignals() != 0) throw nb::python_error();
-  return true;
+  return !timed_out_;
 }
 
 void Work::warn() const {

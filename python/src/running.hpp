@@ -33,6 +33,9 @@ struct Limits {
 /// that the work polls. It costs two system calls, where a second thread to wait in would cost more
 /// than a small solve.
 ///
+/// Time limits: some work knows deadlines, all of it knows the flag, so a timer raises that a moment
+/// later.
+///
 /// fork: a child has none of its parent's threads, but libgomp, which CHOLMOD uses, believes that
 /// the forking thread still has its team, and waits for it for ever. A new thread has a new team,
 /// so all work of a forked child is done in one.
@@ -54,9 +57,11 @@ class Work {
 
  private:
   void report(std::string_view activity, std::size_t tetrahedra);
+  void start_timer();
 
   Context context_;
   std::atomic<bool> stop_{false};
+  std::atomic<bool> timed_out_{false};
   std::atomic<bool>* outer_ = nullptr;
   bool catches_ = false;
   struct sigaction previous_ {};
@@ -64,6 +69,7 @@ class Work {
   std::mutex mutex_;
   std::exception_ptr failure_;
   std::vector<std::string> notes_;
+  std::jthread timer_;  ///< last: it ends before what it touches
 };
 
 /// Called once, by the thread that imports the module if it is the main one.

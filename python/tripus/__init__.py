@@ -16,7 +16,7 @@ _tetgen = _os.path.join(_os.path.dirname(__file__), "bin", "tripus-tetgen")
 if _os.path.exists(_tetgen):
     _os.environ.setdefault("TRIPUS_TETGEN", _tetgen)
 
-from tripus import _core
+from tripus import _core as _core
 from tripus._errors import (
     FileError,
     InputNote,

@@ -18,7 +18,7 @@ NO_LIMITS = _core.Limits()
 def _bar() -> Callable[[str, int], Any]:
     """A progress bar by tqdm; nothing where tqdm is not installed."""
     try:
-        from tqdm.auto import tqdm  # type: ignore[import-untyped]
+        from tqdm.auto import tqdm
     except ImportError:
         return lambda activity, count: None
     bar = tqdm(desc="tripus", unit="", leave=False)

@@ -7,17 +7,19 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-import numpy.typing as npt
-
 from tripus import _core
 from tripus._errors import Undecided
 from tripus._limits import Progress, limits
 from tripus.groups import AbelianGroup, IsometryGroup
 
 if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
     from tripus.manifold import Manifold
     from tripus.metric import Metric
+else:
+    from tripus._lazy import numpy as np
 
 
 class Volume(float):
@@ -44,9 +46,10 @@ class Volume(float):
         return self
 
     def _proved(self) -> tuple[float, float] | str:
-        if self._bounds is None:
-            self._bounds = _core.volume_bounds(self._metric._core)
-        return self._bounds
+        bounds: Any = self._bounds
+        if bounds is None:
+            bounds = self._bounds = _core.volume_bounds(self._metric._core)  # type: ignore[assignment]
+        return bounds  # type: ignore[no-any-return]
 
     @property
     def is_proved(self) -> bool:

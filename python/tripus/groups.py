@@ -7,14 +7,16 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, Union
 
-import numpy as np
-import numpy.typing as npt
-
 from tripus import _core
 from tripus._errors import InvalidInput, NoMetric
 
 if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
     from tripus.manifold import Manifold
+else:
+    from tripus._lazy import numpy as np
 
 #: A word: text such as "abA", or a list of letters, g + 1 for generator g and -(g + 1) for its inverse.
 Word = Union[str, Sequence[int]]

@@ -8,15 +8,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-import numpy.typing as npt
-
 from tripus import _core
 from tripus._errors import InvalidInput, Unsupported
 from tripus._limits import NO_LIMITS
 
 if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
     from tripus.manifold import Manifold
+
+    Points = npt.NDArray[np.float64]
+    Cells = npt.NDArray[np.uint32]
+else:
+    from tripus._lazy import numpy as np
 
 MESH_PACKAGES = ("meshio", "trimesh", "pyvista", "vtkmodules", "vtk")
 
@@ -45,7 +50,7 @@ def from_snappy(triangulation: Any) -> _core.Manifold:
             f"{triangulation} has Dehn fillings; give its filled_triangulation()"
         )
     text = triangulation._to_string()
-    core = _core.from_text(text.encode("utf-8", "replace"), NO_LIMITS)
+    core = _core.from_text(text.encode("utf-8", "replace"), False, NO_LIMITS)
     return core
 
 
@@ -110,7 +115,7 @@ def from_table(table: Any, name: str = "") -> _core.Manifold:
         text = json.dumps({"name": name, "gluings": table}, default=_plain)
     except (TypeError, ValueError) as error:
         raise InvalidInput(f"this is no gluing table: {error}") from None
-    return _core.from_text(text.encode(), NO_LIMITS)
+    return _core.from_text(text.encode(), True, NO_LIMITS)
 
 
 def _plain(thing: Any) -> Any:
@@ -136,10 +141,6 @@ def to_regina(manifold: Manifold) -> Any:
             if (other, back) > (t, face):
                 tetrahedra[t].join(face, tetrahedra[other], regina.Perm4(*image))
     return made
-
-
-Points = npt.NDArray[np.float64]
-Cells = npt.NDArray[np.uint32]
 
 
 def mesh_arrays(mesh: Any) -> tuple[Points, Cells]:
@@ -204,7 +205,7 @@ def _from_pyvista(mesh: Any) -> tuple[Points, Cells]:
         surface = mesh.triangulate()
         return _arrays(surface.points, surface.regular_faces)
     if isinstance(mesh, pyvista.UnstructuredGrid):
-        cells = mesh.cells_dict
+        cells: dict[Any, Any] = dict(mesh.cells_dict)
         if pyvista.CellType.TETRA in cells:
             return _arrays(mesh.points, cells[pyvista.CellType.TETRA])
         return _from_pyvista(mesh.extract_surface(algorithm="dataset_surface"))

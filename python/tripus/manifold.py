@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Mapping, Sequence
-from typing import Any
-
-import numpy as np
-import numpy.typing as npt
+from typing import TYPE_CHECKING, Any
 
 from tripus import _core, interop
+from tripus._core import Manifold as CoreManifold
 from tripus._errors import FileError, InvalidInput, NoMetric, Undecided, Unsupported
 from tripus._limits import NO_LIMITS, Progress, limits
 from tripus.answers import (
@@ -24,6 +23,12 @@ from tripus.answers import (
 )
 from tripus.groups import AbelianGroup, FundamentalGroup, IsometryGroup
 from tripus.metric import Metric
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+else:
+    from tripus._lazy import numpy as np
 
 #: SnapPy's words for what was found.
 _SOLUTION_TYPES = {
@@ -86,7 +91,7 @@ class Manifold:
     """
 
     __slots__ = ("_core", "__weakref__")
-    _core: _core.Manifold
+    _core: CoreManifold
 
     def __init__(
         self,
@@ -103,7 +108,7 @@ class Manifold:
         self._core = core if name is None else _renamed(core, name)
 
     @classmethod
-    def _wrap(cls, core: _core.Manifold) -> Manifold:
+    def _wrap(cls, core: CoreManifold) -> Manifold:
         self = object.__new__(cls)
         self._core = core
         return self
@@ -116,7 +121,7 @@ class Manifold:
         True
         """
         given = text.encode("utf-8", "surrogateescape") if isinstance(text, str) else text
-        core = _core.from_text(given, NO_LIMITS)
+        core = _core.from_text(given, True, NO_LIMITS)
         return cls._wrap(core if name is None else _renamed(core, name))
 
     @classmethod
@@ -144,6 +149,29 @@ class Manifold:
             points, cells, os.fsencode(name), seed, limits(time_limit, 0, progress)
         )
         return cls._wrap(core)
+
+    @classmethod
+    def from_drawing(
+        cls,
+        drawing: Any,
+        name: str = "",
+        *,
+        time_limit: float | None = None,
+        progress: Progress = None,
+    ) -> Manifold:
+        """The outside of a knot, link or graph drawn in space with straight pieces.
+
+        drawing  polylines, each [n x 3] points: where three or more ends meet is a vertex, a
+                 polyline alone is closed up to a knot; or a dict or file as for `tripus tube`.
+
+        >>> square = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+        >>> str(Manifold.from_drawing([square]).homology())
+        'Z'
+        """
+        points, triangles = surface_of_drawing(drawing, time_limit=time_limit, progress=progress)
+        return cls.from_mesh(
+            (points, triangles), name, time_limit=time_limit, progress=progress
+        )
 
     # What it is
 
@@ -287,7 +315,7 @@ class Manifold:
 
         One is enough to know; the mirror image counts as the same, as in ==.
         """
-        found = self._core.isomorphism_to(other._core)
+        found: Any = self._core.isomorphism_to(other._core)
         return [] if found is None else [found]
 
     def mirrored(self) -> Manifold:
@@ -514,7 +542,7 @@ class Manifold:
 
     def symmetry_group(self) -> IsometryGroup:
         """The isometry group; Undecided if it was not found."""
-        group = _core.isometry_group(self._core, NO_LIMITS)
+        group: Any = _core.isometry_group(self._core, NO_LIMITS)
         return self.canonical().isometry_group if group is None else IsometryGroup(group)
 
     def compare(self, other: Manifold, *, time_limit: float | None = None) -> Comparison:
@@ -547,7 +575,7 @@ class Manifold:
         hits = []
         refused = None
         try:
-            entry = _core.identify(self._core, NO_LIMITS)
+            entry: Any = _core.identify(self._core, NO_LIMITS)
             if entry is not None:
                 hits.append(CensusEntry("tripus", entry))
         except Unsupported as error:  # cusps, which the census does not have
@@ -682,6 +710,26 @@ class Manifold:
         )
 
 
+def surface_of_drawing(
+    drawing: Any, *, time_limit: float | None = None, progress: Progress = None
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]:
+    """Points and triangles of the surface around a drawing; see Manifold.from_drawing."""
+    if isinstance(drawing, (str, os.PathLike)):
+        with open(drawing, "rb") as file:
+            text = file.read()
+    elif isinstance(drawing, Mapping):
+        text = json.dumps(dict(drawing)).encode()
+    else:
+        lines = [np.asarray(line, dtype=float) for line in drawing]
+        if not lines or any(line.ndim != 2 or line.shape[1] != 3 for line in lines):
+            raise InvalidInput("a drawing is a list of polylines, each an array [n x 3]")
+        text = "\n\n".join(
+            "\n".join(" ".join(map(repr, p)) for p in line.tolist()) for line in lines
+        ).encode()
+    points, triangles = _core.tube_around(text, limits(time_limit, 0, progress))
+    return points, triangles
+
+
 def write_whole(path: str, text: bytes) -> None:
     """Writes a file as a whole, or not at all."""
     _core.write_file(os.fsencode(path), text)
@@ -702,7 +750,7 @@ def _history_columns(rows: npt.NDArray[np.float64]) -> dict[str, npt.NDArray[Any
     return columns
 
 
-def _renamed(core: _core.Manifold, name: str) -> _core.Manifold:
+def _renamed(core: CoreManifold, name: str) -> CoreManifold:
     return _core.renamed(core, os.fsencode(name))
 
 
@@ -712,20 +760,24 @@ def _restored(
     return Manifold._wrap(_core.from_arrays(neighbours, images, name, given, orientation_known))
 
 
-def _loaded(source: str, time_limit: float | None, progress: Progress) -> _core.Manifold:
+def _loaded(source: str, time_limit: float | None, progress: Progress) -> CoreManifold:
     if source.startswith(("% Triangulation", "% orb", "<?xml", '{"')) or "\n" in source:
-        return _core.from_text(source.encode("utf-8", "surrogateescape"), NO_LIMITS)
+        return _core.from_text(source.encode("utf-8", "surrogateescape"), True, NO_LIMITS)
     try:
         return _core.load(os.fsencode(source), limits(time_limit, 0, progress))
     except InvalidInput:
         mesh = interop.read_by_meshio(source) if os.path.isfile(source) else None
         if mesh is None:
             raise
-    core, _ = _core.from_mesh(*mesh, os.fsencode(source), 0, limits(time_limit, 0, progress))
+    points, cells = mesh
+    core: CoreManifold
+    core, _ = _core.from_mesh(
+        points, cells, os.fsencode(source), 0, limits(time_limit, 0, progress)
+    )
     return core
 
 
-def _from_thing(source: Any, time_limit: float | None, progress: Progress) -> _core.Manifold:
+def _from_thing(source: Any, time_limit: float | None, progress: Progress) -> CoreManifold:
     if isinstance(source, Manifold):
         return source._core
     if isinstance(source, (str, os.PathLike)):

@@ -5,15 +5,17 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-import numpy.typing as npt
-
 from tripus import _core
 from tripus._limits import Progress, limits
 from tripus.answers import Orthospectrum, Verdict, Volume, html_table
 
 if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
     from tripus.manifold import Manifold
+else:
+    from tripus._lazy import numpy as np
 
 
 class Metric:

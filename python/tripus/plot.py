@@ -8,7 +8,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -81,7 +81,7 @@ def convergence(
     return ax.figure
 
 
-def volumes(many: Iterable[Any] | Any, ax: Any = None, *, bins: int = 60) -> Any:
+def volumes(many: Any, ax: Any = None, *, bins: int = 60) -> Any:
     """The volumes of a list of manifolds, or of the frame that solve_many returns."""
     if hasattr(many, "columns") or getattr(many, "dtype", None) is not None:
         numbers = np.asarray(many["volume"] if _has_volume(many) else many, dtype=float)

@@ -9,13 +9,15 @@ import tempfile
 import zlib
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-import numpy.typing as npt
-
 from tripus.answers import html_table
 
 if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
     from tripus.manifold import Manifold
+else:
+    from tripus._lazy import numpy as np
 
 #: Tables in notebooks have a picture for manifolds up to this size.
 MOST_TETRAHEDRA_FOR_PICTURE = 200

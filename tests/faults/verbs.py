@@ -89,7 +89,7 @@ def plain(data):
     """What must be the same in every run: all but times, and the machine's threads."""
     text = data if isinstance(data, bytes) else data.encode()
     text = re.sub(rb'"seconds": ?[-+.e0-9]+', b'"seconds": 0', text)
-    text = re.sub(rb'\b(time|took)\b[^\n]*', b"", text)
+    text = re.sub(rb"\b[0-9][-+.e0-9]* s\b", b"some s", text)
     return text
 
 

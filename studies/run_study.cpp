@@ -139,9 +139,11 @@ RunResult run_study(const Study& study, const StudyOptions& given, const RunOpti
   for (const Item& item : plan.items) result.done += store.has(item.id);
   if (!result.finished()) return result;
   std::vector<Table> tables = collect(plan, store);
-  const Findings findings = plan.conclude(tables);
+  Findings findings = plan.conclude(tables);
   tables.insert(tables.end(), findings.tables.begin(), findings.tables.end());
   write_results({study, options, run.threads, tables, findings}, folder, result);
+  result.tables = std::move(tables);
+  result.figures = std::move(findings.figures);
   return result;
 }
 

@@ -28,7 +28,7 @@ USES = {
     "integrators": ["solver"],
     "energies": ["topology", "geometry", "solver"],
     "structure": ["energies", "solver", "integrators"],
-    "orthospectrum": ["topology", "geometry"],
+    "orthospectrum": ["structure"],
     "canonical": ["structure", "orthospectrum"],
     "meshing": ["topology"],
     "embedding": ["structure"],
@@ -36,6 +36,7 @@ USES = {
     "viewer": ["embedding"],
     "studies": ["structure", "canonical"],
     "cli": ["manifold", "viewer", "studies"],
+    "python": ["manifold", "viewer", "studies"],
 }
 
 HIDDEN = re.compile(

@@ -148,6 +148,7 @@ int run(const std::vector<std::string>& given) {
 
 int main(int argc, char** argv) {
   secure_standard_streams();
+  limit_blas_threads(argv);
   catch_interrupts();
   const std::vector<std::string> arguments(argv + 1, argv + std::max(argc, 1));
   try {

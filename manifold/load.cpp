@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "canonical/census.hpp"
 #include "manifold/prepared.hpp"
+#include "meshing/formats/foreign_meshes.hpp"
 #include "meshing/manifold.hpp"
 #include "topology/formats/foreign_names.hpp"
 #include "topology/formats/signature.hpp"
@@ -50,9 +51,20 @@ std::optional<topology::NamedGluings> find_in_census(const std::string& name) {
 topology::NamedGluings read_signature(const std::string& text) {
   try {
     return topology::read_signature(text);
-  } catch (const InvalidInput&) {
+  } catch (const InvalidInput& error) {
     if (const auto foreign = topology::foreign_name(text)) throw InvalidInput(*foreign);
-    throw;
+    if (text.find_first_of("./") == std::string::npos) throw;
+    throw InvalidInput("there is no file " + quoted(text) +
+                       ", and it is no signature: " + error.what());
+  }
+}
+
+bool is_signature(const std::string& text) {
+  try {
+    topology::read_signature(text);
+    return true;
+  } catch (const Error&) {
+    return false;
   }
 }
 
@@ -83,9 +95,15 @@ bool is_drawing(const std::string& text) {
       meshing::mesh_format_names() + "; a name of the census");
 }
 
+/// What is a mesh in a format that is not read.
+void refuse_foreign_mesh(const std::string& content) {
+  if (const auto foreign = meshing::foreign_mesh(content)) throw InvalidInput(*foreign);
+}
+
 /// The triangulations in a text; a list of several signatures belongs to --batch.
 std::vector<topology::NamedGluings> read_all_of(const std::string& text) {
   const topology::TextFormat format = topology::detect_format(text);
+  refuse_foreign_mesh(text);
   if (format == topology::TextFormat::kJson && is_drawing(text)) refuse_drawing();
   if (format == topology::TextFormat::kUnknown || format == topology::TextFormat::kIsosig) {
     const auto lines = topology::read_batch(text);
@@ -96,7 +114,7 @@ std::vector<topology::NamedGluings> read_all_of(const std::string& text) {
         return one;
       }
     }
-    if (lines.size() > 1 && topology::looks_like_signature(lines.front().text)) {
+    if (lines.size() > 1 && is_signature(lines.front().text)) {
       throw InvalidInput("it holds " + std::to_string(lines.size()) +
                          " inputs; give it to --batch to run them all");
     }
@@ -301,6 +319,7 @@ meshing::MeshFile load_mesh(const std::string& input) {
   const std::string content = read_file(input);
   if (auto mesh = read_as_mesh(content, input)) return *std::move(mesh);
   return blame(source_of(input), [&]() -> meshing::MeshFile {
+    refuse_foreign_mesh(content);
     const topology::TextFormat format = topology::detect_format(content);
     if (format == topology::TextFormat::kUnknown || format == topology::TextFormat::kJson)
       (void)read_all_of(content);  // says what it is, if it is no triangulation either

@@ -37,7 +37,7 @@ nb_ipywidgets_js = {}
 myst_enable_extensions = ["colon_fence"]
 myst_heading_anchors = 4
 # The pages link to files of the repository as well.
-suppress_warnings = ["myst.xref_missing", "misc.highlighting_failure"]
+suppress_warnings = ["myst.xref_missing", "myst.header", "misc.highlighting_failure"]
 
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
@@ -64,5 +64,22 @@ def _as_rst(app, what, name, obj, options, lines):
     lines[:] = out
 
 
+_CONTENTS = {
+    "Tutorials": "tutorials/triangulation tutorials/solid tutorials/same-or-not",
+    "Python": "python notebooks/drawing notebooks/metric notebooks/manifold notebooks/many api",
+    "Reference": "meshing formats verdicts proof canonical embedding orthospectrum studies",
+    "Theory": "theory notation architecture",
+}
+
+
+def _with_contents(app, docname, source):
+    """docs/index.md is for readers of the files; the site wants its contents as well."""
+    if docname == "index":
+        for caption, pages in _CONTENTS.items():
+            lines = "\n".join(pages.split())
+            source[0] += f"\n```{{toctree}}\n:caption: {caption}\n:hidden:\n\n{lines}\n```\n"
+
+
 def setup(app):
+    app.connect("source-read", _with_contents)
     app.connect("autodoc-process-docstring", _as_rst)

@@ -28,7 +28,7 @@ USES = {
     "integrators": ["solver"],
     "energies": ["topology", "geometry", "solver"],
     "structure": ["energies", "solver", "integrators"],
-    "orthospectrum": ["topology", "geometry"],
+    "orthospectrum": ["structure"],
     "canonical": ["structure", "orthospectrum"],
     "meshing": ["topology"],
     "embedding": ["structure"],

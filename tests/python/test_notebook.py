@@ -158,7 +158,7 @@ def test_the_documentation_builds_without_network():
     for name in tripus.__all__:
         if name[0].isupper():
             assert f'id="tripus.{name}"' in api, f"{name} is not in docs/api.md"
-    tutorial = (site / "tutorials/drawing.html").read_text()
+    tutorial = (site / "notebooks/drawing.html").read_text()
     assert "srcdoc=" in tutorial and "m004" in tutorial and "6.451990270835" in tutorial
     for page in site.rglob("*.html"):
         loaded = re.findall(r'''<(?:script|img|iframe|link)[^>]*(?:src|href)=["'](https?:[^"']*)''',

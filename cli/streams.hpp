@@ -1,0 +1,12 @@
+#pragma once
+
+namespace tripus::cli {
+
+/// To be called first of all: where standard input, output or error is closed, opens the null
+/// device in its place, so that no file that is opened later takes its number and gets our
+/// messages. The device is opened for the other direction: reading nothing and writing to nowhere
+/// are errors that are told, not done in silence. A file that grows beyond a limit gives an error
+/// like a full disk instead of a signal.
+void secure_standard_streams();
+
+}  // namespace tripus::cli

@@ -35,7 +35,7 @@ def _figure_class() -> Any:
     # figures only, so these say by themselves how.
     from matplotlib.figure import Figure
 
-    class Plot(Figure):  # type: ignore[misc]
+    class Plot(Figure):
         def _repr_png_(self) -> bytes:
             buffer = io.BytesIO()
             self.savefig(buffer, format="png", dpi=100)

@@ -175,3 +175,46 @@ def test_readme_lines_run(program):
                                   optionflags=doctest.ELLIPSIS | doctest.IGNORE_EXCEPTION_DETAIL)
         assert result.failed == 0 and result.attempted >= 2, name
     assert DATA.is_dir()
+
+
+def test_the_page_says_what_the_pointer_rests_on(tmp_path):
+    """Tetrahedron, face and word of what is seen; the word leads to the cell that is there."""
+    sys.path.insert(0, str(ROOT / "tests/program"))
+    from browser import draw
+
+    M = tripus.Manifold("dLQbcccherw")
+    page = tmp_path / "page.html"
+    page.write_text(M.page(cells=20))
+    width, height = 200, 150
+    places = [(x, y) for x in range(60, 141, 10) for y in range(40, 111, 10)]
+    # Pixels are counted from the lower left corner, places from the upper left one.
+    wish = "&hover=" + ",".join(
+        f"{(x + 0.5) / width}:{1 - (y + 0.5) / height}" for x, y in places)
+    size = f"size={width}x{height}"
+    outside, inside = draw(page, f"{size}&model=ball&cells=20{wish}", f"{size}&view=inside{wish}")
+    group = M.fundamental_group(simplify_presentation=False)
+    domain = M.metric.fundamental_domain()
+    place = dict(zip(domain.tetrahedra.tolist(), domain.isometries))
+    words = set()
+    for (x, y), text in zip(places, outside.facts["hover"]):
+        low, high, surface, _ = outside.at(outside.identities, x, y)
+        assert bool(text) == (surface > 0)
+        if not text:
+            continue
+        cell = outside.facts["cells"][low + 256 * high]
+        match = re.match(r"tetrahedron (\d+), (face|truncation) (\d).*; word (\w+)$", text)
+        t, kind, number, word = match.groups()
+        assert int(t) == cell["tetrahedron"]
+        assert (kind == "truncation") == (surface > 4) and int(number) == (surface - 1) % 4
+        isometry = group.O31("" if word == "1" else word) @ place[int(t)]
+        assert abs(isometry - np.array(cell["isometry"]).reshape(4, 4)).max() < 1e-6, word
+        words.add(word)
+    assert len(words) >= 4
+    seen = 0
+    for (x, y), text in zip(places, inside.facts["hover"]):
+        kind, tetrahedron, number, rest = inside.at(inside.identities, x, y)
+        if text:
+            seen += 1
+            assert text.startswith(f"tetrahedron {tetrahedron}, ")
+            assert ("truncation" in text) == (kind == 1) and f"; {255 - rest} faces away" in text
+    assert seen > 20

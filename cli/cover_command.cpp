@@ -252,7 +252,7 @@ class DistinctManifolds {
 /// Writes the covers of one INPUT; the exit status it deserves.
 int write_covers(const CoverCommand& command, const std::string& input, Sink& sink,
                  Progress& progress) {
-  const topology::NamedGluings loaded = load_input(input, interruptible());
+  const topology::NamedGluings loaded = load_manifold_input(input, interruptible());
   const topology::Triangulation base(loaded.gluings);
   catch_interrupts();
   if (command.sheets() > kMostTetrahedra / base.tetrahedron_count())

@@ -14,9 +14,9 @@
 namespace tripus::cli {
 namespace {
 
-/// What a tetrahedron takes at the height of `tripus solve`, all told: measured, see
-/// docs/reliability.md. Other verbs take less, or not much more.
-constexpr double kBytesPerTetrahedron = 3000;
+/// What the program takes before it begins, and a tetrahedron at the height of `tripus solve` of a
+/// gluing table: measured, see docs/reliability.md. Other verbs take as much or a few times more.
+constexpr double kBytesAtLeast = 110e6, kBytesPerTetrahedron = 800;
 
 bool is_out_of_memory(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;
@@ -27,10 +27,8 @@ bool is_out_of_memory(const std::exception& error) {
 }
 
 std::string bytes_text(double bytes) {
-  for (const auto& [unit, size] : {std::pair{"GB", 1e9}, std::pair{"MB", 1e6}})
-    if (bytes >= 10 * size || (bytes >= size && *unit == 'G'))
-      return fmt::format("{:.0f} {}", bytes / size, unit);
-  return "10 MB";
+  return bytes >= 1e9 ? fmt::format("{:.1f} GB", bytes / 1e9)
+                      : fmt::format("{:.0f} MB", bytes / 1e6);
 }
 
 }  // namespace
@@ -40,7 +38,7 @@ std::string failure_text(const std::exception& error) {
   const std::size_t tetrahedra = topology::work_size();
   if (tetrahedra == 0) return "not enough memory, even to begin";
   return fmt::format("not enough memory for {} tetrahedra (needs about {})", tetrahedra,
-                     bytes_text(double(tetrahedra) * kBytesPerTetrahedron + 20e6));
+                     bytes_text(double(tetrahedra) * kBytesPerTetrahedron + kBytesAtLeast));
 }
 
 int status_of(const std::exception& error) {

@@ -23,8 +23,9 @@ struct LastWords {
   std::string message = "tripus: interrupted; there is no answer yet\n";
   std::string output;
 };
-// A handler may read one while the other is written.
-std::array<LastWords, 2> last_words;
+// A handler may read one while the other is written, and even while the process ends: so they are
+// never destroyed.
+std::array<LastWords, 2>& last_words = *new std::array<LastWords, 2>;
 std::atomic<std::size_t> spoken{0};
 
 timer_t grace{};

@@ -243,6 +243,22 @@ void tell_notes(const topology::NamedGluings& loaded, const std::string& input,
   for (const std::string& note : loaded.notes) context.note(source_of(input) + ": " + note);
 }
 
+/// A list of inputs is text, and no mesh.
+void require_list(const std::string& content, const std::string& path) {
+  const auto mesh = meshing::detect_mesh_format(content, path);
+  if (mesh)
+    throw InvalidInput("it is a mesh (" + std::string(*mesh) +
+                       ") and no list; write its name on a line of one");
+  refuse_foreign_mesh(content);
+  const auto is_binary = [](char c) {
+    return (c >= 0 && c < ' ' && std::string_view("\t\r\n\f\v").find(c) == std::string_view::npos);
+  };
+  if (std::any_of(content.begin(),
+                  content.begin() + std::ptrdiff_t(std::min<std::size_t>(content.size(), 4096)),
+                  is_binary))
+    throw InvalidInput("it is a binary file and no list of inputs, one a line");
+}
+
 }  // namespace
 
 std::string read_file(const std::string& path) {
@@ -258,6 +274,7 @@ std::string read_file(const std::string& path) {
 
 std::vector<topology::BatchLine> read_batch_file(const std::string& path) {
   const std::string content = read_file(path);
+  blame(source_of(path), [&] { require_list(content, path); });
   if (topology::detect_format(content) != topology::TextFormat::kReginaXml)
     return topology::read_batch(content);
   if (path == "-")

@@ -55,7 +55,7 @@ constexpr Attempt kAttempts[] = {{0, true}, {0, false}, {1, true},  {2, false},
                                  {3, true}, {4, false}, {5, false}, {6, false}};
 
 /// A try ends after so many seconds: where TetGen succeeds it takes far less, and it may hang.
-constexpr double kShortTry = 1, kShortTryEach = 1e-3;
+constexpr double kShortTry = 0.5, kShortTryEach = 1e-3;
 /// Of processor time to that on a clock, at most, on a machine that is busy.
 constexpr double kBusy = 8;
 
@@ -237,7 +237,7 @@ class Filler {
     question.keep_boundary = attempt.keep_boundary;
     question.max_volume = max_volume;
     question.memory_limit = options_.memory_limit;
-    question.processor_seconds = static_cast<std::uint64_t>(std::ceil(seconds)) + 1;
+    question.processor_seconds = static_cast<std::uint64_t>(std::ceil(seconds));
     question.deadline = std::fmin(deadline_, detail::now_in_seconds() + kBusy * seconds);
     question.stop_requested = options_.stop_requested;
     detail::TetgenAnswer answer = detail::ask_tetgen(question);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <Eigen/Dense>
+#include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "geometry/mixed_tetrahedron.hpp"
@@ -28,6 +29,13 @@ Wide4 gram_of(const topology::Triangulation& triangulation, std::span<const doub
   for (int i = 0; i < 4; ++i)
     diagonal[static_cast<std::size_t>(i)] =
         triangulation.link(triangulation.vertex_class(t, i)).euler_characteristic == 0 ? 0 : 1;
+  for (std::size_t e = 0; e < 6; ++e) {
+    const auto [i, j] = topology::kEdgeEnds[e];
+    const bool is_compact =
+        diagonal[static_cast<std::size_t>(i)] != 0 && diagonal[static_cast<std::size_t>(j)] != 0;
+    if (!std::isfinite(l[e]) || (is_compact && !(l[e] > 0)))
+      throw InvalidInput(fmt::format("edge {} of tetrahedron {} has the length {}", e, t, l[e]));
+  }
   if (geometry::mixed_dihedral_angles(l, diagonal, theta) !=
       geometry::TetrahedronKind::kTruncated) {
     throw InvalidInput("tetrahedron " + std::to_string(t) +

@@ -66,13 +66,13 @@ TetrahedralizeOptions little_memory() {
 
 TEST(MeshingProcess, Crashes) {
   const FalseTetgen tetgen("kill -SEGV $$");
-  EXPECT_NE(message_of<Unsupported>(little_memory()).find("was ended by signal 11"),
+  EXPECT_NE(message_of<IoError>(little_memory()).find("was ended by signal 11"),
             std::string::npos);
 }
 
 TEST(MeshingProcess, EndsEarly) {
   const FalseTetgen tetgen("exit 7");
-  EXPECT_NE(message_of<Unsupported>(little_memory()).find("ended with status 7"),
+  EXPECT_NE(message_of<IoError>(little_memory()).find("ended with status 7"),
             std::string::npos);
 }
 

@@ -36,7 +36,7 @@ USES = {
     "viewer": ["embedding"],
     "studies": ["structure", "canonical"],
     "cli": ["manifold", "viewer", "studies"],
-    "python": ["manifold", "viewer", "studies"],
+    "python": ["cli"],
 }
 
 HIDDEN = re.compile(

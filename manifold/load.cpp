@@ -13,6 +13,7 @@
 #include "base/compression.hpp"
 #include "base/error.hpp"
 #include "canonical/census.hpp"
+#include "manifold/load_diagram.hpp"
 #include "manifold/prepared.hpp"
 #include "meshing/manifold.hpp"
 #include "topology/diagrams/read_diagram.hpp"
@@ -229,8 +230,8 @@ topology::NamedGluings load_as_given(const std::string& input, Wanted wanted,
     return read_single(content, source_of(place->file), place->label, context);
   }
   if (auto word = read_word(input, context)) {
-    // What was typed needs no other name.
-    if (word->name == input || topology::looks_like_signature(input)) word->name.clear();
+    const bool is_name = canonical::is_census_name(input) || topology::find_diagram(input);
+    if (!is_name && !topology::looks_like_diagram(input)) word->name.clear();  // a signature
     return *std::move(word);
   }
   throw InvalidInput(
@@ -329,6 +330,27 @@ topology::NamedGluings load_labelled_input(const std::string& input, Balls balls
            topology::FiniteVertices::kKeep, context);
   tell_notes(loaded, input, context);
   return loaded;
+}
+
+topology::NamedDiagram load_diagram(const std::string& input) {
+  const auto read = [](const std::string& text) -> topology::NamedDiagram {
+    const auto lines = topology::read_batch(text);
+    if (lines.size() == 1)
+      if (const topology::TabledDiagram* entry = topology::find_diagram(lines.front().text))
+        return {.name = entry->name, .diagram = entry->diagram};
+    return topology::read_diagram(text);
+  };
+  if (const auto place = find_file(input); place && !place->label) {
+    const std::string content = read_file(place->file);
+    return blame(source_of(input), [&] { return read(content); });
+  }
+  if (topology::find_diagram(input) == nullptr && topology::is_diagram_name(input))
+    refuse_unknown_name(input);
+  if (topology::find_diagram(input) == nullptr && !topology::looks_like_diagram(input))
+    throw InvalidInput(quoted(input) +
+                       " is no diagram: give one as PD: X[4,2,5,1] ..., a file with one, or a name "
+                       "of the tables (tripus table lists them)");
+  return read(input);
 }
 
 meshing::MeshFile load_mesh(const std::string& input) {

@@ -36,14 +36,11 @@ class DiagramEditor {
   void join(Dart one, Dart two, std::int64_t name);
   /// Takes a node away; its darts must not be wanted any more.
   void remove_node(std::uint32_t node) { darts_[node].clear(); }
-  /// Takes a dart out of its node.
-  void remove_dart(Dart d);
-  /// Puts a free dart into a vertex behind another one, counterclockwise.
-  Dart insert_dart_after(Dart d);
-  /// Exchanges two darts' places in their node.
-  void exchange(Dart one, Dart two);
-  /// Turns the darts of a node by one place: at a crossing what was above is below.
-  void turn(std::uint32_t node);
+  /// Gives a node these darts, counterclockwise.
+  void set_darts(std::uint32_t node, const std::vector<Dart>& darts);
+  /// Takes a crossing away and lets its two strands pass straight on. A strand that has no other
+  /// node becomes a circle with a vertex of degree 2.
+  void dissolve(std::uint32_t crossing);
 
   Diagram finished() const;
 
@@ -59,14 +56,5 @@ class DiagramEditor {
   std::vector<Dart> mates_;
   std::vector<std::int64_t> names_;
 };
-
-/// Puts a kink (a Reidemeister I move) into the arc of dart d: the strand crosses itself once, and
-/// the small loop lies to the left of d. `over`: the strand, on its way from d, passes above first.
-void add_kink(DiagramEditor& editor, Dart d, bool over);
-
-/// Pushes the arc of dart `over` across that of dart `under` (Reidemeister II), where both have the
-/// same region to their left, or lie in different pieces, whose regions then become one. The arcs
-/// must differ.
-void push_across(DiagramEditor& editor, Dart over, Dart under);
 
 }  // namespace tripus::topology

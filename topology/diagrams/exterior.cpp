@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <optional>
 #include <unordered_map>
 #include <utility>
 
 #include "base/error.hpp"
-#include "topology/diagrams/editor.hpp"
+#include "topology/diagrams/moves.hpp"
 
 // A *wall* is a face of a tetrahedron with the vertices (strand, P, M), on one side of an arc. The
 // walls of an arc's two ends are glued along the arc, left to left and right to right of it. At a
@@ -52,25 +53,79 @@ std::vector<Dart> kept_darts(const Diagram& diagram, std::span<const std::int64_
   return darts;
 }
 
-/// One piece, and in every region a crossing (or a kept arc), so that every wall ends somewhere.
+/// Disjoint sets of vertices.
+class Sets {
+ public:
+  explicit Sets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+  /// False if they are in one set already.
+  bool join(std::uint32_t one, std::uint32_t two) {
+    one = root(one);
+    two = root(two);
+    parent_[one] = two;
+    return one != two;
+  }
+
+ private:
+  std::uint32_t root(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  std::vector<std::uint32_t> parent_;
+};
+
+/// Darts of strands to be kinked so that no cycle of the graph, and no knot, lies everywhere above
+/// or everywhere below: around such a one the octahedra leave spheres instead of its boundary,
+/// since nothing then joins its left side with its right one.
+std::vector<Dart> level_cycles(const Diagram& diagram, const std::vector<Dart>& kept) {
+  const Strands all = strands(diagram);
+  std::vector<bool> done(all.all.size(), false);
+  for (const Dart d : kept) done[all.of_dart[d]] = true;
+  std::vector<Dart> darts;
+  for (const bool above : {true, false}) {
+    Sets sets(diagram.node_count());
+    for (std::size_t s = 0; s < all.all.size(); ++s) {
+      const Strand& strand = all.all[s];
+      const auto is_level = [&](Dart d) {
+        const Dart end = diagram.mate(d);
+        return !diagram.is_at_crossing(end) || diagram.is_under(end) != above;
+      };
+      if (done[s] || !std::ranges::all_of(strand.darts, is_level)) continue;
+      if (!strand.closed && sets.join(diagram.node(strand.darts.front()),
+                                      diagram.node(diagram.mate(strand.darts.back()))))
+        continue;
+      darts.push_back(strand.darts.front());
+      done[s] = true;
+    }
+  }
+  return darts;
+}
+
+/// One piece, no level cycles, and in every region a crossing (or a kept arc), so that every wall
+/// ends somewhere.
 Diagram prepared(const Diagram& diagram, const std::vector<Dart>& kept, DiagramExterior& result) {
   const DiagramPieces parts = pieces(diagram);
   result.pieces = parts.count;
   const DiagramRegions areas = regions(diagram);
+  std::vector<Dart> kinks = level_cycles(diagram, kept);
   std::vector<bool> has_wall(areas.count(), false);
+  const auto mark = [&](Dart d) {
+    has_wall[areas.of_dart[d]] = has_wall[areas.of_dart[diagram.mate(d)]] = true;
+  };
   for (Dart d = 0; d < diagram.dart_count(); ++d)
     if (diagram.is_at_crossing(d)) has_wall[areas.of_dart[d]] = true;
-  for (const Dart d : kept)
-    has_wall[areas.of_dart[d]] = has_wall[areas.of_dart[diagram.mate(d)]] = true;
-  if (parts.count == 1 && std::ranges::find(has_wall, false) == has_wall.end()) return diagram;
-  DiagramEditor editor(diagram);
+  std::ranges::for_each(kept, mark);
+  std::ranges::for_each(kinks, mark);
   for (std::size_t r = 0; r < areas.count(); ++r) {
     if (has_wall[r]) continue;
-    const Dart d = areas.start[r];
-    add_kink(editor, d, true);
-    ++result.kinks;
-    has_wall[r] = has_wall[areas.of_dart[diagram.mate(d)]] = true;
+    kinks.push_back(areas.start[r]);
+    mark(areas.start[r]);
   }
+  result.kinks = kinks.size();
+  if (parts.count == 1 && kinks.empty()) return diagram;
+  DiagramEditor editor(diagram);
+  for (const Dart d : kinks) add_kink(editor, d, true);
   std::vector<Dart> sample(parts.count, kNoDart);
   for (Dart d = 0; d < diagram.dart_count(); ++d)
     if (Dart& first = sample[parts.of_node[diagram.node(d)]]; first == kNoDart) first = d;
@@ -113,12 +168,13 @@ class Octahedra {
     bool forward = true;         ///< vertex 0 is at this dart
   };
 
-  /// Labels: over, under, P, M at even corners and over, under, M, P at odd ones, so that every
-  /// gluing is odd. The line over-under, P and M above an under-strand, M below an over-strand.
+  /// Labels: over, under, M, P at even corners and over, under, P, M at odd ones, so that every
+  /// gluing is odd and the orientation that of space, as for meshes. The line over-under, P and M
+  /// above an under-strand, M below an over-strand.
   void glue_around_crossing(TetrahedronIndex first) {
     for (TetrahedronIndex k = 0; k < 4; ++k) {
       const TetrahedronIndex next = (k + 1) % 4;
-      const int below = k % 2 == 0 ? 3 : 2;  // M in corner k, P in the next one
+      const int below = k % 2 == 0 ? 2 : 3;  // M in corner k, P in the next one
       const bool under = next % 2 == 0;      // the slot between them
       gluings_.glue(first + k, under ? below : 5 - below, first + next,
                     Perm4::from_images(0, 1, 3, 2));
@@ -135,7 +191,7 @@ class Octahedra {
     const std::uint32_t corner = side == kLeft ? k : (k + 3) % 4;
     const int strand = diagram_->is_under(d) ? 1 : 0;
     return Wall{first_of_node_[diagram_->node(d)] + corner, strand, 1 - strand,
-                corner % 2 == 0 ? 2 : 3};
+                corner % 2 == 0 ? 3 : 2};
   }
   std::optional<Wall> wall_at_arc(Dart d, std::uint32_t side) const {
     const auto found = kept_.find(d);
@@ -143,7 +199,7 @@ class Octahedra {
     const auto [first, forward] = found->second;
     const bool left = (side == kLeft) == forward;
     const int strand = forward ? 0 : 1;
-    return Wall{first + (left ? 0 : 1), strand, 1 - strand, left ? 2 : 3};
+    return Wall{first + (left ? 0 : 1), strand, 1 - strand, left ? 3 : 2};
   }
 
   /// The wall at the other end of the way that begins at a joint, along its arc or to its node.

@@ -21,7 +21,7 @@ struct DiagramExterior {
   Gluings
       gluings;  ///< oriented as space is; vertices: the components of the graph, and two spheres
   std::vector<KeptStrand> kept;
-  std::size_t kinks = 0;   ///< put in where a region had no crossing
+  std::size_t kinks = 0;   ///< put in: regions without crossing, cycles all above or below
   std::size_t pieces = 1;  ///< of the diagram; if several, the exterior is a connected sum
 };
 

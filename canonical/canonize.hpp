@@ -15,7 +15,7 @@ namespace tripus::canonical {
 
 struct CanonizeOptions {
   structure::SolveOptions solve;  ///< `evidence`: that of an input for which nothing is found
-  /// Whether to simplify the triangulation first, and to look for others of the manifold where it
+  /// Whether to look for other triangulations of the manifold, smaller ones first, where this one
   /// carries no metric.
   bool retriangulate = true;
   structure::RetriangulateOptions retriangulation;  ///< budget and seed of that
@@ -42,9 +42,7 @@ struct CanonicalManifold {
 /// What became of it: a manifold, or why not.
 struct CanonizeAnswer {
   std::optional<CanonicalManifold> manifold;
-  /// Of the triangulation that was solved on first: a simplification of the input, if that is
-  /// smaller and carries the metric, or else the input. Without a manifold that of the input, with
-  /// the evidence there is.
+  /// Of the input; without a manifold, with the evidence there is.
   structure::Report report;
   std::string message;                                  ///< one sentence for a person
   structure::Advice advice = structure::Advice::kNone;  ///< where nothing was found

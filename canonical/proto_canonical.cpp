@@ -31,6 +31,9 @@ using topology::Triangulation;
 constexpr std::size_t kWarmStart = 32;
 /// Up to so many tetrahedra the search makes moves everywhere, beyond only around the trouble.
 constexpr std::size_t kSmall = 12;
+/// Moves at concave faces, and as many more for each tetrahedron, after which they are taken to go
+/// in circles.
+constexpr std::size_t kMoves = 100, kMovesPerTetrahedron = 20;
 /// Tetrahedra that the search may add.
 constexpr std::size_t kExtra = 2;
 
@@ -56,9 +59,17 @@ class Walker {
  private:
   /// Moves at concave faces as long as there are any that do; true if no concave face is left.
   bool descend() {
-    while (improve()) {
+    // In exact arithmetic every such move lowers the hull, so that none comes back; but moves in
+    // one plane can go in circles by rounding, and the search knows where it has been.
+    std::size_t left = kMoves + kMovesPerTetrahedron * state_.triangulation.tetrahedron_count();
+    while (left-- > 0 && !stopped() && improve()) {
     }
+    faces_ = face_kinds(state_.triangulation, state_.report.edge_lengths);
     return !faces_.has_concave();
+  }
+
+  bool stopped() const {
+    return options_.stop_requested != nullptr && options_.stop_requested->load();
   }
 
   /// Makes one move at a concave face. False if there is no such face, or no such move.
@@ -90,7 +101,7 @@ class Walker {
     known.insert(topology::isosig(stuck.triangulation.gluings()));
     add(stuck);
     constexpr std::array kKinds{MoveKind::kThreeTwo, MoveKind::kFourFour, MoveKind::kTwoThree};
-    while (!open.empty() && solves_ < options_.budget) {
+    while (!open.empty() && solves_ < options_.budget && !stopped()) {
       const State here = nodes[open.top().second];
       open.pop();
       const std::vector<bool> trouble = trouble_of(here);
@@ -98,7 +109,7 @@ class Walker {
         const bool grows = move.kind == MoveKind::kTwoThree;
         if (here.triangulation.tetrahedron_count() + grows > limit) continue;
         if (!trouble.empty() && !trouble[move.tetrahedron]) continue;
-        if (solves_ >= options_.budget) break;
+        if (solves_ >= options_.budget || stopped()) break;
         auto next = after(here, move);
         if (!next || !known.insert(topology::isosig(next->triangulation.gluings())).second)
           continue;
@@ -206,6 +217,7 @@ class Walker {
       if (next.triangulation.valence(e) < 3) return next;
     structure::SolveOptions solve;
     solve.evidence = false;
+    solve.stop_requested = options_.stop_requested;
     if (next.triangulation.tetrahedron_count() > kWarmStart &&
         from.report.outcome == structure::Outcome::kGeometric)
       solve.initial_lengths = carried_over(from, next.triangulation, change);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace tripus::canonical {
 
 struct ProtoCanonicalOptions {
   std::size_t budget = 2000;  ///< triangulations to solve on at most where the moves get stuck
+  const std::atomic<bool>* stop_requested = nullptr;  ///< ends it soon, with nothing found
 };
 
 /// A geometric triangulation without concave faces: it subdivides the canonical decomposition.

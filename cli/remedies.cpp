@@ -39,6 +39,10 @@ void require_boundary_with_remedy(const topology::Triangulation& triangulation) 
   with_remedy(triangulation, [&] { topology::require_geodesic_boundary(triangulation); });
 }
 
+void require_boundary_beside_cusps_with_remedy(const topology::Triangulation& triangulation) {
+  with_remedy(triangulation, [&] { topology::require_boundary_beside_cusps(triangulation); });
+}
+
 void require_with_remedy(const topology::Triangulation& triangulation,
                          std::span<const topology::ConeAngle> cone_angles) {
   with_remedy(triangulation, [&] { topology::require_solvable(triangulation, cone_angles); });

@@ -35,7 +35,11 @@ constexpr std::size_t kSmall = 12;
 
 /// Up to so many tetrahedra the search itself simplifies: it makes all moves that shrink first.
 constexpr std::size_t kFew = 5;
-/// In how many ways a start is simplified; one where that takes long.
+/// With up to so many it needs no more help than a quick simplification, which is a hundred times
+/// cheaper than a thorough one.
+constexpr std::size_t kSeveral = 10;
+constexpr double kQuickly = 0.02;
+/// In how many ways a start is simplified thoroughly; one where that takes long.
 constexpr std::size_t kSimplifications = 4;
 constexpr std::size_t kLongToSimplify = 400;
 
@@ -104,7 +108,7 @@ class Search {
   }
 
   Retriangulation run() {
-    if (given_.tetrahedron_count() > kFew && simplify()) return success();
+    if (begin_small()) return success();
     while (!open_.empty() && !ended()) {
       const std::size_t node = open_.top().second;
       open_.pop();
@@ -167,12 +171,18 @@ class Search {
     return false;
   }
 
-  /// Begins with simplifications of the start as well; true if one carries the metric: it is then
-  /// the last node.
-  bool simplify() {
-    const std::size_t seeds = given_.tetrahedron_count() > kLongToSimplify ? 1 : kSimplifications;
+  /// Begins with simplifications of the start as well, the cheaper ones first; true if one carries
+  /// the metric: it is then the last node.
+  bool begin_small() {
+    const std::size_t size = given_.tetrahedron_count();
+    if (size <= kFew) return false;
+    if (try_simplified(1, kQuickly)) return true;
+    return size > kSeveral && try_simplified(size > kLongToSimplify ? 1 : kSimplifications, 1.0);
+  }
+
+  bool try_simplified(std::size_t seeds, double effort) {
     auto small = topology::small_triangulations(nodes_.front().gluings, seeds,
-                                                solve_options_.stop_requested);
+                                                solve_options_.stop_requested, effort);
     for (Gluings& gluings : small) {
       limit_ = std::min(limit_, gluings.tetrahedron_count() + options_.extra);
       if (ended()) return false;

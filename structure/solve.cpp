@@ -15,6 +15,7 @@
 #include "structure/assess.hpp"
 #include "structure/detail/flat_minimiser.hpp"
 #include "structure/detail/gauss_newton.hpp"
+#include "structure/detail/precise_minimiser.hpp"
 #include "structure/existence.hpp"
 #include "structure/method.hpp"
 #include "structure/starting_lengths.hpp"
@@ -247,6 +248,8 @@ Report settle(const topology::Triangulation& triangulation, const SolveOptions& 
   } else {
     if (report.outcome == Outcome::kUnresolved)
       report = detail::flat_minimiser(triangulation, options, report).value_or(report);
+    if (report.outcome == Outcome::kUnresolved)
+      report = detail::precise_minimiser(triangulation, options, report).value_or(report);
     report.strict_angles = std::move(std::get<StrictAngles>(found));
     if (report.outcome == Outcome::kUnresolved)
       report.message += " A strict angle structure exists, so the co-volume has a minimiser.";

@@ -29,7 +29,7 @@ USES = {
     "integrators": ["solver"],
     "energies": ["topology", "geometry", "solver"],
     "structure": ["energies", "solver", "integrators"],
-    "orthospectrum": ["topology", "geometry"],
+    "orthospectrum": ["structure"],
     "canonical": ["structure", "orthospectrum"],
     "meshing": ["topology"],
     "embedding": ["structure"],
@@ -37,6 +37,7 @@ USES = {
     "viewer": ["embedding"],
     "studies": ["structure", "canonical"],
     "cli": ["manifold", "viewer", "studies", "drawing"],
+    "python": ["manifold", "viewer", "studies"],
 }
 
 HIDDEN = re.compile(

@@ -1,12 +1,14 @@
 """tripus embed: the JSON, the files, bad input, interruption."""
 
 import math
+import os
 import signal
 import struct
 import subprocess
 import time
 import xml.etree.ElementTree as ElementTree
 from collections import Counter
+from pathlib import Path
 
 from support import TRIPUS, TRIPUS_LENGTH, ProgramTest, read_json
 
@@ -36,7 +38,8 @@ class EmbedJson(ProgramTest):
         self.assertEqual(list(answer), list(solved) + ["tetrahedra", "face_pairings", "holonomy",
                                                        "cells", "cells_end"])
         self.assertEqual(list(answer["tetrahedra"][0]), ["vertices", "faces"])
-        self.assertEqual(list(answer["cells"][0]), ["tetrahedron", "isometry", "depth", "parent"])
+        self.assertEqual(list(answer["cells"][0]),
+                         ["tetrahedron", "isometry", "word", "depth", "parent"])
         self.assertEqual(answer["cells"][0]["isometry"], IDENTITY)
         self.assertIsNone(answer["cells"][0]["parent"])
         self.assertEqual([cell["tetrahedron"] for cell in answer["cells"]], [0, 1])
@@ -215,14 +218,23 @@ class EmbedRefusals(ProgramTest):
         self.assertEqual(self.run_program("embed", WITHOUT_METRIC, "-o", "x.ply").status, 1)
         self.assertEqual((self.folder / "x.ply").read_text(), "precious")
 
+    def draft_has_begun(self, process):
+        """Whether the process has written to a file in the folder, which may have no name yet."""
+        for link in Path(f"/proc/{process}/fd").glob("*"):
+            try:
+                if os.readlink(link).startswith(str(self.folder)) and link.stat().st_size > 0:
+                    return True
+            except OSError:  # closed meanwhile
+                pass
+        return False
+
     def test_interruption_of_the_writing_leaves_whole_cells(self):
         process = subprocess.Popen(
             self.command("embed", TRIPUS, "--cells", "100000", "-o", "x.obj", "--json",
                          "--tessellation", "0.001"),
             cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         file, end = self.folder / "x.obj", time.monotonic() + 100
-        while time.monotonic() < end and not any(
-                draft.stat().st_size > 0 for draft in self.folder.glob(".x.obj.*.draft")):
+        while time.monotonic() < end and not self.draft_has_begun(process.pid):
             time.sleep(0.01)
         process.send_signal(signal.SIGINT)
         out, _ = process.communicate(timeout=100)

@@ -17,6 +17,7 @@ void bind_manifold(nb::module_& module);
 void bind_metric(nb::module_& module);
 void bind_canonical(nb::module_& module);
 void bind_files(nb::module_& module);
+void bind_program(nb::module_& module);
 void bind_solve_many(nb::module_& module);
 void bind_studies(nb::module_& module);
 void bind_views(nb::module_& module);

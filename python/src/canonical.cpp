@@ -3,12 +3,12 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
+#include <tripus/tripus.hpp>
 
 #include "canonical/identify.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 #include "topology/moves/moves.hpp"
-#include <tripus/tripus.hpp>
 
 namespace tripus::python {
 namespace {

@@ -1,6 +1,7 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <tripus/tripus.hpp>
 
 #include "base/output_file.hpp"
 #include "manifold/prepared.hpp"
@@ -13,7 +14,6 @@
 #include "topology/formats/orb.hpp"
 #include "topology/formats/regina.hpp"
 #include "topology/formats/snappea.hpp"
-#include <tripus/tripus.hpp>
 
 namespace tripus::python {
 namespace {

@@ -7,6 +7,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
+#include <tripus/tripus.hpp>
 
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
@@ -14,7 +15,6 @@
 #include "topology/isomorphism.hpp"
 #include "topology/orientation.hpp"
 #include "topology/vertex_kinds.hpp"
-#include <tripus/tripus.hpp>
 
 namespace tripus::python {
 namespace {
@@ -169,9 +169,9 @@ structure::SolveOptions solve_options(const nb::dict& given,
 Array<double> history_array(const std::vector<structure::HistoryRow>& history) {
   std::vector<double> rows;
   for (const auto& row : history)
-    rows.insert(rows.end(), {double(row.iteration), double(row.evaluations), row.seconds,
-                             row.max_curvature, row.energy, row.volume, row.shortest_edge,
-                             row.longest_edge});
+    rows.insert(rows.end(),
+                {double(row.iteration), double(row.evaluations), row.seconds, row.max_curvature,
+                 row.energy, row.volume, row.shortest_edge, row.longest_edge});
   return owned(std::move(rows), {history.size(), 8});
 }
 
@@ -200,9 +200,7 @@ void bind_topology(nb::class_<Manifold>& type) {
   type.def("arrays", arrays_of)
       .def("name", [](const Manifold& m) { return as_bytes(m.name()); })
       .def("input", [](const Manifold& m) { return as_bytes(m.input()); })
-      .def("label", [](const Manifold& m) {
-        return as_bytes(quickly([&] { return m.label(); }));
-      })
+      .def("label", [](const Manifold& m) { return as_bytes(quickly([&] { return m.label(); })); })
       .def("is_orientation_known", &Manifold::is_orientation_known)
       .def("tetrahedron_count", &Manifold::tetrahedron_count)
       .def("edge_count", [](const Manifold& m) { return m.triangulation().edge_count(); })
@@ -294,9 +292,10 @@ void bind_metric_questions(nb::class_<Manifold>& type) {
                return m.retriangulated({seed, budget, extra}, c);
              });
            })
-      .def("to_json", [](const Manifold& m, const Limits& limits) {
-        return run(limits, [&](const Context& c) { return m.to_json(c); });
-      })
+      .def("to_json",
+           [](const Manifold& m, const Limits& limits) {
+             return run(limits, [&](const Context& c) { return m.to_json(c); });
+           })
       .def("write", [](const Manifold& m, const nb::bytes& path, const Limits& limits) {
         run(limits, [&](const Context& c) { return m.write(as_string(path), c), true; });
       });
@@ -318,7 +317,8 @@ nb::dict as_dict(const structure::Report& report) {
   d["volume"] = report.volume;
   d["edge_lengths"] = owned(std::vector<double>(report.edge_lengths));
   std::vector<double> angles;
-  for (const auto& six : report.dihedral_angles) angles.insert(angles.end(), six.begin(), six.end());
+  for (const auto& six : report.dihedral_angles)
+    angles.insert(angles.end(), six.begin(), six.end());
   d["dihedral_angles"] = owned(std::move(angles), {report.dihedral_angles.size(), 6});
   nb::list vertices;
   for (const auto& v : report.vertices) {

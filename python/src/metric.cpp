@@ -2,6 +2,7 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
+#include <tripus/tripus.hpp>
 
 #include "geometry/hyperbolic_space.hpp"
 #include "orthospectrum/identities.hpp"
@@ -11,7 +12,6 @@
 #include "structure/certificate.hpp"
 #include "structure/proof/proof_text.hpp"
 #include "structure/proof/prove_report.hpp"
-#include <tripus/tripus.hpp>
 
 namespace tripus::python {
 namespace {
@@ -32,7 +32,8 @@ const HeldMetric& held(nb::handle self) { return nb::cast<const HeldMetric&>(sel
 
 /// Vertices and face normals [T x 4 x 4], pairings [T x 4 x 4 x 4].
 nb::tuple embedding_of(const HeldMetric& self) {
-  const embedding::Embedding& e = quickly([&]() -> decltype(auto) { return self.metric->embedding(); });
+  const embedding::Embedding& e =
+      quickly([&]() -> decltype(auto) { return self.metric->embedding(); });
   std::vector<double> vertices, faces, pairings;
   const auto append = [](std::vector<double>& to, const auto& v) {
     for (int i = 0; i < 4; ++i) to.push_back(v[i]);
@@ -169,8 +170,8 @@ nb::dict orthospectrum_of(const HeldMetric& self, double length, std::size_t cou
   options.most_arcs = most_arcs;
   const auto& triangulation = self.manifold.triangulation();
   const auto [spectrum, grouping] = run(limits, [&](const Context& context) {
-    auto found = orthospectrum::orthospectrum(triangulation, self.metric->edge_lengths(), options,
-                                              context);
+    auto found =
+        orthospectrum::orthospectrum(triangulation, self.metric->edge_lengths(), options, context);
     auto groups = orthospectrum::group_arcs(found, triangulation);
     return std::pair(std::move(found), std::move(groups));
   });
@@ -191,8 +192,8 @@ nb::dict orthospectrum_of(const HeldMetric& self, double length, std::size_t cou
   }
   double area = 0;
   for (const auto& vertex : self.metric->boundary()) area += vertex.area;
-  const auto identities = orthospectrum::identities_of(spectrum.sums, spectrum.length, area,
-                                                       self.metric->volume());
+  const auto identities =
+      orthospectrum::identities_of(spectrum.sums, spectrum.length, area, self.metric->volume());
   nb::dict d;
   d["complete"] = spectrum.end == orthospectrum::SpectrumEnd::kComplete;
   d["length"] = spectrum.length;
@@ -222,14 +223,14 @@ void bind_proofs(nb::module_& module) {
     if (!proof.proved) return nb::str(proof.reason.c_str());
     return nb::make_tuple(proof.volume.lower, proof.volume.upper);
   });
-  module.def("check_proof", [](const Manifold& manifold, const std::string& json,
-                               const Limits& limits) {
-    const auto check = run(limits, [&](const Context& context) {
-      return structure::check_proof(manifold.triangulation(), structure::parse_proof(json),
-                                    context);
-    });
-    return nb::make_tuple(check.valid, check.reason);
-  });
+  module.def("check_proof",
+             [](const Manifold& manifold, const std::string& json, const Limits& limits) {
+               const auto check = run(limits, [&](const Context& context) {
+                 return structure::check_proof(manifold.triangulation(),
+                                               structure::parse_proof(json), context);
+               });
+               return nb::make_tuple(check.valid, check.reason);
+             });
   module.def("check_certificate", [](const Manifold& manifold, const std::string& json) {
     const auto check = quickly([&] {
       return structure::check(manifold.triangulation(), structure::parse_certificate(json));
@@ -250,12 +251,12 @@ void bind_metric(nb::module_& module) {
              const auto lengths = held(self).metric->edge_lengths();
              return view(lengths.data(), {lengths.size()}, self);
            })
-      .def("dihedral_angles",
-           [](nb::handle_t<HeldMetric> self) {
-             const auto angles = held(self).metric->dihedral_angles();
-             return view(angles.empty() ? nullptr : angles.front().data(), {angles.size(), 6},
-                         self);
-           })
+      .def(
+          "dihedral_angles",
+          [](nb::handle_t<HeldMetric> self) {
+            const auto angles = held(self).metric->dihedral_angles();
+            return view(angles.empty() ? nullptr : angles.front().data(), {angles.size(), 6}, self);
+          })
       .def("report", [](const HeldMetric& self) { return as_dict(self.metric->report()); })
       .def("embedding", embedding_of)
       .def("holonomy", holonomy_of)
@@ -272,7 +273,8 @@ void bind_metric(nb::module_& module) {
       .def("write", [](const CellComplex& self, const nb::bytes& path, const std::string& model,
                        double error, const Limits& limits) {
         const CellFileOptions options{model_of(model), error};
-        return run(limits, [&](const Context& c) { return self.write(as_string(path), options, c); });
+        return run(limits,
+                   [&](const Context& c) { return self.write(as_string(path), options, c); });
       });
   module.def("metric", metric_of, nb::arg("manifold"), nb::arg("limits"));
   bind_proofs(module);

@@ -24,8 +24,9 @@ void translate(const std::exception_ptr& pointer, void* /*payload*/) {
     std::rethrow_exception(pointer);
   } catch (const Error& error) {
     // What tripus says is ASCII but for what it quotes from files.
-    const nb::object text = nb::steal(PyUnicode_DecodeUTF8(
-        error.what(), Py_ssize_t(std::char_traits<char>::length(error.what())), "backslashreplace"));
+    const nb::object text = nb::steal(
+        PyUnicode_DecodeUTF8(error.what(), Py_ssize_t(std::char_traits<char>::length(error.what())),
+                             "backslashreplace"));
     const nb::object type = nb::module_::import_("tripus._errors").attr(class_of(error));
     PyErr_SetObject(type.ptr(), text.ptr());
   }
@@ -48,7 +49,8 @@ NB_MODULE(_core, module) {
   nb::class_<Limits>(module, "Limits", "How long work may take.")
       .def(
           "__init__",
-          [](Limits* self, std::optional<double> time_limit, unsigned threads, nb::object progress) {
+          [](Limits* self, std::optional<double> time_limit, unsigned threads,
+             nb::object progress) {
             new (self) Limits{time_limit, threads, std::move(progress)};
           },
           nb::arg("time_limit") = nb::none(), nb::arg("threads") = 0,
@@ -57,6 +59,7 @@ NB_MODULE(_core, module) {
   bind_metric(module);
   bind_canonical(module);
   bind_files(module);
+  bind_program(module);
   bind_solve_many(module);
   bind_studies(module);
   bind_views(module);

@@ -30,9 +30,7 @@ void after_fork_in_child() {
   has_main_thread = true;
 }
 
-bool in_main_thread() {
-  return has_main_thread && pthread_equal(main_thread, pthread_self()) != 0;
-}
+bool in_main_thread() { return has_main_thread && pthread_equal(main_thread, pthread_self()) != 0; }
 
 }  // namespace
 

@@ -33,8 +33,8 @@ struct Limits {
 /// that the work polls. It costs two system calls, where a second thread to wait in would cost more
 /// than a small solve.
 ///
-/// Time limits: some work knows deadlines, all of it knows the flag, so a timer raises that a moment
-/// later.
+/// Time limits: some work knows deadlines, all of it knows the flag, so a timer raises that a
+/// moment later.
 ///
 /// fork: a child has none of its parent's threads, but libgomp, which CHOLMOD uses, believes that
 /// the forking thread still has its team, and waits for it for ever. A new thread has a new team,

@@ -6,13 +6,13 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
+#include <tripus/tripus.hpp>
 
 #include "manifold/labels.hpp"
 #include "manifold/prepared.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 #include "structure/proof/proof.hpp"
-#include <tripus/tripus.hpp>
 
 namespace tripus::python {
 namespace {
@@ -48,8 +48,7 @@ void fill(Row& row, const topology::Triangulation& triangulation, const structur
   row.seconds = report.seconds;
   row.iterations = report.iterations;
   if (!prove || report.outcome != structure::Outcome::kGeometric) return;
-  const structure::Proof proof =
-      structure::prove(triangulation, report.edge_lengths, {}, context);
+  const structure::Proof proof = structure::prove(triangulation, report.edge_lengths, {}, context);
   if (!proof.proved) {
     row.message = proof.reason;
     return;
@@ -146,8 +145,7 @@ nb::dict solve_many(const nb::list& inputs, bool prove, const Limits& limits) {
   nb::dict d;
   d["outcome"] = column(rows, [](const Row& r) { return r.outcome; });
   d["volume"] = owned(column(rows, [](const Row& r) { return r.volume; }));
-  d["tetrahedra"] =
-      owned(column(rows, [](const Row& r) { return std::int64_t(r.tetrahedra); }));
+  d["tetrahedra"] = owned(column(rows, [](const Row& r) { return std::int64_t(r.tetrahedra); }));
   d["max_curvature"] = owned(column(rows, [](const Row& r) { return r.max_curvature; }));
   d["iterations"] = owned(column(rows, [](const Row& r) { return r.iterations; }));
   d["seconds"] = owned(column(rows, [](const Row& r) { return r.seconds; }));

@@ -3,10 +3,10 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
+#include <tripus/tripus.hpp>
 
 #include "python/src/bindings.hpp"
 #include "studies/study.hpp"
-#include <tripus/tripus.hpp>
 
 namespace tripus::python {
 namespace {
@@ -92,8 +92,8 @@ nb::dict result_dict(const studies::RunResult& result) {
   return d;
 }
 
-nb::dict run_study(const std::string& name, const std::vector<Manifold>& inputs,
-                   std::uint64_t seed, std::size_t samples, std::vector<std::string> methods,
+nb::dict run_study(const std::string& name, const std::vector<Manifold>& inputs, std::uint64_t seed,
+                   std::size_t samples, std::vector<std::string> methods,
                    std::vector<std::size_t> covers, const std::string& folder,
                    const Limits& limits) {
   const studies::Study& study = studies::find_study(name);

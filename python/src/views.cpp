@@ -1,9 +1,9 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/string.h>
+#include <tripus/tripus.hpp>
 
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
-#include <tripus/tripus.hpp>
 #include "viewer/web/page.hpp"
 #include "viewer/web/thumbnail.hpp"
 
@@ -22,9 +22,11 @@ nb::bytes page(const Manifold& manifold, std::size_t cells, const std::string& m
                const Limits& limits) {
   return as_bytes(run(limits, [&](const Context& context) {
     const Metric& metric = require_metric(manifold, context);
-    const viewer::PageOptions options{
-        manifold.name().empty() ? manifold.label() : manifold.name(),
-        manifold.signature().value_or(""), cells, model, {}};
+    const viewer::PageOptions options{manifold.name().empty() ? manifold.label() : manifold.name(),
+                                      manifold.signature().value_or(""),
+                                      cells,
+                                      model,
+                                      {}};
     return viewer::page_html(options, manifold.triangulation(), metric.report(),
                              metric.embedding());
   }));

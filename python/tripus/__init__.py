@@ -28,21 +28,12 @@ from tripus._errors import (
     Undecided,
     Unsupported,
 )
-from tripus.answers import (
-    AngleStructure,
-    CanonicalDecomposition,
-    CensusEntry,
-    Certificate,
-    Comparison,
-    Orthospectrum,
-    Proof,
-    Verdict,
-    Volume,
-)
+from tripus.answers import CanonicalDecomposition, CensusEntry, Comparison, Orthospectrum
 from tripus.groups import AbelianGroup, FundamentalGroup, IsometryGroup
 from tripus.manifold import Manifold
 from tripus.many import census, load, methods, read_batch, solve_many
 from tripus.metric import CellComplex, Metric
+from tripus.verdicts import AngleStructure, Certificate, Proof, Verdict, Volume
 
 __version__: str = _core.version
 

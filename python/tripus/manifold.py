@@ -2,27 +2,19 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from tripus import _core, interop
 from tripus._core import Manifold as CoreManifold
-from tripus._errors import FileError, InvalidInput, NoMetric, Undecided, Unsupported
+from tripus._errors import InvalidInput, NoMetric, Undecided, Unsupported
 from tripus._limits import NO_LIMITS, Progress, limits
-from tripus.answers import (
-    CanonicalDecomposition,
-    CensusEntry,
-    Comparison,
-    Orthospectrum,
-    Proof,
-    Verdict,
-    Volume,
-    html_table,
-)
+from tripus.answers import CanonicalDecomposition, CensusEntry, Comparison, Orthospectrum
 from tripus.groups import AbelianGroup, FundamentalGroup, IsometryGroup
 from tripus.metric import Metric
+from tripus.sources import load_text, load_thing, surface_of_drawing
+from tripus.verdicts import Proof, Verdict, Volume
 
 if TYPE_CHECKING:
     import numpy as np
@@ -42,7 +34,7 @@ _SOLUTION_TYPES = {
 _ELSEWHERE = {
     "simplify": "manifolds do not change: N = M.simplified()",
     "intelligentSimplify": "manifolds do not change: N = M.simplified()",
-    "randomize": "manifolds do not change: N = M.randomized(seed)",
+    "randomize": "manifolds do not change: N = M.relabelled(seed), or M.simplified(seed=...)",
     "canonize": "manifolds do not change: M.canonical(), M.canonical_retriangulation()",
     "reverse_orientation": "manifolds do not change: N = M.mirrored()",
     "set_name": "manifolds do not change: N = M.renamed(name)",
@@ -101,10 +93,12 @@ class Manifold:
         time_limit: float | None = None,
         progress: Progress = None,
     ) -> None:
-        if type(source) is str:
-            core = _loaded(source, time_limit, progress)
+        if isinstance(source, Manifold):
+            core = source._core
+        elif type(source) is str:
+            core = load_text(source, time_limit, progress)
         else:
-            core = _from_thing(source, time_limit, progress)
+            core = load_thing(source, time_limit, progress)
         self._core = core if name is None else _renamed(core, name)
 
     @classmethod
@@ -710,26 +704,6 @@ class Manifold:
         )
 
 
-def surface_of_drawing(
-    drawing: Any, *, time_limit: float | None = None, progress: Progress = None
-) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]:
-    """Points and triangles of the surface around a drawing; see Manifold.from_drawing."""
-    if isinstance(drawing, (str, os.PathLike)):
-        with open(drawing, "rb") as file:
-            text = file.read()
-    elif isinstance(drawing, Mapping):
-        text = json.dumps(dict(drawing)).encode()
-    else:
-        lines = [np.asarray(line, dtype=float) for line in drawing]
-        if not lines or any(line.ndim != 2 or line.shape[1] != 3 for line in lines):
-            raise InvalidInput("a drawing is a list of polylines, each an array [n x 3]")
-        text = "\n\n".join(
-            "\n".join(" ".join(map(repr, p)) for p in line.tolist()) for line in lines
-        ).encode()
-    points, triangles = _core.tube_around(text, limits(time_limit, 0, progress))
-    return points, triangles
-
-
 def write_whole(path: str, text: bytes) -> None:
     """Writes a file as a whole, or not at all."""
     _core.write_file(os.fsencode(path), text)
@@ -758,57 +732,3 @@ def _restored(
     neighbours: Any, images: Any, name: bytes, given: bytes, orientation_known: bool
 ) -> Manifold:
     return Manifold._wrap(_core.from_arrays(neighbours, images, name, given, orientation_known))
-
-
-def _loaded(source: str, time_limit: float | None, progress: Progress) -> CoreManifold:
-    if source.startswith(("% Triangulation", "% orb", "<?xml", '{"')) or "\n" in source:
-        return _core.from_text(source.encode("utf-8", "surrogateescape"), True, NO_LIMITS)
-    try:
-        return _core.load(os.fsencode(source), limits(time_limit, 0, progress))
-    except InvalidInput:
-        mesh = interop.read_by_meshio(source) if os.path.isfile(source) else None
-        if mesh is None:
-            raise
-    points, cells = mesh
-    core: CoreManifold
-    core, _ = _core.from_mesh(
-        points, cells, os.fsencode(source), 0, limits(time_limit, 0, progress)
-    )
-    return core
-
-
-def _from_thing(source: Any, time_limit: float | None, progress: Progress) -> CoreManifold:
-    if isinstance(source, Manifold):
-        return source._core
-    if isinstance(source, (str, os.PathLike)):
-        return _loaded(os.fsdecode(os.fspath(source)), time_limit, progress)
-    package = interop.package_of(source)
-    if package in ("snappy", "SnapPy", "SnapPyHP", "spherogram"):
-        return interop.from_snappy(source)
-    if package == "regina":
-        return interop.from_regina(source)
-    if package in interop.MESH_PACKAGES:
-        return Manifold.from_mesh(source, time_limit=time_limit, progress=progress)._core
-    if isinstance(source, dict) and "gluings" in source:
-        return interop.from_table(source["gluings"], str(source.get("name", "")))
-    if isinstance(source, tuple) and len(source) == 2:
-        neighbours, images = (np.asarray(a) for a in source)
-        if neighbours.ndim == 2 and images.ndim == 3:
-            if neighbours.size and (neighbours.min() < 0 or neighbours.max() > 0xFFFFFFFE):
-                raise InvalidInput("neighbours are numbers of tetrahedra, from 0")
-            return _core.from_arrays(
-                np.ascontiguousarray(neighbours, dtype=np.uint32),
-                np.ascontiguousarray(images, dtype=np.uint8),
-                b"",
-                b"",
-                True,
-            )
-    if isinstance(source, list):
-        return interop.from_table(source)
-    raise InvalidInput(
-        f"a manifold cannot be made from a {type(source).__name__}: give a signature, the name of "
-        "a file, a gluing table, or a triangulation or mesh of another package"
-    )
-
-
-__all__ = ["FileError", "Manifold", "html_table"]

@@ -9,7 +9,8 @@ from typing import Any
 from tripus import _core
 from tripus._errors import InvalidInput
 from tripus._limits import Progress, limits
-from tripus.answers import CensusEntry, frame, structured
+from tripus.answers import CensusEntry
+from tripus.frames import frame, structured
 from tripus.manifold import Manifold
 
 

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from tripus import _core
 from tripus._limits import Progress, limits
-from tripus.answers import Orthospectrum, Verdict, Volume, html_table
+from tripus.answers import Orthospectrum
+from tripus.frames import html_table
+from tripus.verdicts import Verdict, Volume
 
 if TYPE_CHECKING:
     import numpy as np

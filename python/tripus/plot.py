@@ -1,5 +1,6 @@
 """Plots by matplotlib. Each returns a figure, and draws into `ax` if that is given.
 
+    tripus.plot.drawing(lines)         a knot, link or graph in space
     tripus.plot.valences(M)            edge classes by valence
     tripus.plot.spectrum(M, length=4)  the orthospectrum
     tripus.plot.convergence(M)         max|K| by iteration, for several methods
@@ -8,7 +9,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import functools
+import io
+import json
+import os
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,13 +29,45 @@ _MARKERS = "osD^vPX*"
 _DASHES = ("-", "--", "-.", ":")
 
 
-def _axes(ax: Any, size: tuple[float, float] = (6, 3.6)) -> Any:
-    if ax is not None:
-        return ax
-    # Not pyplot: it keeps every figure, and picks a window system.
+@functools.cache
+def _figure_class() -> Any:
+    # Not pyplot: it keeps every figure, and picks a window system. But notebooks show pyplot's
+    # figures only, so these say by themselves how.
     from matplotlib.figure import Figure
 
-    return Figure(figsize=size, layout="constrained").subplots()
+    class Plot(Figure):
+        def _repr_png_(self) -> bytes:
+            buffer = io.BytesIO()
+            self.savefig(buffer, format="png", dpi=100)
+            return buffer.getvalue()
+
+    return Plot
+
+
+def _axes(ax: Any, size: tuple[float, float] = (6, 3.6), **options: Any) -> Any:
+    if ax is not None:
+        return ax
+    return _figure_class()(figsize=size, layout="constrained").add_subplot(**options)
+
+
+def drawing(lines: Any, ax: Any = None) -> Any:
+    """A knot, link or graph in space, as Manifold.from_drawing takes it.
+
+    >>> figure = drawing([[(0, 0, 0), (1, 0, 0), (1, 1, 0)]])
+    >>> len(figure.axes[0].lines)
+    1
+    """
+    if isinstance(lines, (str, os.PathLike)):
+        with open(lines, encoding="utf-8") as file:
+            lines = json.load(file)
+    if isinstance(lines, Mapping):
+        lines = lines["edges"]
+    ax = _axes(ax, (4, 3.2), projection="3d")
+    for i, line in enumerate(lines):
+        ax.plot(*np.asarray(line, dtype=float).T, color=PALETTE[i % len(PALETTE)], lw=2)
+    ax.set_axis_off()
+    ax.set_aspect("equal")
+    return ax.figure
 
 
 def valences(manifold: Manifold, ax: Any = None) -> Any:
@@ -91,6 +128,8 @@ def volumes(many: Any, ax: Any = None, *, bins: int = 60) -> Any:
         numbers = np.asarray(solve_many(many, as_array=True)["volume"])
     numbers = numbers[np.isfinite(numbers)]
     ax = _axes(ax)
+    if len(numbers) == 0 or np.ptp(numbers) < 1e-9:
+        bins = 1
     ax.hist(numbers, bins=bins, color=PALETTE[0])
     ax.set(xlabel="volume", ylabel="manifolds", title=f"{len(numbers)} volumes")
     return ax.figure

@@ -16,7 +16,7 @@ import numpy as np
 from tripus import _core
 from tripus._errors import Stopped
 from tripus._limits import Progress, limits
-from tripus.answers import html_table
+from tripus.frames import html_table
 from tripus.manifold import Manifold
 from tripus.many import read_batch
 

@@ -9,7 +9,7 @@ import tempfile
 import zlib
 from typing import TYPE_CHECKING, Any
 
-from tripus.answers import html_table
+from tripus.frames import html_table
 
 if TYPE_CHECKING:
     import numpy as np

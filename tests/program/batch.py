@@ -89,11 +89,20 @@ class Lists(ProgramTest):
 
     def test_of_garbage(self):
         chance = random.Random(11)
-        self.write("list", chance.randbytes(200_000))
+        letters = bytes(b for b in range(256) if b >= 32 or b in b"\t\r\n")
+        self.write("list", bytes(chance.choices(letters, k=200_000)))
         result = self.run_program("info", "--batch", "list", "--json")
         self.assertEqual(result.status, 0)
+        self.assertGreater(len(result.lines), 500)
         for line in result.text.split("\n")[:-1]:
             self.assertEqual(read_json(line)["error"]["kind"], "invalid-input")
+
+    def test_that_are_no_lists(self):
+        self.write("list", random.Random(12).randbytes(20_000))
+        self.write("y.off", (DATA.parent / "examples" / "surfaces" / "knotted-y.off").read_bytes())
+        for verb in ("info", "solve", "identify"):
+            self.assert_refused(verb, "--batch", "list", says="a binary file and no list")
+            self.assert_refused(verb, "--batch", "y.off", says="a mesh (OFF) and no list")
 
     def test_of_a_hundred_thousand_lines(self):
         known = all_triangulations(2) + all_triangulations(3)

@@ -10,7 +10,7 @@ import pytest
 import tripus
 
 MODULES = sorted(
-    f"tripus.{m.name}" for m in pkgutil.iter_modules(tripus.__path__) if m.name != "_core"
+    f"tripus.{m.name}" for m in pkgutil.iter_modules(tripus.__path__) if m.name not in ("_core", "__main__")
 )
 FLAGS = doctest.ELLIPSIS | doctest.IGNORE_EXCEPTION_DETAIL
 

@@ -121,3 +121,20 @@ def test_errors_are_those_of_the_program(name):
     with pytest.raises(tripus.InvalidInput) as caught:
         tripus.Manifold(name)
     assert str(caught.value) in done.stderr
+
+
+def test_the_package_is_the_program_too(program, tmp_path):
+    import os
+    import subprocess
+    import sys
+
+    def package(*arguments, **options):
+        return subprocess.run([sys.executable, "-m", "tripus", *arguments], capture_output=True,
+                              text=True, timeout=100, **options)
+
+    assert package("info", "cPcbbbihq").stdout == program("info", "cPcbbbihq")
+    assert package("--version").stdout == program("--version")
+    assert package("solve", "hello").returncode == 2
+    assert package("solve", "dLQbcbcaekw").returncode == 1
+    away = {key: value for key, value in os.environ.items() if key != "TRIPUS_PROGRAM"}
+    assert "volume" in package("solve", "cPcbbbihq", env=away).stdout

@@ -1,0 +1,171 @@
+// The program `tripus`: parses the command line and runs the chosen verb.
+#include "cli/program.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <sstream>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/version.hpp"
+#include "cli/arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/diagram_commands.hpp"
+#include "cli/exit_status.hpp"
+#include "cli/failure.hpp"
+#include "cli/help.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output.hpp"
+#include "cli/streams.hpp"
+#include "manifold/json_text.hpp"
+
+namespace tripus::cli {
+namespace {
+
+constexpr const char* kDescription =
+    "Tripus finds the hyperbolic metric with totally geodesic boundary on a compact 3-manifold,\n"
+    "given by an ideal triangulation whose vertex links all have genus 2 or more.";
+
+constexpr const char* kExamples = R"(
+Examples:
+  tripus info cPcbbbihq                     what the triangulation is
+  tripus solve cPcbbbihq                    its metric: volume, edge lengths, dihedral angles
+  tripus solve cPcbbbihq --json             the same as one JSON object
+  tripus solve --batch list.txt --json      one INPUT a line, one JSON object a line
+  tripus solve cPcbbbihq --method flow:curvature/rk4 --initial 1 --history run.csv
+  tripus help solve                         the options of a verb, as tripus solve --help
+)";
+
+/// --json may stand anywhere on a command line that could not be parsed.
+bool wants_json(const std::vector<std::string>& arguments) {
+  return std::ranges::find(arguments, "--json") != arguments.end();
+}
+
+void report_failure(bool json, std::string_view kind, std::string_view message) {
+  write_message(fmt::format("tripus: {}\n", message));
+  if (!json) return;
+  tripus::JsonText out;
+  tripus::append_error(out, "", kind, message);
+  write_output({out.data(), out.size()});
+  write_output("\n");
+  flush_output();
+}
+
+/// What was wrong with a command line, in our words where the parser's would mislead.
+std::string usage_message(const CLI::App& program, const CLI::ParseError& error) {
+  const auto chosen = program.get_subcommands();
+  if (!chosen.empty()) {
+    return fmt::format("{}; `tripus {} --help` tells what there is", error.what(),
+                       chosen.front()->get_name());
+  }
+  std::vector<std::string> verbs;
+  for (const CLI::App* verb : program.get_subcommands(nullptr)) verbs.push_back(verb->get_name());
+  const auto extras = program.remaining();
+  const std::string what = extras.empty() || extras.front().starts_with('-')
+                               ? std::string(error.what())
+                               : "there is no verb " + tripus::quoted(extras.front());
+  return fmt::format("{}; the verbs are {}, and `tripus --help` tells more", what,
+                     fmt::join(verbs, ", "));
+}
+
+void add_verbs(CLI::App& program, Command& command) {
+  program.formatter(std::make_shared<HelpFormatter>());
+  program.set_help_flag("-h,--help", "print this text");
+  program.set_version_flag("--version", std::string("tripus ") + tripus::kVersion,
+                           "print the version");
+  program.require_subcommand(0, 1);
+  add_info(program, command);
+  add_solve(program, command);
+  add_simplify(program, command);
+  add_mesh(program, command);
+  add_cover(program, command);
+  add_canonize(program, command);
+  add_compare(program, command);
+  add_identify(program, command);
+  add_census(program, command);
+  add_prove(program, command);
+  add_check(program, command);
+  add_study(program, command);
+  add_embed(program, command);
+  add_orthospectrum(program, command);
+  add_view(program, command);
+  add_tube(program, command);
+  add_draw(program, command);
+  add_table(program, command);
+  add_methods(program, command);
+  program.add_subcommand("help", "the options of a verb: tripus help VERB");
+  for (CLI::App* verb : program.get_subcommands(nullptr)) verb->group("Verbs");
+  program.footer(std::string(kInputHelp) + kExamples + "\n" + kExitStatusHelp);
+}
+
+/// Throws ExtrasError for `tripus help banana`.
+void require_verb_to_help(const CLI::App& program, const std::vector<std::string>& given) {
+  if (given.size() < 2 || given.front() != "help" || given[1].starts_with("-")) return;
+  for (const CLI::App* verb : program.get_subcommands(nullptr))
+    if (verb->get_name() == given[1]) return;
+  throw CLI::ExtrasError({given[1]});
+}
+
+/// `tripus help VERB` is `tripus VERB --help`, and `tripus help` is `tripus --help`.
+std::vector<std::string> without_help_verb(std::vector<std::string> arguments) {
+  if (arguments.empty() || arguments.front() != "help") return arguments;
+  arguments.erase(arguments.begin());
+  arguments.emplace_back("--help");
+  return arguments;
+}
+
+int run(const std::vector<std::string>& given) {
+  const std::vector<std::string> arguments = without_help_verb(given);
+  CLI::App program{kDescription, "tripus"};
+  Command command;
+  add_verbs(program, command);
+  if (arguments.empty()) {
+    write_message(program.help());
+    return kBadInput;
+  }
+  try {
+    require_verb_to_help(program, given);
+    auto reversed = shield_signatures(arguments);
+    std::ranges::reverse(reversed);
+    program.parse(std::move(reversed));
+    if (!command) throw CLI::RequiredError("a verb");
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {  // --help, --version
+      std::ostringstream text;
+      program.exit(error, text, text);
+      write_output(text.str());
+      flush_output();
+      return kSuccess;
+    }
+    report_failure(wants_json(arguments), "usage", usage_message(program, error));
+    return kBadInput;
+  }
+  const int status = command();
+  flush_output();
+  return status;
+}
+
+}  // namespace
+
+int run_program(const std::vector<std::string>& arguments) {
+  secure_standard_streams();
+  catch_interrupts();
+  try {
+    return run(arguments);
+  } catch (const OutputError& error) {
+    write_message(fmt::format("tripus: {}\n", error.what()));
+  } catch (const std::exception& error) {
+    try {
+      report_failure(wants_json(arguments), tripus::error_kind(error), failure_text(error));
+    } catch (const OutputError&) {
+      return kInternalFailure;
+    }
+    return status_of(error);
+  }
+  return kInternalFailure;
+}
+
+}  // namespace tripus::cli

@@ -53,7 +53,8 @@ class EmbedJson(ProgramTest):
         self.assertEqual(list(answer), list(solved) + ["tetrahedra", "face_pairings", "holonomy",
                                                        "cells", "cells_end"])
         self.assertEqual(list(answer["tetrahedra"][0]), ["vertices", "faces"])
-        self.assertEqual(list(answer["cells"][0]), ["tetrahedron", "isometry", "word", "depth", "parent"])
+        self.assertEqual(list(answer["cells"][0]),
+                         ["tetrahedron", "isometry", "word", "depth", "parent"])
         self.assertEqual(answer["cells"][0]["isometry"], IDENTITY)
         self.assertIsNone(answer["cells"][0]["parent"])
         self.assertEqual([cell["tetrahedron"] for cell in answer["cells"]], [0, 1])

@@ -21,6 +21,9 @@ const char* const kInputHelp =
     "                SnapPea triangulation, or one signature; recognised by its content\n"
     "                or a solid by its boundary (OFF, OBJ, STL, PLY) or in tetrahedra (Medit,\n"
     "                VTK, TetGen): `tripus mesh --help` says how it becomes a triangulation\n"
+    "  a diagram     PD: X[4,2,5,1] V[1,2,3] ... (arcs counterclockwise; \"PD clockwise:\" for\n"
+    "                SageMath's), lists of lists, DT: or Braid:, JSON; as it is or in a file\n"
+    "  a name        of the tables: t3g2.13, 8_19, L5a1, '5_1 theta', hk5_3\n"
     "  -             the same from standard input\n";
 
 const char* const kOutcomeHelp =

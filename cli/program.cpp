@@ -13,6 +13,7 @@
 #include "base/version.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/diagram_commands.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/failure.hpp"
 #include "cli/help.hpp"
@@ -92,6 +93,8 @@ void add_verbs(CLI::App& program, Command& command) {
   add_orthospectrum(program, command);
   add_view(program, command);
   add_tube(program, command);
+  add_draw(program, command);
+  add_table(program, command);
   add_methods(program, command);
   program.add_subcommand("help", "the options of a verb: tripus help VERB");
   for (CLI::App* verb : program.get_subcommands(nullptr)) verb->group("Verbs");

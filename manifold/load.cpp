@@ -13,9 +13,13 @@
 #include "base/compression.hpp"
 #include "base/error.hpp"
 #include "canonical/census.hpp"
+#include "manifold/load_diagram.hpp"
 #include "manifold/prepared.hpp"
 #include "meshing/formats/foreign_meshes.hpp"
 #include "meshing/manifold.hpp"
+#include "topology/diagrams/read_diagram.hpp"
+#include "topology/diagrams/small_exterior.hpp"
+#include "topology/diagrams/tables.hpp"
 #include "topology/formats/foreign_names.hpp"
 #include "topology/formats/signature.hpp"
 #include "topology/isosig.hpp"
@@ -68,9 +72,36 @@ bool is_signature(const std::string& text) {
   }
 }
 
-/// What a text is if it is the whole of an input, or a line of a file: a name or a signature.
-std::optional<topology::NamedGluings> read_word(const std::string& text) {
+topology::NamedGluings exterior_of(const topology::NamedDiagram& diagram, const Context& context) {
+  const StopFlag stop(context);
+  topology::SimplifyOptions options;
+  options.stop_requested = stop.get();
+  return topology::small_exterior(diagram, options);
+}
+
+/// A knot, link or graph of the shipped tables by its name.
+std::optional<topology::NamedGluings> find_in_tables(const std::string& name,
+                                                     const Context& context) {
+  if (const topology::TabledDiagram* entry = topology::find_diagram(name))
+    return exterior_of({.name = entry->name, .diagram = entry->diagram}, context);
+  return std::nullopt;
+}
+
+[[noreturn]] void refuse_unknown_name(const std::string& name) {
+  const auto foreign = topology::foreign_name(name);
+  throw InvalidInput("there is no " + quoted(name) +
+                     " in the tables that come with the program (tripus table lists them); the "
+                     "nearest names there are " +
+                     topology::nearest_diagram_names(name) + (foreign ? ". " + *foreign : ""));
+}
+
+/// What a text is if it is the whole of an input, or a line of a file: a diagram, a name or a
+/// signature.
+std::optional<topology::NamedGluings> read_word(const std::string& text, const Context& context) {
   if (auto named = find_in_census(text)) return named;
+  if (auto named = find_in_tables(text, context)) return named;
+  if (topology::looks_like_diagram(text)) return exterior_of(topology::read_diagram(text), context);
+  if (topology::is_diagram_name(text)) refuse_unknown_name(text);
   if (topology::looks_like_signature(text)) return read_signature(text);
   if (const auto foreign = topology::foreign_name(text)) throw InvalidInput(*foreign);
   return std::nullopt;
@@ -90,9 +121,9 @@ bool is_drawing(const std::string& text) {
 
 /// What every verb says of a content that has no format.
 [[noreturn]] void refuse_unknown() {
-  throw InvalidInput(
-      "its content has no format that is known; looked for: " + topology::format_names() + "; " +
-      meshing::mesh_format_names() + "; a name of the census");
+  throw InvalidInput("its content has no format that is known; looked for: " +
+                     topology::format_names() + "; " + topology::diagram_format_names() + "; " +
+                     meshing::mesh_format_names() + "; a name of the census or of a table");
 }
 
 /// What is a mesh in a format that is not read.
@@ -101,18 +132,21 @@ void refuse_foreign_mesh(const std::string& content) {
 }
 
 /// The triangulations in a text; a list of several signatures belongs to --batch.
-std::vector<topology::NamedGluings> read_all_of(const std::string& text) {
+std::vector<topology::NamedGluings> read_all_of(const std::string& text, const Context& context) {
+  const auto one = [](topology::NamedGluings each) {
+    std::vector<topology::NamedGluings> all;
+    all.push_back(std::move(each));
+    return all;
+  };
+  if (topology::looks_like_diagram(text))
+    return one(exterior_of(topology::read_diagram(text), context));
   const topology::TextFormat format = topology::detect_format(text);
   refuse_foreign_mesh(text);
   if (format == topology::TextFormat::kJson && is_drawing(text)) refuse_drawing();
   if (format == topology::TextFormat::kUnknown || format == topology::TextFormat::kIsosig) {
     const auto lines = topology::read_batch(text);
     if (lines.size() == 1) {
-      if (auto word = read_word(lines.front().text)) {
-        std::vector<topology::NamedGluings> one;
-        one.push_back(*std::move(word));
-        return one;
-      }
+      if (auto word = read_word(lines.front().text, context)) return one(*std::move(word));
     }
     if (lines.size() > 1 && is_signature(lines.front().text)) {
       throw InvalidInput("it holds " + std::to_string(lines.size()) +
@@ -125,9 +159,10 @@ std::vector<topology::NamedGluings> read_all_of(const std::string& text) {
 
 /// The one triangulation in a text, or the one with the label.
 topology::NamedGluings read_single(const std::string& text, const std::string& source,
-                                   const std::optional<std::string>& label) {
+                                   const std::optional<std::string>& label,
+                                   const Context& context) {
   return blame(source, [&] {
-    auto all = read_all_of(text);
+    auto all = read_all_of(text, context);
     if (label) return topology::pick_triangulation(std::move(all), *label);
     if (all.size() == 1) return std::move(all.front());
     throw InvalidInput("it holds " + std::to_string(all.size()) +
@@ -210,16 +245,17 @@ topology::NamedGluings load_as_given(const std::string& input, Wanted wanted,
     if (!place->label)
       if (auto mesh = read_as_mesh(content, input))
         return solid_of(*std::move(mesh), wanted, source_of(input), context);
-    return read_single(content, source_of(place->file), place->label);
+    return read_single(content, source_of(place->file), place->label, context);
   }
-  if (auto word = read_word(input)) {
-    if (!canonical::is_census_name(input)) word->name.clear();
+  if (auto word = read_word(input, context)) {
+    const bool is_name = canonical::is_census_name(input) || topology::find_diagram(input);
+    if (!is_name && !topology::looks_like_diagram(input)) word->name.clear();  // a signature
     return *std::move(word);
   }
   throw InvalidInput(
       quoted(input) +
       " is neither a file nor an isomorphism signature (letters, digits, + and -) nor "
-      "a name of the census");
+      "a diagram (PD: X[4,2,5,1] ...) nor a name of the census or of a table");
 }
 
 topology::NamedGluings load(const std::string& input, Wanted wanted,
@@ -331,6 +367,27 @@ topology::NamedGluings load_labelled_input(const std::string& input, Balls balls
   return loaded;
 }
 
+topology::NamedDiagram load_diagram(const std::string& input) {
+  const auto read = [](const std::string& text) -> topology::NamedDiagram {
+    const auto lines = topology::read_batch(text);
+    if (lines.size() == 1)
+      if (const topology::TabledDiagram* entry = topology::find_diagram(lines.front().text))
+        return {.name = entry->name, .diagram = entry->diagram};
+    return topology::read_diagram(text);
+  };
+  if (const auto place = find_file(input); place && !place->label) {
+    const std::string content = read_file(place->file);
+    return blame(source_of(input), [&] { return read(content); });
+  }
+  if (topology::find_diagram(input) == nullptr && topology::is_diagram_name(input))
+    refuse_unknown_name(input);
+  if (topology::find_diagram(input) == nullptr && !topology::looks_like_diagram(input))
+    throw InvalidInput(quoted(input) +
+                       " is no diagram: give one as PD: X[4,2,5,1] ..., a file with one, or a name "
+                       "of the tables (tripus table lists them)");
+  return read(input);
+}
+
 meshing::MeshFile load_mesh(const std::string& input) {
   if (input.empty()) throw InvalidInput("the input is empty; give a file");
   const std::string content = read_file(input);
@@ -339,7 +396,7 @@ meshing::MeshFile load_mesh(const std::string& input) {
     refuse_foreign_mesh(content);
     const topology::TextFormat format = topology::detect_format(content);
     if (format == topology::TextFormat::kUnknown || format == topology::TextFormat::kJson)
-      (void)read_all_of(content);  // says what it is, if it is no triangulation either
+      (void)read_all_of(content, {});  // says what it is, if it is no triangulation either
     throw InvalidInput("it is a triangulation (" + std::string(topology::format_name(format)) +
                        ") and no mesh");
   });

@@ -283,8 +283,8 @@ def main():
     parser.add_argument("--kind", action="append", choices=KINDS)
     parser.add_argument("--verb", action="append")
     options = parser.parse_args()
-    kinds = options.kind or KINDS
     verbs = [verb for verb in VERBS if not options.verb or verb.name in options.verb]
+    kinds = [kind for kind in options.kind or KINDS if any(map(APPLIES[kind], verbs))]
     count, broken = collections.Counter(), []
     with tempfile.TemporaryDirectory(prefix="tripus-faults-") as workshop:
         trials = Trials(os.path.abspath(options.program), Path(workshop))

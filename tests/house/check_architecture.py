@@ -23,6 +23,7 @@ from pathlib import Path
 USES = {
     "base": [],
     "topology": [],
+    "drawing": ["topology"],
     "geometry": [],
     "solver": [],
     "integrators": ["solver"],
@@ -35,7 +36,7 @@ USES = {
     "manifold": ["canonical", "orthospectrum", "meshing", "embedding"],
     "viewer": ["embedding"],
     "studies": ["structure", "canonical"],
-    "cli": ["manifold", "viewer", "studies"],
+    "cli": ["manifold", "viewer", "studies", "drawing"],
     "python": ["cli"],
 }
 

@@ -1,12 +1,15 @@
 """tripus embed: the JSON, the files, bad input, interruption."""
 
 import math
+import os
 import signal
+import stat
 import struct
 import subprocess
 import time
 import xml.etree.ElementTree as ElementTree
 from collections import Counter
+from pathlib import Path
 
 from support import TRIPUS, TRIPUS_LENGTH, ProgramTest, read_json
 
@@ -27,6 +30,20 @@ IDENTITY = [float(i == j) for i in range(4) for j in range(4)]
 
 def defect(a):
     return max(abs(x - y) for x, y in zip(a, IDENTITY))
+
+
+def writes_a_draft(process):
+    """Whether it has written something to a file that has no name yet, or that of a draft."""
+    for link in Path(f"/proc/{process.pid}/fd").iterdir():
+        try:
+            status = link.stat()
+            name = os.readlink(link)
+        except OSError:
+            continue
+        if stat.S_ISREG(status.st_mode) and status.st_size > 0 and (
+                status.st_nlink == 0 or name.endswith(".draft")):
+            return True
+    return False
 
 
 class EmbedJson(ProgramTest):
@@ -221,8 +238,7 @@ class EmbedRefusals(ProgramTest):
                          "--tessellation", "0.001"),
             cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         file, end = self.folder / "x.obj", time.monotonic() + 100
-        while time.monotonic() < end and not any(
-                draft.stat().st_size > 0 for draft in self.folder.glob(".x.obj.*.draft")):
+        while time.monotonic() < end and not writes_a_draft(process):
             time.sleep(0.01)
         process.send_signal(signal.SIGINT)
         out, _ = process.communicate(timeout=100)

@@ -117,7 +117,7 @@ class Names(ProgramTest):
         self.assert_refused("info", "t3g2.1300", says="no t3g2.1300 in the shipped census")
 
     def test_of_other_tables_are_refused_by_name(self):
-        for name in ("m004", "L5a1", "8_19", "o9_00001", "K11n34", "m003(-3,1)", "v1234"):
+        for name in ("m004", "L10a1", "10_165", "o9_00001", "K11n34", "m003(-3,1)", "v1234"):
             for verb in ("info", "solve", "identify"):
                 self.assert_refused(verb, name, says="is a SnapPy name")
         self.assert_refused("info", self.write("list", "m004\n"), says="is a SnapPy name")

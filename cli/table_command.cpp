@@ -1,0 +1,193 @@
+// tripus table: the tables of knots, links, theta curves and handlebody-knots.
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/output_file.hpp"
+#include "cli/diagram_commands.hpp"
+#include "cli/exit_status.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "drawing/drawing.hpp"
+#include "manifold/diagram_table.hpp"
+
+namespace tripus::cli {
+namespace {
+
+using topology::DiagramTable;
+
+constexpr const char* kTableHelp =
+    "TABLE is one of\n"
+    "  knots             the prime knots up to 9 crossings, with Rolfsen's names\n"
+    "  links             the prime links up to 9 crossings, with Thistlethwaite's names\n"
+    "  theta-curves      theta curves and handcuff graphs up to 6 crossings, Moriuchi's names\n"
+    "  handlebody-knots  genus 2, up to 7 crossings, names of Ishii, Kishimoto, Moriuchi and\n"
+    "                    Suzuki, and of the table for 7 crossings\n"
+    "  all               all of these\n"
+    "A row: boundary, H1, tetrahedra, volume (* proved), isometries (those that reverse the\n"
+    "orientation after the +), and others with the same exterior, orientation aside. \"?\": no\n"
+    "metric with geodesic boundary or cusps was found, which proves nothing by itself.\n"
+    "Isometries are not known yet where there are cusps.\n"
+    "\n"
+    "Exit status: 0 printed, 1 interrupted, 2 bad usage or bad input, 3 a failure of the program "
+    "itself.";
+
+struct TableCommand {
+  std::string table, tsv, database, page;
+  std::vector<std::string> names;
+  bool json = false, compute = false, quiet = false;
+};
+
+std::string line_of(const DiagramRow& row) {
+  std::string text = fmt::format("{:<13} {:<7} {:<9} {:>2} tetrahedra  ", row.name,
+                                 "g " + row.boundary, row.homology, row.tetrahedra);
+  text += row.volume ? fmt::format("volume {:<17.14g}{}", *row.volume, row.proved ? "*" : " ")
+                     : fmt::format("{:<25}", "?");
+  if (row.isometries > 0)
+    text += fmt::format(" isometries {} + {}", row.isometries - row.reversing, row.reversing);
+  if (!row.same_as.empty()) text += fmt::format("  = {}", fmt::join(row.same_as, ", "));
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text + "\n";
+}
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
+  return result;
+}
+
+/// A page with a picture of every diagram.
+std::string page_of(const std::string& table, const std::vector<DiagramRow>& rows) {
+  std::string text = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>{0}</title>\n"
+      "<style>body{{font:15px/1.4 sans-serif;margin:2em}}"
+      "main{{display:grid;grid-template-columns:repeat(auto-fill,minmax(230px,1fr));gap:1.5em}}"
+      "figure{{margin:0}}figcaption b{{font-size:1.1em}}svg{{max-width:100%;height:auto}}"
+      "</style>\n<h1>{0}</h1>\n<main>\n",
+      table);
+  for (const DiagramRow& row : rows) {
+    const topology::TabledDiagram* diagram = topology::find_diagram(row.name);
+    text += "<figure>\n" + drawing::to_svg(diagram->diagram, {.size = 200, .title = row.name}) +
+            fmt::format("<figcaption><b>{}</b><br>{}<br>H1 {}, {} tetrahedra", escaped(row.name),
+                        row.volume ? fmt::format("volume {:.12g}{}", *row.volume,
+                                                 row.proved ? ", proved" : "")
+                                   : std::string("no metric found"),
+                        row.homology, row.tetrahedra);
+    if (row.isometries > 0)
+      text +=
+          fmt::format("<br>isometries: {}{}", row.group, row.reversing > 0 ? ", amphicheiral" : "");
+    if (!row.same_as.empty())
+      text += fmt::format("<br>same exterior: {}", fmt::join(row.same_as, ", "));
+    text += "</figcaption>\n</figure>\n";
+  }
+  return text + "</main>\n</html>\n";
+}
+
+std::string as_json(const std::vector<DiagramRow>& rows) {
+  JsonText out;
+  append_header(out, "table");
+  append(out, ", \"rows\": ");
+  append_array(out, rows, [](JsonText& to, const DiagramRow& row) {
+    append(to, "\n");
+    append_row(to, row, topology::find_diagram(row.name)->diagram);
+  });
+  append(out, "}\n");
+  return fmt::to_string(out);
+}
+
+/// Others with the same exterior are looked for in all the tables that are computed.
+std::vector<DiagramRow> computed(const std::vector<DiagramTable>& tables, bool quiet) {
+  std::vector<DiagramRow> rows;
+  Progress progress(!quiet);
+  for (const DiagramTable table : tables)
+    for (const topology::TabledDiagram& diagram : topology::table_of(table)) {
+      if (interrupt_requested()) break;
+      if (progress.due()) progress.show(diagram.name);
+      rows.push_back(diagram_row(diagram, interruptible()));
+    }
+  mark_same(rows);
+  return rows;
+}
+
+std::vector<DiagramRow> shipped(const std::vector<DiagramTable>& tables) {
+  std::vector<DiagramRow> rows;
+  for (const DiagramTable table : tables)
+    rows.insert(rows.end(), shipped_rows(table).begin(), shipped_rows(table).end());
+  return rows;
+}
+
+std::vector<DiagramTable> tables_of(const std::string& name) {
+  if (name == "all")
+    return {std::begin(topology::kDiagramTables), std::end(topology::kDiagramTables)};
+  const auto table = topology::find_table(name);
+  if (!table)
+    throw InvalidInput("there is no table " + quoted(name) +
+                       "; there are knots, links, theta-curves, handlebody-knots, and all");
+  return {*table};
+}
+
+std::vector<DiagramRow> chosen_rows(std::vector<DiagramRow> rows,
+                                    const std::vector<std::string>& names) {
+  if (names.empty()) return rows;
+  std::vector<DiagramRow> chosen;
+  for (const std::string& name : names) {
+    const topology::TabledDiagram* found = topology::find_diagram(name);
+    const std::size_t before = chosen.size();
+    for (const DiagramRow& row : rows)
+      if (found != nullptr && row.name == found->name) chosen.push_back(row);
+    if (chosen.size() == before)
+      throw InvalidInput("there is no " + quoted(name) + " in this table; the nearest names are " +
+                         topology::nearest_diagram_names(name));
+  }
+  return chosen;
+}
+
+void write_file(const std::string& path, const std::string& content) {
+  if (path == "-") return write_output(content);
+  OutputFile file(path);
+  file.open() << content;
+  file.close();
+}
+
+int run(const TableCommand& command) {
+  const std::vector<DiagramTable> tables = tables_of(command.table);
+  catch_interrupts();
+  const std::vector<DiagramRow> rows = chosen_rows(
+      command.compute ? computed(tables, command.quiet) : shipped(tables), command.names);
+  if (!command.tsv.empty()) write_file(command.tsv, to_tsv(rows));
+  if (!command.database.empty()) write_diagram_database(rows, command.database);
+  if (!command.page.empty()) write_file(command.page, page_of(command.table, rows));
+  if (command.json)
+    write_output(as_json(rows));
+  else if (command.tsv.empty() && command.database.empty() && command.page.empty())
+    for (const DiagramRow& row : rows) write_output(line_of(row));
+  return interrupt_requested() ? kNoAnswer : kSuccess;
+}
+
+}  // namespace
+
+void add_table(CLI::App& program, Command& chosen) {
+  CLI::App* verb = program.add_subcommand("table", "tables of knots, links and handlebody-knots");
+  auto command = std::make_shared<TableCommand>();
+  verb->add_option("TABLE", command->table, "knots, links, theta-curves, handlebody-knots or all")
+      ->option_text(" ")
+      ->required();
+  verb->add_option("NAME", command->names, "only these rows")->option_text(" ");
+  verb->add_option("--tsv", command->tsv, "write it as a table with tabs; - for standard output")
+      ->option_text("FILE");
+  verb->add_option("--database", command->database, "write it as a SQLite database, a new file")
+      ->option_text("FILE");
+  verb->add_option("--page", command->page, "write a page with a picture of every diagram (HTML)")
+      ->option_text("FILE");
+  verb->add_flag("--compute", command->compute,
+                 "compute everything anew, from the diagrams: about a minute");
+  verb->add_flag("--json", command->json, "print one JSON object");
+  verb->add_flag("--quiet", command->quiet, "no progress");
+  verb->footer(kTableHelp);
+  verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
+}
+
+}  // namespace tripus::cli

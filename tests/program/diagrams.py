@@ -1,0 +1,126 @@
+"""Diagrams as INPUT, tripus draw and tripus table."""
+
+import json
+import re
+import xml.etree.ElementTree
+
+from support import ProgramTest, TRIPUS_VOLUME, read_json
+
+FIGURE_EIGHT = "PD: X[4,2,5,1] X[8,6,1,5] X[6,3,7,4] X[2,7,3,8]"
+
+
+class Diagrams(ProgramTest):
+    def solved(self, diagram):
+        run = self.run_program("solve", diagram, "--json")
+        self.assertEqual(run.status, 0, run.err)
+        return read_json(run.text)
+
+    def test_a_knot_as_text_and_by_name(self):
+        for diagram in (FIGURE_EIGHT, "4_1", "Braid: 1 -2 1 -2", "DT: 4 6 8 2"):
+            self.assertAlmostEqual(self.solved(diagram)["volume"], 2.029883212819307, 12)
+
+    def test_handlebody_knots_and_theta_curves_by_name(self):
+        for name in ("hk5_3", "5_1 theta", "T5_1"):
+            self.assertAlmostEqual(self.solved(name)["volume"], TRIPUS_VOLUME, 12)
+
+    def test_files_of_all_forms(self):
+        forms = {
+            "text.pd": FIGURE_EIGHT,
+            "lists.txt": "[[4,2,5,1], [8,6,1,5],\n [6,3,7,4], [2,7,3,8]]\n",
+            "diagram.json": json.dumps({"name": "eight", "diagram": [
+                ["X", [4, 2, 5, 1]], ["X", [8, 6, 1, 5]], [6, 3, 7, 4], [2, 7, 3, 8]]}),
+            "name.txt": "4_1\n",
+        }
+        for name, text in forms.items():
+            (self.folder / name).write_text(text)
+            self.assertAlmostEqual(self.solved(name)["volume"], 2.029883212819307, 12)
+
+    def test_a_batch_of_diagrams(self):
+        (self.folder / "list.txt").write_text(f"{FIGURE_EIGHT}\nhk5_3\nhk9_9\n8_19 # a torus knot\n")
+        run = self.run_program("info", "--batch", "list.txt", "--json")
+        rows = [read_json(line) for line in run.lines]
+        self.assertEqual([row.get("isosig") for row in rows[:2]], ["cPcbbbiht", "cPcbbbihq"])
+        self.assertIn("the nearest names there are hk", rows[2]["error"]["message"])
+        self.assertEqual(rows[3]["homology"], "Z")
+
+    def test_a_knot_that_is_not_hyperbolic_gets_an_answer(self):
+        run = self.run_program("solve", "8_19")
+        self.assertEqual(run.status, 1)
+        self.assertIn("8_19", run.text + run.err)
+
+    def test_errors_name_the_place(self):
+        for text, message in (
+                ("PD: V[1,6,11]", "arc 1 is named once"),
+                ("PD: X[4,2,5,1", "is not closed"),
+                ("hk9_9", "there is no \"hk9_9\" in the tables"),
+                ("10_1", "is a SnapPy name"),
+                ("PD: X[1,2,1,2]", "cannot be drawn in the plane")):
+            run = self.run_program("info", text)
+            self.assertEqual(run.status, 2)
+            self.assertIn(message, run.err)
+
+    def test_a_piece_that_touches_nothing_is_told(self):
+        run = self.run_program("info", FIGURE_EIGHT + " V[21,22] V[21,22]")
+        self.assertEqual(run.status, 0)
+        self.assertIn("arcs 21 and 22 form a piece of their own", run.err)
+
+
+class Draw(ProgramTest):
+    def test_pictures_are_well_formed_and_have_gaps(self):
+        for name, crossings in (("8_19", 8), ("hk6_9", 6), ("L6a4", 6), ("0_1 theta", 0)):
+            run = self.run_program("draw", name, "-o", "picture.svg")
+            self.assertEqual((run.status, run.err), (0, ""))
+            root = xml.etree.ElementTree.parse(self.folder / "picture.svg").getroot()
+            paths = [p.get("d") for p in root.iter("{http://www.w3.org/2000/svg}path")]
+            # Each under-strand lifts the pen once.
+            self.assertEqual(sum(p.count("M") for p in paths), len(paths) + crossings)
+            self.assertNotRegex("".join(paths), "nan|inf")
+            self.assertEqual(root.find("{http://www.w3.org/2000/svg}title").text, name)
+
+    def test_the_drawing_in_space_becomes_the_same_manifold(self):
+        run = self.run_program("draw", "hk5_3", "--polylines", "-o", "space.json")
+        self.assertEqual(run.status, 0, run.err)
+        run = self.run_program("tube", "space.json", "-o", "space.off", "--quiet")
+        self.assertEqual(run.status, 0, run.err)
+        mesh = read_json(self.run_program("mesh", "space.off", "--json").text)
+        info = read_json(self.run_program("info", "hk5_3", "--json").text)
+        self.assertEqual(mesh["oriented_isosig"], info["oriented_isosig"])
+
+    def test_diagrams_are_written_as_text(self):
+        run = self.run_program("draw", "4_1", "--pd")
+        again = self.run_program("draw", run.text.strip(), "--pd")
+        self.assertEqual(run.text, again.text)
+
+    def test_what_is_no_diagram_is_refused(self):
+        run = self.run_program("draw", "cPcbbbihq")
+        self.assertEqual(run.status, 2)
+        self.assertIn("is no diagram", run.err)
+
+
+class Table(ProgramTest):
+    def test_lists_what_is_known(self):
+        run = self.run_program("table", "handlebody-knots")
+        self.assertEqual((run.status, len(run.lines)), (0, 90))
+        self.assertRegex(run.text, r"hk5_3 .*6\.451990270835\d*\*? +isometries 6 \+ 0")
+        self.assertRegex(run.text, r"(?m)^hk6_2 .*= hk7_10$")
+
+    def test_json_has_diagrams(self):
+        rows = read_json(self.run_program("table", "theta-curves", "5_1 theta", "--json").text)["rows"]
+        self.assertEqual([row["name"] for row in rows], ["5_1 theta"])
+        self.assertEqual(rows[0]["tetrahedron_count"], 2)
+        self.assertEqual(rows[0]["diagram"][0], ["V", [1, 6, 11]])
+
+    def test_other_formats(self):
+        run = self.run_program("table", "knots", "4_1", "3_1", "--tsv", "k.tsv", "--page", "k.html",
+                               "--database", "k.sqlite")
+        self.assertEqual((run.status, run.text), (0, ""))
+        self.assertEqual(len((self.folder / "k.tsv").read_text().splitlines()), 3)
+        page = (self.folder / "k.html").read_text()
+        self.assertEqual(len(re.findall("<svg", page)), 2)
+        self.assertTrue((self.folder / "k.sqlite").read_bytes().startswith(b"SQLite format 3"))
+
+    def test_unknown_tables_and_names(self):
+        self.assertEqual(self.run_program("table", "braids").status, 2)
+        run = self.run_program("table", "knots", "4_7")
+        self.assertEqual(run.status, 2)
+        self.assertIn("nearest names", run.err)

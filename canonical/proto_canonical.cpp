@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 #include <queue>
+#include <tuple>
 #include <unordered_set>
 
 #include <fmt/format.h>
@@ -16,7 +17,8 @@
 #include "base/error.hpp"
 #include "base/tolerances.hpp"
 #include "structure/solve.hpp"
-#include "topology/isosig.hpp"
+#include "topology/labelled_isosig.hpp"
+#include "topology/moves/edge_images.hpp"
 
 namespace tripus::canonical {
 namespace {
@@ -39,18 +41,26 @@ struct State {
   Triangulation triangulation;
   Report report;
   std::vector<Move> path;
+  std::vector<topology::ConeAngle> cone_angles;  ///< [E]; empty if there are no labels
 };
+
+FaceKinds faces_of(const State& state) {
+  return face_kinds(state.triangulation, state.report.edge_lengths, state.cone_angles);
+}
 
 class Walker {
  public:
   Walker(const Triangulation& triangulation, const Report& report,
          const ProtoCanonicalOptions& options)
-      : options_(options), volume_(report.volume), state_{triangulation, report, {}} {}
+      : options_(options),
+        volume_(report.volume),
+        state_{triangulation, report, {}, options.cone_angles} {}
 
   ProtoCanonical run() {
     if (!descend()) search();
+    const bool found = !faces_.has_concave();
     return {std::move(state_.triangulation), std::move(state_.report), std::move(faces_),
-            std::move(state_.path), !faces_.has_concave()};
+            std::move(state_.path),          std::move(state_.cone_angles), found};
   }
 
  private:
@@ -63,56 +73,63 @@ class Walker {
 
   /// Makes one move at a concave face. False if there is no such face, or no such move.
   bool improve() {
-    faces_ = face_kinds(state_.triangulation, state_.report.edge_lengths);
+    faces_ = faces_of(state_);
     if (!faces_.has_concave()) return false;
     for (const Move& move : moves_at_concave_faces()) {
-      auto next = after(state_, move);
-      if (!next || next->report.outcome != structure::Outcome::kGeometric) continue;
-      state_ = std::move(*next);
+      auto next = moved(state_, move);
+      if (!next) continue;
+      solve(state_, *next);
+      if (next->state.report.outcome != structure::Outcome::kGeometric) continue;
+      state_ = std::move(next->state);
       return true;
     }
     return false;
   }
 
-  /// A best-first search from where the moves got stuck, fewest tetrahedra first; from every new
-  /// triangulation with the metric the moves go on.
+  /// A best-first search from where the moves got stuck: fewest moves away first, fewest tetrahedra
+  /// among those; from every new triangulation with the metric the moves go on.
   void search() {
-    using Entry = std::pair<std::size_t, std::size_t>;
+    using Entry = std::tuple<std::size_t, std::size_t, std::size_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
     std::vector<State> nodes;
     std::unordered_set<std::string> known;
     const State stuck = state_;
     const std::size_t limit = stuck.triangulation.tetrahedron_count() + kExtra;
-    const auto add = [&](State state) {
-      open.emplace(state.triangulation.tetrahedron_count(), nodes.size());
+    const auto add = [&](State state, std::size_t moves) {
+      open.emplace(moves, state.triangulation.tetrahedron_count(), nodes.size());
       nodes.push_back(std::move(state));
     };
-    known.insert(topology::isosig(stuck.triangulation.gluings()));
-    add(stuck);
+    known.insert(key(stuck));
+    add(stuck, 0);
     constexpr std::array kKinds{MoveKind::kThreeTwo, MoveKind::kFourFour, MoveKind::kTwoThree};
     while (!open.empty() && solves_ < options_.budget) {
-      const State here = nodes[open.top().second];
+      const auto [moves, size, number] = open.top();
+      const State here = nodes[number];
       open.pop();
       const std::vector<bool> trouble = trouble_of(here);
       for (const Move& move : topology::all_moves(here.triangulation, kKinds)) {
         const bool grows = move.kind == MoveKind::kTwoThree;
-        if (here.triangulation.tetrahedron_count() + grows > limit) continue;
+        if (size + grows > limit) continue;
         if (!trouble.empty() && !trouble[move.tetrahedron]) continue;
         if (solves_ >= options_.budget) break;
-        auto next = after(here, move);
-        if (!next || !known.insert(topology::isosig(next->triangulation.gluings())).second)
-          continue;
-        if (next->report.outcome == structure::Outcome::kGeometric) {
-          state_ = std::move(*next);
+        auto next = moved(here, move);
+        if (!next || !known.insert(key(next->state)).second) continue;
+        solve(here, *next);
+        if (next->state.report.outcome == structure::Outcome::kGeometric) {
+          state_ = std::move(next->state);
           if (descend()) return;
-          known.insert(topology::isosig(state_.triangulation.gluings()));
-          next = state_;
+          if (!known.insert(key(state_)).second) continue;
+          next->state = state_;
         }
-        add(std::move(*next));
+        add(std::move(next->state), moves + 1);
       }
     }
     state_ = stuck;
-    faces_ = face_kinds(state_.triangulation, state_.report.edge_lengths);
+    faces_ = faces_of(state_);
+  }
+
+  static std::string key(const State& state) {
+    return topology::labelled_isosig(state.triangulation, state.cone_angles);
   }
 
   /// [T] tetrahedra around which the search makes moves; empty for all.
@@ -121,7 +138,7 @@ class Walker {
     if (count <= kSmall) return {};
     std::vector<bool> trouble(count);
     if (state.report.outcome == structure::Outcome::kGeometric) {
-      const FaceKinds faces = face_kinds(state.triangulation, state.report.edge_lengths);
+      const FaceKinds faces = faces_of(state);
       for (std::size_t t = 0; t < count; ++t)
         trouble[t] = std::ranges::find(faces.kind[t], FaceKind::kConcave) != faces.kind[t].end();
     }
@@ -194,49 +211,66 @@ class Walker {
     return true;
   }
 
-  /// The state after a move, solved; nothing if it is not legal. Edges of valence 1 and 2, which no
-  /// metric has, are not solved on.
-  std::optional<State> after(const State& from, const Move& move) {
+  /// The state after a move, and where edges went.
+  struct Moved {
+    State state;
+    std::vector<std::uint32_t> edge_images;
+  };
+
+  /// Not solved; nothing if the move is not legal, or takes a labelled edge away.
+  static std::optional<Moved> moved(const State& from, const Move& move) {
     topology::Gluings gluings = from.triangulation.gluings();
     if (!topology::can_apply(gluings, move)) return std::nullopt;
     const topology::MoveChange change = topology::apply(gluings, move);
-    State next{Triangulation(std::move(gluings)), {}, from.path};
-    next.path.push_back(move);
-    for (std::size_t e = 0; e < next.triangulation.edge_count(); ++e)
-      if (next.triangulation.valence(e) < 3) return next;
-    structure::SolveOptions solve;
-    solve.evidence = false;
-    if (next.triangulation.tetrahedron_count() > kWarmStart &&
-        from.report.outcome == structure::Outcome::kGeometric)
-      solve.initial_lengths = carried_over(from, next.triangulation, change);
-    next.report = structure::solve(next.triangulation, solve);
-    ++solves_;
-    if (next.report.outcome == structure::Outcome::kGeometric &&
-        !(std::fabs(next.report.volume - volume_) <= tolerance::kVolumeAgreement * volume_)) {
-      throw InternalError(fmt::format("{} changed the volume from {} to {}",
-                                      topology::to_string(move), volume_, next.report.volume));
-    }
+    Moved next{{Triangulation(std::move(gluings)), {}, from.path, {}}, {}};
+    State& state = next.state;
+    state.path.push_back(move);
+    next.edge_images =
+        topology::edge_images(from.triangulation, move, change, state.triangulation);
+    auto labels = topology::carried_labels(from.cone_angles, next.edge_images,
+                                           state.triangulation.edge_count());
+    if (!labels) return std::nullopt;
+    state.cone_angles = std::move(*labels);
     return next;
   }
 
+  /// Looks for the metric. Edges of valence 1 and 2 without a label, which no metric has, are not
+  /// solved on.
+  void solve(const State& from, Moved& next) {
+    State& state = next.state;
+    for (std::size_t e = 0; e < state.triangulation.edge_count(); ++e)
+      if (state.triangulation.valence(e) < 3 && is_full(state, e)) return;
+    structure::SolveOptions solve;
+    solve.evidence = false;
+    solve.cone_angles = state.cone_angles;
+    if (state.triangulation.tetrahedron_count() > kWarmStart &&
+        from.report.outcome == structure::Outcome::kGeometric)
+      solve.initial_lengths =
+          carried_lengths(from, next.edge_images, state.triangulation.edge_count());
+    state.report = structure::solve(state.triangulation, solve);
+    ++solves_;
+    if (state.report.outcome == structure::Outcome::kGeometric &&
+        !(std::fabs(state.report.volume - volume_) <= tolerance::kVolumeAgreement * volume_)) {
+      throw InternalError(fmt::format("{} changed the volume from {} to {}",
+                                      topology::to_string(state.path.back()), volume_,
+                                      state.report.volume));
+    }
+  }
+
+  static bool is_full(const State& state, std::size_t edge) {
+    return state.cone_angles.empty() || state.cone_angles[edge].is_full();
+  }
+
   /// Lengths for the triangulation after a move: edges that were there keep theirs.
-  static std::vector<double> carried_over(const State& from, const Triangulation& next,
-                                          const topology::MoveChange& change) {
-    constexpr auto kNew = topology::kNoTetrahedron;
-    std::vector<topology::TetrahedronIndex> old(next.tetrahedron_count());
-    for (std::size_t t = 0; t < old.size(); ++t)
-      old[t] = static_cast<topology::TetrahedronIndex>(t);
-    for (const auto& renumbered : change.renumbered) old[renumbered.to] = renumbered.from;
-    for (const auto t : change.added) old[t] = kNew;
+  static std::vector<double> carried_lengths(const State& from,
+                                             const std::vector<std::uint32_t>& images,
+                                             std::size_t edge_count) {
     const auto& lengths = from.report.edge_lengths;
     double mean = 0;
     for (const double l : lengths) mean += l / static_cast<double>(lengths.size());
-    std::vector<double> result(next.edge_count(), mean);
-    for (std::size_t t = 0; t < old.size(); ++t) {
-      if (old[t] == kNew) continue;
-      for (int e = 0; e < 6; ++e)
-        result[next.edge_class(t, e)] = lengths[from.triangulation.edge_class(old[t], e)];
-    }
+    std::vector<double> result(edge_count, mean);
+    for (std::size_t e = 0; e < images.size(); ++e)
+      if (images[e] != topology::kNoEdge) result[images[e]] = lengths[e];
     return result;
   }
 

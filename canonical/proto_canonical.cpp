@@ -6,16 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <numbers>
 #include <optional>
 #include <queue>
-#include <tuple>
 #include <unordered_set>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "base/tolerances.hpp"
+#include "canonical/detail/precise.hpp"
+#include "energies/co_volume.hpp"
 #include "structure/solve.hpp"
 #include "topology/labelled_isosig.hpp"
 #include "topology/moves/edge_images.hpp"
@@ -28,12 +30,11 @@ using topology::Move;
 using topology::MoveKind;
 using topology::Triangulation;
 
-/// Beyond so many tetrahedra the solver is started from the lengths that are known already. Before
-/// that the default start is as good, and cheaper where there is no metric to be found.
-constexpr std::size_t kWarmStart = 32;
 /// Up to so many tetrahedra the search makes moves everywhere, beyond only around the trouble.
 constexpr std::size_t kSmall = 12;
-/// Tetrahedra that the search may add.
+/// Tetrahedra that the search through triangulations with the metric may add.
+constexpr std::size_t kSpread = 4;
+/// Tetrahedra that the other search may add.
 constexpr std::size_t kExtra = 2;
 
 /// A triangulation on the way, with the metric or without.
@@ -48,6 +49,32 @@ FaceKinds faces_of(const State& state) {
   return face_kinds(state.triangulation, state.report.edge_lengths, state.cone_angles);
 }
 
+/// The length of an edge of one tetrahedron from the others and the dihedral angle opposite it; nothing
+/// if there is none. That angle's cosine is a linear function of the Gram entry: docs/theory.md (10).
+std::optional<double> length_across(const std::array<double, 6>& l, const detail::Diagonal& d,
+                                    int edge, double angle) {
+  const auto [a, b] = topology::kEdgeEnds[static_cast<std::size_t>(edge)];
+  const auto [i, j] = topology::kEdgeEnds[static_cast<std::size_t>(5 - edge)];
+  const auto kind = [&](int v) { return d[static_cast<std::size_t>(v)]; };
+  const auto gram = [&](int v, int w) {
+    const int e = topology::kEdgeNumber[static_cast<std::size_t>(v)][static_cast<std::size_t>(w)];
+    return detail::minus_gram(l[static_cast<std::size_t>(e)], kind(v), kind(w));
+  };
+  const double slope2 = detail::squared_slope(gram(i, j), kind(i), kind(j));
+  // Of the face ij and one more vertex, p of docs/theory.md (7).
+  const auto face = [&](int v) {
+    return kind(v) * slope2 + kind(j) * gram(i, v) * gram(i, v) +
+           kind(i) * gram(j, v) * gram(j, v) + 2 * gram(i, j) * gram(i, v) * gram(j, v);
+  };
+  const double product = kind(j) * gram(i, a) * gram(i, b) + kind(i) * gram(j, a) * gram(j, b) +
+                         gram(i, j) * (gram(i, a) * gram(j, b) + gram(i, b) * gram(j, a));
+  const double entry = (product - std::cos(angle) * std::sqrt(face(a) * face(b))) / slope2;
+  const bool hyperideal = kind(a) != 0 && kind(b) != 0;
+  if (!(entry > (hyperideal ? 1 : 0))) return std::nullopt;
+  if (hyperideal) return std::acosh(entry);
+  return std::log(kind(a) == kind(b) ? entry / 2 : entry);
+}
+
 class Walker {
  public:
   Walker(const Triangulation& triangulation, const Report& report,
@@ -57,16 +84,18 @@ class Walker {
         state_{triangulation, report, {}, options.cone_angles} {}
 
   ProtoCanonical run() {
-    if (!descend()) search();
+    if (!descend() && !spread()) search();
     const bool found = !faces_.has_concave();
     return {std::move(state_.triangulation), std::move(state_.report), std::move(faces_),
             std::move(state_.path),          std::move(state_.cone_angles), found};
   }
 
  private:
-  /// Moves at concave faces as long as there are any that do; true if no concave face is left.
+  /// Moves at concave faces as long as there are any that do, and lead to something new; true if no
+  /// concave face is left.
   bool descend() {
     while (improve()) {
+      if (!known_.empty() && !known_.insert(key(state_)).second) return false;
     }
     return !faces_.has_concave();
   }
@@ -77,8 +106,8 @@ class Walker {
     if (!faces_.has_concave()) return false;
     for (const Move& move : moves_at_concave_faces()) {
       auto next = moved(state_, move);
-      if (!next) continue;
-      solve(state_, *next);
+      if (!next || !keeps_metric(*next)) continue;
+      solve(*next);
       if (next->state.report.outcome != structure::Outcome::kGeometric) continue;
       state_ = std::move(next->state);
       return true;
@@ -86,24 +115,57 @@ class Walker {
     return false;
   }
 
-  /// A best-first search from where the moves got stuck: fewest moves away first, fewest tetrahedra
-  /// among those; from every new triangulation with the metric the moves go on.
+  /// Breadth first from where the moves got stuck through triangulations that carry the metric, and
+  /// from each again moves at concave faces until they come to one that is known. Cheap, as there is
+  /// hardly anything to be solved for in vain. Up to kSmall tetrahedra, with a part of the budget.
+  bool spread() {
+    const State stuck = state_;
+    const std::size_t limit = stuck.triangulation.tetrahedron_count() + kSpread;
+    if (limit > kSmall + kSpread) return false;
+    constexpr std::array kKinds{MoveKind::kThreeTwo, MoveKind::kFourFour, MoveKind::kTwoThree};
+    known_.insert(key(stuck));
+    std::deque<State> open{stuck};
+    while (!open.empty() && solves_ < options_.budget / 2) {
+      const State here = std::move(open.front());
+      open.pop_front();
+      for (const Move& move : topology::all_moves(here.triangulation, kKinds)) {
+        if (solves_ >= options_.budget / 2) break;
+        const bool grows = move.kind == MoveKind::kTwoThree;
+        if (here.triangulation.tetrahedron_count() + grows > limit) continue;
+        auto next = moved(here, move);
+        if (!next || !keeps_metric(*next)) continue;
+        if (!known_.insert(key(next->state)).second) continue;
+        solve(*next);
+        if (next->state.report.outcome != structure::Outcome::kGeometric) continue;
+        open.push_back(next->state);
+        state_ = std::move(next->state);
+        if (descend()) return true;
+      }
+    }
+    known_.clear();
+    state_ = stuck;
+    faces_ = faces_of(state_);
+    return false;
+  }
+
+  /// A best-first search from where the moves got stuck, fewest tetrahedra first; from every new
+  /// triangulation with the metric the moves go on.
   void search() {
-    using Entry = std::tuple<std::size_t, std::size_t, std::size_t>;
+    using Entry = std::pair<std::size_t, std::size_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
     std::vector<State> nodes;
     std::unordered_set<std::string> known;
     const State stuck = state_;
     const std::size_t limit = stuck.triangulation.tetrahedron_count() + kExtra;
-    const auto add = [&](State state, std::size_t moves) {
-      open.emplace(moves, state.triangulation.tetrahedron_count(), nodes.size());
+    const auto add = [&](State state) {
+      open.emplace(state.triangulation.tetrahedron_count(), nodes.size());
       nodes.push_back(std::move(state));
     };
     known.insert(key(stuck));
-    add(stuck, 0);
+    add(stuck);
     constexpr std::array kKinds{MoveKind::kThreeTwo, MoveKind::kFourFour, MoveKind::kTwoThree};
     while (!open.empty() && solves_ < options_.budget) {
-      const auto [moves, size, number] = open.top();
+      const auto [size, number] = open.top();
       const State here = nodes[number];
       open.pop();
       const std::vector<bool> trouble = trouble_of(here);
@@ -114,14 +176,14 @@ class Walker {
         if (solves_ >= options_.budget) break;
         auto next = moved(here, move);
         if (!next || !known.insert(key(next->state)).second) continue;
-        solve(here, *next);
+        if (next->lengths.empty() || keeps_metric(*next)) solve(*next);
         if (next->state.report.outcome == structure::Outcome::kGeometric) {
           state_ = std::move(next->state);
           if (descend()) return;
           if (!known.insert(key(state_)).second) continue;
           next->state = state_;
         }
-        add(std::move(next->state), moves + 1);
+        add(std::move(next->state));
       }
     }
     state_ = stuck;
@@ -166,7 +228,7 @@ class Walker {
     std::vector<Move> moves;
     for (const Face& face : faces) add_edge_moves(face.t, face.f, 3, moves);
     for (const Face& face : faces)
-      if (is_crossed(face.t, face.f)) moves.push_back(two_three(face.t, face.f));
+      if (is_crossed(state_, face.t, face.f)) moves.push_back(two_three(face.t, face.f));
     for (const Face& face : faces) add_edge_moves(face.t, face.f, 4, moves);
     return moves;
   }
@@ -194,8 +256,8 @@ class Walker {
 
   /// Whether the edge that a 2-3 move makes crosses the inside of the face: exactly when the two
   /// tetrahedra have angles of sum less than pi at each edge of it.
-  bool is_crossed(std::size_t t, int f) const {
-    const auto& gluings = state_.triangulation.gluings();
+  static bool is_crossed(const State& state, std::size_t t, int f) {
+    const auto& gluings = state.triangulation.gluings();
     const std::size_t other = gluings.neighbour(t, f);
     const auto p = gluings.gluing(t, f);
     for (int e = 0; e < 6; ++e) {
@@ -203,7 +265,7 @@ class Walker {
       if (ends[0] == f || ends[1] == f) continue;
       const int image = topology::kEdgeNumber[static_cast<std::size_t>(p(ends[0]))]
                                              [static_cast<std::size_t>(p(ends[1]))];
-      const auto& angles = state_.report.dihedral_angles;
+      const auto& angles = state.report.dihedral_angles;
       if (angles[t][static_cast<std::size_t>(e)] + angles[other][static_cast<std::size_t>(image)] >
           std::numbers::pi - tolerance::kFlatAngleMargin)
         return false;
@@ -211,10 +273,11 @@ class Walker {
     return true;
   }
 
-  /// The state after a move, and where edges went.
+  /// The state after a move, and where the metric before it was known: the lengths [E] that the edges
+  /// have in it, the new one included. Empty if it has none.
   struct Moved {
     State state;
-    std::vector<std::uint32_t> edge_images;
+    std::vector<double> lengths;
   };
 
   /// Not solved; nothing if the move is not legal, or takes a labelled edge away.
@@ -225,28 +288,49 @@ class Walker {
     Moved next{{Triangulation(std::move(gluings)), {}, from.path, {}}, {}};
     State& state = next.state;
     state.path.push_back(move);
-    next.edge_images =
+    const std::vector<std::uint32_t> images =
         topology::edge_images(from.triangulation, move, change, state.triangulation);
-    auto labels = topology::carried_labels(from.cone_angles, next.edge_images,
-                                           state.triangulation.edge_count());
+    auto labels =
+        topology::carried_labels(from.cone_angles, images, state.triangulation.edge_count());
     if (!labels) return std::nullopt;
     state.cone_angles = std::move(*labels);
+    if (from.report.outcome == structure::Outcome::kGeometric) {
+      next.lengths.resize(state.triangulation.edge_count());
+      for (std::size_t e = 0; e < images.size(); ++e)
+        if (images[e] != topology::kNoEdge) next.lengths[images[e]] = from.report.edge_lengths[e];
+      const auto diagonal = topology::new_diagonal(from.triangulation, move, change);
+      if (diagonal && !measure(from, *diagonal, next)) next.lengths.clear();
+    }
     return next;
+  }
+
+  /// Sets the length of the new edge; false if it has none, as its ends are on the wrong sides.
+  static bool measure(const State& from, const topology::NewDiagonal& diagonal, Moved& next) {
+    const State& state = next.state;
+    const std::size_t t = diagonal.tetrahedron;
+    double angle = 0;
+    for (const auto& [tetrahedron, edge] : diagonal.corners)
+      angle += from.report.dihedral_angles[tetrahedron][static_cast<std::size_t>(edge)];
+    std::array<double, 6> l;
+    for (int e = 0; e < 6; ++e)
+      l[static_cast<std::size_t>(e)] = next.lengths[state.triangulation.edge_class(t, e)];
+    const auto diagonals = detail::diagonals(state.triangulation, state.cone_angles);
+    const auto length = length_across(l, diagonals[t], diagonal.edge, angle);
+    if (!length) return false;
+    next.lengths[state.triangulation.edge_class(t, diagonal.edge)] = *length;
+    return true;
   }
 
   /// Looks for the metric. Edges of valence 1 and 2 without a label, which no metric has, are not
   /// solved on.
-  void solve(const State& from, Moved& next) {
+  void solve(Moved& next) {
     State& state = next.state;
     for (std::size_t e = 0; e < state.triangulation.edge_count(); ++e)
       if (state.triangulation.valence(e) < 3 && is_full(state, e)) return;
     structure::SolveOptions solve;
     solve.evidence = false;
     solve.cone_angles = state.cone_angles;
-    if (state.triangulation.tetrahedron_count() > kWarmStart &&
-        from.report.outcome == structure::Outcome::kGeometric)
-      solve.initial_lengths =
-          carried_lengths(from, next.edge_images, state.triangulation.edge_count());
+    solve.initial_lengths = next.lengths;
     state.report = structure::solve(state.triangulation, solve);
     ++solves_;
     if (state.report.outcome == structure::Outcome::kGeometric &&
@@ -257,21 +341,19 @@ class Walker {
     }
   }
 
-  static bool is_full(const State& state, std::size_t edge) {
-    return state.cone_angles.empty() || state.cone_angles[edge].is_full();
+  /// Whether the metric, which was known before the move, is one after it: true tetrahedra.
+  static bool keeps_metric(const Moved& next) {
+    if (next.lengths.empty()) return false;
+    energies::CoVolume energy(next.state.triangulation, next.state.cone_angles);
+    std::vector<double> curvature(next.lengths.size());
+    return energy.evaluate(next.lengths, curvature, {}) && energy.flat_count() == 0 &&
+           std::ranges::all_of(curvature, [](double K) {
+             return std::fabs(K) < tolerance::kFlatAngleMargin;
+           });
   }
 
-  /// Lengths for the triangulation after a move: edges that were there keep theirs.
-  static std::vector<double> carried_lengths(const State& from,
-                                             const std::vector<std::uint32_t>& images,
-                                             std::size_t edge_count) {
-    const auto& lengths = from.report.edge_lengths;
-    double mean = 0;
-    for (const double l : lengths) mean += l / static_cast<double>(lengths.size());
-    std::vector<double> result(edge_count, mean);
-    for (std::size_t e = 0; e < images.size(); ++e)
-      if (images[e] != topology::kNoEdge) result[images[e]] = lengths[e];
-    return result;
+  static bool is_full(const State& state, std::size_t edge) {
+    return state.cone_angles.empty() || state.cone_angles[edge].is_full();
   }
 
   const ProtoCanonicalOptions options_;
@@ -279,6 +361,8 @@ class Walker {
   State state_;
   FaceKinds faces_;  // of state_
   std::size_t solves_ = 0;
+  /// Triangulations from which moves at concave faces get stuck; empty while there is no search.
+  std::unordered_set<std::string> known_;
 };
 
 }  // namespace

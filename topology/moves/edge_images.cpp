@@ -76,6 +76,27 @@ std::vector<std::uint32_t> edge_images(const Triangulation& before, const Move& 
   return images;
 }
 
+std::optional<NewDiagonal> new_diagonal(const Triangulation& before, const Move& move,
+                                        const MoveChange& change) {
+  if (move.kind != MoveKind::kTwoThree && move.kind != MoveKind::kFourFour) return std::nullopt;
+  const std::optional<Ball> ball = ball_of(before.gluings(), move);
+  const Points& points = ball->fresh[0];
+  for (int e = 0; e < 6; ++e) {
+    const auto ends = kEdgeEnds[static_cast<std::size_t>(e)];
+    const auto across = kEdgeEnds[static_cast<std::size_t>(5 - e)];
+    const auto at = [&](int v) { return points[static_cast<std::size_t>(v)]; };
+    bool is_old = false;
+    NewDiagonal found{change.added[0], e, {}};
+    for (const detail::Piece& piece : ball->old) {
+      is_old = is_old || edge_between(piece.points, at(ends[0]), at(ends[1]));
+      if (const auto edge = edge_between(piece.points, at(across[0]), at(across[1])))
+        found.corners.emplace_back(piece.t, *edge);
+    }
+    if (!is_old) return found;
+  }
+  return std::nullopt;
+}
+
 std::optional<std::vector<ConeAngle>> carried_labels(std::span<const ConeAngle> labels,
                                                      std::span<const std::uint32_t> images,
                                                      std::size_t edge_count) {

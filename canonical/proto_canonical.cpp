@@ -34,6 +34,8 @@ using topology::Triangulation;
 constexpr std::size_t kSmall = 12;
 /// Tetrahedra that the search through triangulations with the metric may add.
 constexpr std::size_t kSpread = 4;
+/// Where there is a metric and its lengths are known, a solution takes a step or none.
+constexpr std::size_t kCheap = 4;
 /// Tetrahedra that the other search may add.
 constexpr std::size_t kExtra = 2;
 
@@ -95,7 +97,9 @@ class Walker {
   /// concave face is left.
   bool descend() {
     while (improve()) {
-      if (!known_.empty() && !known_.insert(key(state_)).second) return false;
+      if (known_.empty()) continue;
+      if (!known_.insert(key(state_)).second) return false;
+      open_.push_back(state_);
     }
     return !faces_.has_concave();
   }
@@ -117,19 +121,20 @@ class Walker {
 
   /// Breadth first from where the moves got stuck through triangulations that carry the metric, and
   /// from each again moves at concave faces until they come to one that is known. Cheap, as there is
-  /// hardly anything to be solved for in vain. Up to kSmall tetrahedra, with a part of the budget.
+  /// nothing is solved for in vain, so that the budget goes kCheap times as far. Up to kSmall
+  /// tetrahedra.
   bool spread() {
     const State stuck = state_;
     const std::size_t limit = stuck.triangulation.tetrahedron_count() + kSpread;
     if (limit > kSmall + kSpread) return false;
     constexpr std::array kKinds{MoveKind::kThreeTwo, MoveKind::kFourFour, MoveKind::kTwoThree};
     known_.insert(key(stuck));
-    std::deque<State> open{stuck};
-    while (!open.empty() && solves_ < options_.budget / 2) {
-      const State here = std::move(open.front());
-      open.pop_front();
+    open_.assign(1, stuck);
+    while (!open_.empty() && solves_ < kCheap * options_.budget) {
+      const State here = std::move(open_.front());
+      open_.pop_front();
       for (const Move& move : topology::all_moves(here.triangulation, kKinds)) {
-        if (solves_ >= options_.budget / 2) break;
+        if (solves_ >= kCheap * options_.budget) break;
         const bool grows = move.kind == MoveKind::kTwoThree;
         if (here.triangulation.tetrahedron_count() + grows > limit) continue;
         auto next = moved(here, move);
@@ -137,12 +142,14 @@ class Walker {
         if (!known_.insert(key(next->state)).second) continue;
         solve(*next);
         if (next->state.report.outcome != structure::Outcome::kGeometric) continue;
-        open.push_back(next->state);
+        open_.push_back(next->state);
         state_ = std::move(next->state);
         if (descend()) return true;
       }
     }
     known_.clear();
+    open_.clear();
+    solves_ = 0;
     state_ = stuck;
     faces_ = faces_of(state_);
     return false;
@@ -164,7 +171,7 @@ class Walker {
     known.insert(key(stuck));
     add(stuck);
     constexpr std::array kKinds{MoveKind::kThreeTwo, MoveKind::kFourFour, MoveKind::kTwoThree};
-    while (!open.empty() && solves_ < options_.budget) {
+    while (!open.empty() && solves_ < kCheap * options_.budget) {
       const auto [size, number] = open.top();
       const State here = nodes[number];
       open.pop();
@@ -173,7 +180,7 @@ class Walker {
         const bool grows = move.kind == MoveKind::kTwoThree;
         if (size + grows > limit) continue;
         if (!trouble.empty() && !trouble[move.tetrahedron]) continue;
-        if (solves_ >= options_.budget) break;
+        if (solves_ >= kCheap * options_.budget) break;
         auto next = moved(here, move);
         if (!next || !known.insert(key(next->state)).second) continue;
         if (next->lengths.empty() || keeps_metric(*next)) solve(*next);
@@ -363,6 +370,7 @@ class Walker {
   std::size_t solves_ = 0;
   /// Triangulations from which moves at concave faces get stuck; empty while there is no search.
   std::unordered_set<std::string> known_;
+  std::deque<State> open_;  ///< those of them whose neighbours were not looked at so far
 };
 
 }  // namespace

@@ -54,16 +54,6 @@ TEST(CanonicalCusps, SymmetriesAndSignaturesOfSnapPysCensus) {
   EXPECT_EQ(with_signature, 405);
 }
 
-// Both of Gieseking's and the figure-eight knot's tetrahedra are regular; so is the octahedron of
-// the Whitehead link's complement, and the group of order 8 is SnapPy's.
-TEST(CanonicalCusps, KnownByName) {
-  EXPECT_EQ(canonized("bkaaid").manifold->cells, "1 tetrahedron");
-  const CanonizeAnswer whitehead = canonized("eLPkbdcddhgggb");  // m129
-  ASSERT_TRUE(whitehead.manifold);
-  EXPECT_EQ(whitehead.manifold->cells, "1 octahedron");
-  EXPECT_EQ(whitehead.manifold->isometries.order, 8u);
-}
-
 // Geodesic boundary and cusps: arXiv math/0211425 counts 1 manifold with three tetrahedra, and
 // 12 + 18 + 1 with four and no fewer.
 TEST(CanonicalCusps, PublishedCounts) {

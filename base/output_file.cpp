@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 
 #include <fcntl.h>
@@ -10,6 +9,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
+#include "base/system_error.hpp"
 
 namespace tripus {
 namespace {
@@ -19,8 +19,9 @@ namespace fs = std::filesystem;
 /// A name beside the target that no other file has, neither of this process nor of another.
 std::string draft_name(const fs::path& target) {
   static std::atomic<unsigned> number{0};
-  const std::string name = "." + target.filename().string() + "." + std::to_string(getpid()) + "-" +
-                           std::to_string(number++) + ".draft";
+  // Long names are cut: the draft's must not be longer than a name may be.
+  const std::string name = "." + target.filename().string().substr(0, 200) + "." +
+                           std::to_string(getpid()) + "-" + std::to_string(number++) + ".draft";
   return (target.parent_path() / name).string();
 }
 
@@ -36,34 +37,37 @@ fs::path followed(fs::path path) {
   return error ? path : whole;
 }
 
-/// Creates the file, which must not be there, and leaves the reason in errno otherwise.
-bool create(const std::string& path, mode_t mode) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-  return file >= 0 && ::close(file) == 0;
-}
-
-bool write_through(const std::string& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return false;
-  const bool synced = ::fsync(file) == 0 || errno == EINVAL;  // EINVAL: a file system without
-  return (::close(file) == 0) && synced;
-}
+/// The way to an open file that has no name.
+std::string way_to(int file) { return "/proc/self/fd/" + std::to_string(file); }
 
 }  // namespace
 
-std::string OutputFile::what_failed() const {
-  return "cannot write " + quoted(path_) + ": " + std::strerror(errno);
-}
-
 void OutputFile::fail() {
-  const std::string what = what_failed();
-  remove_draft();
-  throw IoError(what);
+  const int error = errno != 0 ? errno : EIO;
+  discard();
+  fail_on_file("cannot write", path_, error);
 }
 
-void OutputFile::remove_draft() {
+void OutputFile::discard() {
+  if (file_ >= 0) ::close(file_);
+  file_ = -1;
   if (!draft_.empty()) ::unlink(draft_.c_str());
   draft_.clear();
+}
+
+void OutputFile::begin_draft() {
+#ifdef O_TMPFILE
+  // A file without a name goes with its process, also when that is killed.
+  const fs::path folder = fs::path(target_).parent_path();
+  file_ = ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+  if (file_ >= 0 && ::access(way_to(file_).c_str(), W_OK) == 0) return;
+  discard();
+#endif
+  draft_ = draft_name(target_);
+  file_ = ::open(draft_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file_ >= 0) return;
+  draft_.clear();
+  fail();
 }
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
@@ -73,22 +77,18 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
     direct_ = !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode);
     errno = S_ISDIR(there.st_mode) ? EISDIR : EACCES;
     const bool writable = (there.st_mode & 0222) != 0 && ::access(target_.c_str(), W_OK) == 0;
-    if (S_ISDIR(there.st_mode) || !writable) throw InvalidInput(what_failed());
+    if (S_ISDIR(there.st_mode) || !writable) fail();
   } else if (errno != ENOENT) {
-    throw InvalidInput(what_failed());
+    fail();
   }
   if (direct_) return;
-  draft_ = draft_name(target_);
-  if (!create(draft_, 0666)) {
-    draft_.clear();
-    throw InvalidInput(what_failed());
-  }
-  remove_draft();
+  begin_draft();
+  discard();
 }
 
 OutputFile::~OutputFile() {
   stream_.close();
-  remove_draft();
+  discard();
 }
 
 std::ostream& OutputFile::open() {
@@ -96,11 +96,10 @@ std::ostream& OutputFile::open() {
   if (direct_) {
     stream_.open(target_, std::ios::binary);
   } else {
-    draft_ = draft_name(target_);
-    if (!create(draft_, 0666)) fail();
+    begin_draft();
     struct stat old {};
-    if (::stat(target_.c_str(), &old) == 0) ::chmod(draft_.c_str(), old.st_mode & 07777);
-    stream_.open(draft_, std::ios::binary | std::ios::trunc);
+    if (::stat(target_.c_str(), &old) == 0) ::fchmod(file_, old.st_mode & 07777);
+    stream_.open(draft_.empty() ? way_to(file_) : draft_, std::ios::binary | std::ios::trunc);
   }
   if (!stream_) fail();
   return stream_;
@@ -111,8 +110,16 @@ void OutputFile::close() {
   stream_.close();
   if (!stream_) fail();
   if (direct_) return;
-  if (!write_through(draft_) || ::rename(draft_.c_str(), target_.c_str()) != 0) fail();
+  // A rename that reaches the disk before what was written would leave an empty file.
+  if (::fsync(file_) != 0 && errno != EINVAL) fail();  // EINVAL: a file system without
+  if (draft_.empty()) {
+    draft_ = draft_name(target_);
+    if (::linkat(AT_FDCWD, way_to(file_).c_str(), AT_FDCWD, draft_.c_str(), AT_SYMLINK_FOLLOW) != 0)
+      fail();
+  }
+  if (::rename(draft_.c_str(), target_.c_str()) != 0) fail();
   draft_.clear();
+  discard();
 }
 
 void write_file(const std::string& path, std::string_view text) {

@@ -3,12 +3,11 @@
 #include <cmath>
 #include <limits>
 
-#include "topology/isosig.hpp"
-#include "topology/orientation.hpp"
 #include "base/error.hpp"
+#include "topology/isosig.hpp"
 #include "topology/labelled_isosig.hpp"
+#include "topology/orientation.hpp"
 #include "topology/requirements.hpp"
-#include "topology/simplify/small_triangulations.hpp"
 
 namespace tripus::canonical {
 namespace {
@@ -95,9 +94,6 @@ std::vector<double> cell_edge_lengths(const CanonicalManifold& manifold) {
 
 namespace {
 
-/// Up to so many tetrahedra the search for a triangulation with the metric shrinks by itself.
-constexpr std::size_t kFew = 5;
-
 constexpr const char* kNotCanonical =
     "The metric was found, but no triangulation that subdivides the canonical decomposition.";
 
@@ -124,9 +120,17 @@ class Canonizer {
   CanonizeAnswer run() {
     auto metric = find_metric();
     if (!metric) return without_metric();
-    ProtoCanonicalOptions proto = options_.proto_canonical;
-    proto.cone_angles = std::move(metric->cone_angles);
-    answer_.manifold = canonize_metric(metric->triangulation, metric->report, proto);
+    answer_.manifold = canonical_of(*metric);
+    const bool is_own = metric->simplified.empty() && metric->path.empty();
+    if (!answer_.manifold && is_own && options_.retriangulate && !stopped()) {
+      // Nearly flat tetrahedra spoil the tilts, whose moves then go in circles: from a smaller
+      // triangulation it is another way.
+      Report start = metric->report;
+      start.outcome = Outcome::kUnresolved;
+      auto other = by_moves(metric->triangulation, std::move(start));
+      if (other) metric = std::move(other);
+      if (metric && !metric->simplified.empty()) answer_.manifold = canonical_of(*metric);
+    }
     if (!answer_.manifold) {
       answer_.message =
           topology::all_full(options_.solve.cone_angles) ? kNotCanonical : kSingularEdgeInside;
@@ -140,12 +144,23 @@ class Canonizer {
   }
 
  private:
+  bool stopped() const { return solve_.stop_requested != nullptr && solve_.stop_requested->load(); }
+
+  std::optional<CanonicalManifold> canonical_of(const Metric& metric) const {
+    ProtoCanonicalOptions proto = options_.proto_canonical;
+    proto.cone_angles = metric.cone_angles;
+    if (proto.stop_requested == nullptr) proto.stop_requested = solve_.stop_requested;
+    try {
+      return canonize_metric(metric.triangulation, metric.report, proto);
+    } catch (const InternalError&) {
+      // Tilts that contradict each other: by rounding, if another triangulation agrees.
+      if (!metric.simplified.empty() || !options_.retriangulate) throw;
+      return std::nullopt;
+    }
+  }
+
   std::optional<Metric> find_metric() {
     require_canonizable(input_, solve_.cone_angles);
-    if (options_.retriangulate && input_.tetrahedron_count() > kFew &&
-        topology::all_full(solve_.cone_angles)) {
-      if (auto small = simplified()) return small;
-    }
     const Gluings gluings = topology::oriented(input_.gluings());
     // Vertices and edges keep their numbers only if the labels did not change.
     const bool same = gluings == input_.gluings();
@@ -160,30 +175,20 @@ class Canonizer {
       answer_.message = answer_.report.message;
       return std::nullopt;
     }
+    return by_moves(triangulation, answer_.report);
+  }
+
+  /// Another triangulation of the manifold that carries the metric.
+  std::optional<Metric> by_moves(const Triangulation& triangulation, Report start) {
     structure::Retriangulation found =
-        structure::retriangulate(triangulation, answer_.report, solve_, options_.retriangulation);
+        structure::retriangulate(triangulation, std::move(start), solve_, options_.retriangulation);
     if (found.report.outcome != Outcome::kGeometric) {
       answer_.message = found.report.message;
       answer_.advice = found.report.advice;
       return std::nullopt;
     }
     return Metric{Triangulation(std::move(found.gluings)), std::move(found.report),
-                  std::move(found.simplified), std::move(found.path),
-                  std::move(found.cone_angles)};
-  }
-
-  /// A smaller triangulation, if it carries the metric.
-  std::optional<Metric> simplified() {
-    for (Gluings& gluings :
-         topology::small_triangulations(input_.gluings(), 1, solve_.stop_requested)) {
-      if (gluings.tetrahedron_count() >= input_.tetrahedron_count()) return std::nullopt;
-      Triangulation triangulation(std::move(gluings));
-      answer_.report = structure::solve(triangulation, solve_);
-      if (answer_.report.outcome != Outcome::kGeometric) return std::nullopt;
-      std::string signature = topology::full_isosig(triangulation.gluings()).oriented();
-      return Metric{std::move(triangulation), answer_.report, std::move(signature), {}, {}};
-    }
-    return std::nullopt;
+                  std::move(found.simplified), std::move(found.path), std::move(found.cone_angles)};
   }
 
   CanonizeAnswer without_metric() {

@@ -15,7 +15,7 @@ namespace tripus::canonical {
 
 struct CanonizeOptions {
   structure::SolveOptions solve;  ///< `evidence`: that of an input for which nothing is found
-  /// Whether to simplify the triangulation first, and to look for others of the manifold where it
+  /// Whether to look for other triangulations of the manifold, smaller ones first, where this one
   /// carries no metric.
   bool retriangulate = true;
   structure::RetriangulateOptions retriangulation;  ///< budget and seed of that
@@ -25,11 +25,11 @@ struct CanonizeOptions {
 /// A hyperbolic manifold with geodesic boundary, cusps or both, or an orbifold whose singular edges
 /// are edges of its triangulation, known up to isometry.
 struct CanonicalManifold {
-  topology::Triangulation triangulation;  ///< subdivides the canonical decomposition
-  structure::Report report;               ///< the metric on it
+  topology::Triangulation triangulation;              ///< subdivides the canonical decomposition
+  structure::Report report;                           ///< the metric on it
   std::vector<topology::ConeAngle> cone_angles = {};  ///< [E] of it; empty for 2 pi everywhere
-  double volume_error = 0;                ///< estimate of what the volume may be off
-  FaceKinds faces;                        ///< with the margins of every decision
+  double volume_error = 0;                            ///< estimate of what the volume may be off
+  FaceKinds faces;                                    ///< with the margins of every decision
   /// Where the path starts: the input, made `oriented`; or a simplification of it, as
   /// decode_isosig(simplified) gives it.
   std::string simplified;            ///< empty: the input
@@ -44,9 +44,7 @@ struct CanonicalManifold {
 /// What became of it: a manifold, or why not.
 struct CanonizeAnswer {
   std::optional<CanonicalManifold> manifold;
-  /// Of the triangulation that was solved on first: a simplification of the input, if that is
-  /// smaller and carries the metric, or else the input. Without a manifold that of the input, with
-  /// the evidence there is.
+  /// Of the input; without a manifold, with the evidence there is.
   structure::Report report;
   std::string message;                                  ///< one sentence for a person
   structure::Advice advice = structure::Advice::kNone;  ///< where nothing was found

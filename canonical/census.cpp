@@ -4,12 +4,12 @@
 #include <cmath>
 #include <map>
 #include <mutex>
-#include <thread>
 #include <unordered_map>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/threads.hpp"
 #include "topology/homology.hpp"
 #include "topology/isosig.hpp"
 
@@ -110,13 +110,7 @@ std::vector<CensusLine> classify(const std::vector<std::string>& triangulations,
       stop = true;
     }
   };
-  const unsigned wanted =
-      options.threads != 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-  {
-    std::vector<std::jthread> threads;
-    for (unsigned k = 1; k < wanted && k < triangulations.size(); ++k) threads.emplace_back(work);
-    work();
-  }
+  run_on_threads(std::min<std::size_t>(thread_count(options.threads), triangulations.size()), work);
   if (failure) std::rethrow_exception(failure);
   std::vector<CensusLine> lines;
   for (auto& result : results)

@@ -80,24 +80,19 @@ bool is_census_name(std::string_view text);
 /// One line of the journal that makes a census resumable, without the line end.
 std::string to_journal(const CensusLine& line);
 
-/// A journal as it was read back.
-struct JournalText {
-  std::vector<CensusLine> lines;
-  /// Bytes of complete lines; what follows is a line that an interruption tore.
-  std::size_t complete = 0;
-};
-/// Throws InvalidInput, naming the line, if a line with its end is not one that to_journal writes,
-/// or if there is none but a torn one: it is then some other file.
-JournalText parse_journal(std::string_view text);
+/// What it says; nothing if it is not such a line.
+std::optional<CensusLine> parse_journal_line(std::string_view text);
 
 /// The table: a comment with the counts, a header line, one manifold a line; then a comment for
-/// each unresolved triangulation, "# unresolved cPcbbbihq".
+/// each unresolved triangulation, "# unresolved cPcbbbihq", and one with a checksum for each line.
 std::string to_tsv(const Census& census);
-/// Line ends may be those of any system. Throws InvalidInput, naming the line.
+/// Line ends may be those of any system, and a table made by hand needs no comments. Throws
+/// InvalidInput, naming the line; also for a line or a count that is not as the comments say.
 Census parse_tsv(std::string_view text);
 
-/// A SQLite database with the tables manifold, triangulation and unresolved.
-/// Both throw Error with the name of the file and the library's reason.
+/// A SQLite database with the tables manifold, triangulation, unresolved and about (the version,
+/// and the checksums of the lines). Both throw InvalidInput with the name of the file and the
+/// library's reason, and IoError for what the system has failed in.
 void write_database(const Census& census, const std::string& path);
 Census read_database(const std::string& path);
 

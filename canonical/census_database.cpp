@@ -1,10 +1,14 @@
-#include <filesystem>
+#include <memory>
+#include <new>
 
 #include <fmt/format.h>
 #include <sqlite3.h>
 
 #include "base/error.hpp"
+#include "base/output_file.hpp"
+#include "base/version.hpp"
 #include "canonical/census.hpp"
+#include "canonical/detail/census_lines.hpp"
 
 namespace tripus::canonical {
 namespace {
@@ -18,6 +22,7 @@ CREATE TABLE manifold (
 CREATE TABLE triangulation (
   isosig TEXT PRIMARY KEY, manifold TEXT NOT NULL REFERENCES manifold (name));
 CREATE TABLE unresolved (isosig TEXT PRIMARY KEY);
+CREATE TABLE about (key TEXT PRIMARY KEY, value TEXT NOT NULL);
 CREATE INDEX manifold_by_volume ON manifold (volume);
 CREATE INDEX triangulation_by_manifold ON triangulation (manifold);
 )sql";
@@ -36,7 +41,11 @@ class Database {
   void check(int code) const {
     if (code == SQLITE_OK || code == SQLITE_ROW || code == SQLITE_DONE) return;
     const char* why = handle_ != nullptr ? sqlite3_errmsg(handle_) : sqlite3_errstr(code);
-    throw InvalidInput(fmt::format("the database {}: {}", tripus::quoted(path_), why));
+    const std::string text = fmt::format("the database {}: {}", tripus::quoted(path_), why);
+    const int kind = code & 0xff;  // the rest says more about it
+    if (kind == SQLITE_NOMEM) throw std::bad_alloc();
+    if (kind == SQLITE_IOERR || kind == SQLITE_FULL) throw IoError(text);
+    throw InvalidInput(text);
   }
 
  private:
@@ -104,25 +113,44 @@ void fill(Database& database, const Census& census) {
       triangulation.bind(isosig).bind(e.name).insert();
   }
   for (const std::string& isosig : census.unresolved) unresolved.bind(isosig).insert();
+  Statement about(database, "INSERT INTO about VALUES (?, ?)");
+  about.bind("version").bind(std::string("tripus ") + kVersion).insert();
+  const auto lines = detail::census_lines(census, detail::VolumeDigits::kAll);
+  about.bind("checksums").bind(detail::checksums_of(lines)).insert();
+}
+
+/// Databases of other programs, and of earlier versions, have no checksums.
+void require_as_written(Database& database, const Census& census, const std::string& path) {
+  Statement table(database, "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'about'");
+  if (!table.step()) return;
+  Statement about(database, "SELECT value FROM about WHERE key = 'checksums'");
+  const auto lines = detail::census_lines(census, detail::VolumeDigits::kAll);
+  const auto damaged = about.step() ? detail::first_damaged(lines, about.text(0)) : lines.size();
+  if (!damaged) return;
+  throw InvalidInput(
+      fmt::format("the database {} is damaged: {}", tripus::quoted(path),
+                  *damaged < census.manifolds.size()
+                      ? fmt::format("row {} of its manifolds, {}, is not as it was written",
+                                    *damaged + 1, quoted(census.manifolds[*damaged].name))
+                  : *damaged < lines.size()
+                      ? fmt::format("its unresolved triangulation {} is not as it was written",
+                                    quoted(census.unresolved[*damaged - census.manifolds.size()]))
+                      : "it has not as many rows as were written"));
 }
 
 }  // namespace
 
 void write_database(const Census& census, const std::string& path) {
-  // Written beside and moved into place: an interruption leaves the old one.
-  const std::string draft = path + ".new";
-  std::error_code ignored;
-  std::filesystem::remove(draft, ignored);
-  {
-    Database database(draft, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
-    database.run(kSchema);
-    fill(database, census);
-    database.run("COMMIT;");
-  }
-  std::error_code error;
-  std::filesystem::rename(draft, path, error);
-  if (error)
-    throw InvalidInput(fmt::format("the database {}: {}", tripus::quoted(path), error.message()));
+  // Made in memory, so that the file comes to its name as every other does: whole, or not at all.
+  Database database(":memory:", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  database.run(kSchema);
+  fill(database, census);
+  database.run("COMMIT;");
+  sqlite3_int64 size = 0;
+  const std::unique_ptr<unsigned char, void (*)(void*)> bytes(
+      sqlite3_serialize(database.handle(), "main", &size, 0), sqlite3_free);
+  if (!bytes) throw std::bad_alloc();
+  write_file(path, {reinterpret_cast<const char*>(bytes.get()), static_cast<std::size_t>(size)});
 }
 
 Census read_database(const std::string& path) {
@@ -150,6 +178,7 @@ Census read_database(const std::string& path) {
   }
   Statement unresolved(database, "SELECT isosig FROM unresolved ORDER BY rowid");
   while (unresolved.step()) census.unresolved.push_back(unresolved.text(0));
+  require_as_written(database, census, path);
   return census;
 }
 

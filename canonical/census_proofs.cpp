@@ -4,12 +4,12 @@
 #include <atomic>
 #include <map>
 #include <sstream>
-#include <thread>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/error.hpp"
+#include "base/threads.hpp"
 #include "structure/proof/proof_text.hpp"
 #include "structure/solve.hpp"
 #include "topology/isosig.hpp"
@@ -127,13 +127,7 @@ CensusCheck check_census(const Census& census, const std::vector<CensusProof>& p
       done[k] = 1;
     }
   };
-  {
-    std::vector<std::jthread> others;
-    const unsigned threads =
-        context.threads != 0 ? context.threads : std::max(1u, std::thread::hardware_concurrency());
-    for (unsigned k = 1; k < threads; ++k) others.emplace_back(work);
-    work();
-  }
+  run_on_threads(thread_count(context.threads), work);
   CensusCheck result;
   for (std::size_t k = 0; k < count; ++k) {
     if (done[k] == 0)

@@ -117,10 +117,10 @@ bool is_census_name(std::string_view text) {
 }
 
 const CensusEntry* Census::find(std::string_view text) const {
-  text = topology::without_sign(text);
+  const std::string_view unsigned_text = topology::without_sign(text);
   const auto found = std::ranges::find_if(manifolds, [&](const CensusEntry& entry) {
-    return entry.signature == text || entry.name == text ||
-           std::ranges::find(entry.triangulations, text) != entry.triangulations.end();
+    return entry.signature == unsigned_text || entry.name == text ||
+           std::ranges::find(entry.triangulations, unsigned_text) != entry.triangulations.end();
   });
   return found == manifolds.end() ? nullptr : &*found;
 }

@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/checksum.hpp"
 #include "base/error.hpp"
 #include "canonical/census.hpp"
+#include "canonical/detail/census_lines.hpp"
 
 namespace tripus::canonical {
 namespace {
@@ -19,6 +21,11 @@ constexpr std::string_view kColumns =
 
 /// What a line of an unresolved triangulation begins with: a comment for other programs.
 constexpr std::string_view kUnresolved = "# unresolved ";
+
+/// The same of the line with the checksums of all others, in their order.
+constexpr std::string_view kChecksums = "# checksums of the lines: ";
+constexpr std::string_view kTitle =
+    "# Hyperbolic manifolds with geodesic boundary, by tripus census: ";
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
@@ -39,9 +46,9 @@ bool parse_number(std::string_view text, Number& value) {
 /// boundary, volume, homology, cells, keeping, reversing, signature: the shared columns.
 constexpr std::size_t kFacts = 7;
 
-std::string facts(const CensusEntry& entry) {
-  return fmt::format("{}\t{:.15g}\t{}\t{}\t{}\t{}\t{}", entry.boundary, entry.volume,
-                     entry.homology, entry.cells, entry.keeping, entry.reversing, entry.signature);
+std::string facts(const CensusEntry& entry, const std::string& volume) {
+  return fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}", entry.boundary, volume, entry.homology,
+                     entry.cells, entry.keeping, entry.reversing, entry.signature);
 }
 
 bool parse_facts(std::span<const std::string_view> cells, CensusEntry& entry) {
@@ -60,7 +67,8 @@ bool has_control(const std::vector<std::string_view>& cells) {
   });
 }
 
-/// Nothing if it is not a line of a journal.
+}  // namespace
+
 std::optional<CensusLine> parse_journal_line(std::string_view text) {
   const auto cells = split(text, '\t');
   if (cells.size() < 4 || cells.back() != "." || cells[0].empty()) return std::nullopt;
@@ -79,12 +87,11 @@ std::optional<CensusLine> parse_journal_line(std::string_view text) {
   return reads ? std::optional(line) : std::nullopt;
 }
 
-}  // namespace
-
 std::string to_journal(const CensusLine& line) {
   if (line.resolved) {
+    // All digits: a census that was interrupted must come out the same, byte for byte.
     return fmt::format("{}\t{}\t{}\t.", line.triangulation, line.own_metric ? "own" : "moved",
-                       facts(line.entry));
+                       facts(line.entry, fmt::format("{}", line.entry.volume)));
   }
   std::string reason = line.reason;
   for (char& c : reason)
@@ -93,74 +100,138 @@ std::string to_journal(const CensusLine& line) {
                      reason);
 }
 
-JournalText parse_journal(std::string_view text) {
-  JournalText journal;
-  std::size_t number = 1;
-  for (std::size_t end; (end = text.find('\n', journal.complete)) != std::string_view::npos;
-       ++number) {
-    auto line = parse_journal_line(text.substr(journal.complete, end - journal.complete));
-    if (!line) throw InvalidInput(fmt::format("line {} is not one of a census's journal", number));
-    journal.lines.push_back(std::move(*line));
-    journal.complete = end + 1;
-  }
-  if (journal.lines.empty() && !text.empty())
-    throw InvalidInput("it has no complete line of a census's journal");
-  return journal;
-}
+namespace detail {
 
-std::string to_tsv(const Census& census) {
-  std::string text = fmt::format(
-      "# Hyperbolic manifolds with geodesic boundary, by tripus census: {} manifolds, {} "
-      "triangulations of them, {} unresolved.\n{}\n",
-      census.manifolds.size(),
-      [&] {
-        std::size_t count = 0;
-        for (const CensusEntry& entry : census.manifolds) count += entry.triangulations.size();
-        return count;
-      }(),
-      census.unresolved.size(), kColumns);
+std::string line_checksum(std::string_view line) { return checksum_text(line).substr(8); }
+
+std::vector<std::string> census_lines(const Census& census, VolumeDigits digits) {
+  std::vector<std::string> lines;
   for (const CensusEntry& entry : census.manifolds) {
-    text += fmt::format("{}\t{}\t{}\t{}\n", entry.name, entry.tetrahedra, facts(entry),
-                        fmt::join(entry.triangulations, " "));
+    const std::string volume = digits == VolumeDigits::kAll ? fmt::format("{}", entry.volume)
+                                                            : fmt::format("{:.15g}", entry.volume);
+    lines.push_back(fmt::format("{}\t{}\t{}\t{}", entry.name, entry.tetrahedra,
+                                facts(entry, volume), fmt::join(entry.triangulations, " ")));
   }
   for (const std::string& triangulation : census.unresolved)
-    text += fmt::format("{}{}\n", kUnresolved, triangulation);
+    lines.push_back(fmt::format("{}{}", kUnresolved, triangulation));
+  return lines;
+}
+
+std::string checksums_of(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : " ") + line_checksum(line);
   return text;
+}
+
+std::optional<std::size_t> first_damaged(const std::vector<std::string>& lines,
+                                         std::string_view checksums) {
+  const auto expected = split(checksums, ' ');
+  if (expected.size() != std::max<std::size_t>(1, lines.size())) return lines.size();
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    if (expected[k] != line_checksum(lines[k])) return k;
+  return std::nullopt;
+}
+
+}  // namespace detail
+
+namespace {
+
+/// "5160 manifolds, 6381 triangulations of them, 4915 unresolved."
+std::string counts_of(const Census& census) {
+  std::size_t triangulations = 0;
+  for (const CensusEntry& entry : census.manifolds) triangulations += entry.triangulations.size();
+  return fmt::format("{} manifolds, {} triangulations of them, {} unresolved.",
+                     census.manifolds.size(), triangulations, census.unresolved.size());
+}
+
+/// One line with the columns of a census. Throws InvalidInput.
+CensusEntry parse_entry(std::string_view line, std::size_t number) {
+  const auto cells = split(line, '\t');
+  CensusEntry entry;
+  if (cells.size() != kFacts + 3 || cells[0].empty() || has_control(cells) ||
+      !parse_number(cells[1], entry.tetrahedra) ||
+      !parse_facts(std::span(cells).subspan(2), entry)) {
+    throw InvalidInput(fmt::format("line {} of the census: not {} columns with their numbers",
+                                   number, kFacts + 3));
+  }
+  entry.name = cells[0];
+  for (const std::string_view triangulation : split(cells[kFacts + 2], ' ')) {
+    if (triangulation.empty())
+      throw InvalidInput(fmt::format(
+          "line {} of the census: its triangulations are not parted by single spaces", number));
+    entry.triangulations.emplace_back(triangulation);
+  }
+  return entry;
+}
+
+/// What the comments of a table say of its lines.
+struct Claims {
+  std::optional<std::string> counts, checksums;
+  std::vector<std::string> lines;  ///< what was found
+  std::vector<std::size_t> numbers;
+  bool ends_with_line_end = true;
+
+  void compare(const Census& census) const {
+    if (checksums) {
+      if (const auto k = detail::first_damaged(lines, *checksums)) {
+        if (*k < lines.size())
+          throw InvalidInput(fmt::format(
+              "line {} of the census is damaged: it has not the checksum it was written with",
+              numbers[*k]));
+        throw InvalidInput(fmt::format(
+            "the census has {} lines of manifolds and unresolved triangulations, and not as many "
+            "as it was written with: it is cut off or was changed",
+            lines.size()));
+      }
+    }
+    if (counts && !checksums && !ends_with_line_end)
+      throw InvalidInput(
+          fmt::format("line {} of the census, its last, is cut off", numbers.back()));
+    if (counts && *counts != counts_of(census))
+      throw InvalidInput(fmt::format("line 1 of the census says {} and there are {}",
+                                     quoted(*counts, 100), quoted(counts_of(census), 100)));
+  }
+};
+
+}  // namespace
+
+std::string to_tsv(const Census& census) {
+  const auto lines = detail::census_lines(census, detail::VolumeDigits::kShown);
+  std::string text = fmt::format("{}{}\n{}\n", kTitle, counts_of(census), kColumns);
+  for (const std::string& line : lines) text += line + '\n';
+  return text + fmt::format("{}{}\n", kChecksums, detail::checksums_of(lines));
 }
 
 Census parse_tsv(std::string_view text) {
   Census census;
+  Claims claims;
   std::size_t number = 0;
   bool header = false;
+  const auto found = [&](std::string_view line) {
+    claims.lines.emplace_back(line);
+    claims.numbers.push_back(number);
+  };
   for (std::string_view line : split(text, '\n')) {
     ++number;
     if (line.ends_with('\r')) line.remove_suffix(1);
-    if (line.starts_with(kUnresolved))
+    if (line.starts_with(kTitle)) claims.counts = line.substr(kTitle.size());
+    if (line.starts_with(kChecksums)) claims.checksums = line.substr(kChecksums.size());
+    if (line.starts_with(kUnresolved)) {
       census.unresolved.emplace_back(line.substr(kUnresolved.size()));
+      found(line);
+    }
     if (line.empty() || line.front() == '#') continue;
     if (!header && line != kColumns) {
       throw InvalidInput(
           fmt::format("line {} of the census: expected the columns of a census", number));
     }
     if (!std::exchange(header, true)) continue;
-    const auto cells = split(line, '\t');
-    CensusEntry entry;
-    if (cells.size() != kFacts + 3 || cells[0].empty() || has_control(cells) ||
-        !parse_number(cells[1], entry.tetrahedra) ||
-        !parse_facts(std::span(cells).subspan(2), entry)) {
-      throw InvalidInput(fmt::format("line {} of the census: not {} columns with their numbers",
-                                     number, kFacts + 3));
-    }
-    entry.name = cells[0];
-    for (const std::string_view triangulation : split(cells[kFacts + 2], ' ')) {
-      if (triangulation.empty())
-        throw InvalidInput(fmt::format(
-            "line {} of the census: its triangulations are not parted by single spaces", number));
-      entry.triangulations.emplace_back(triangulation);
-    }
-    census.manifolds.push_back(std::move(entry));
+    found(line);
+    census.manifolds.push_back(parse_entry(line, number));
   }
   if (!header) throw InvalidInput("the census has no line with the names of its columns");
+  claims.ends_with_line_end = text.ends_with('\n') || claims.lines.empty();
+  claims.compare(census);
   return census;
 }
 

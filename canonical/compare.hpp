@@ -47,8 +47,8 @@ struct Labelled {
 /// orthogonal arcs, volume, canonical decomposition. Where that of one or both was not found, a
 /// triangulation is looked for that moves reach from both. "Different" by volume or by
 /// decomposition and "homeomorphic" by decomposition rest on floating-point metrics and on tilt
-/// signs with the margins of FaceKinds. Throws what `require_canonizable` does, unless the boundary,
-/// orientability or homology decides.
+/// signs with the margins of FaceKinds. Throws what `require_canonizable` does, unless the
+/// boundary, orientability or homology decides.
 Comparison compare(const topology::Triangulation& first, const topology::Triangulation& second,
                    const CanonizeOptions& options = {},
                    Orientations orientations = Orientations::kKnown);

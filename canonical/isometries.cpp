@@ -28,8 +28,8 @@ class Orderer {
     if (less) best.code.resize(width_ * number_.size());
     for (std::size_t k = 0; k < queue_.size(); ++k) {
       for (std::size_t i = 0; i < width_; ++i) {
-        const std::uint32_t value = i < 4 ? place_after(static_cast<int>(i), queue_[k])
-                                          : decomposition_.label(queue_[k]);
+        const std::uint32_t value =
+            i < 4 ? place_after(static_cast<int>(i), queue_[k]) : decomposition_.label(queue_[k]);
         std::uint32_t& entry = best.code[width_ * k + i];
         if (!less && value > entry) return 1;
         if (value < entry) less = true;

@@ -32,10 +32,16 @@ using topology::Triangulation;
 
 /// Up to so many tetrahedra the search makes moves everywhere, beyond only around the trouble.
 constexpr std::size_t kSmall = 12;
+/// A tetrahedron with an angle so close to pi is not made on the way: where four vertices lie in
+/// one plane, rounding can make one of volume 0 look true.
+constexpr double kNearlyFlat = 1e-4;
 /// Tetrahedra that the search through triangulations with the metric may add.
 constexpr std::size_t kSpread = 4;
 /// Where there is a metric and its lengths are known, a solution takes a step or none.
 constexpr std::size_t kCheap = 4;
+/// Moves at concave faces, and as many more for each tetrahedron, after which they are taken to go
+/// in circles.
+constexpr std::size_t kMoves = 100, kMovesPerTetrahedron = 20;
 /// Tetrahedra that the other search may add.
 constexpr std::size_t kExtra = 2;
 
@@ -51,8 +57,9 @@ FaceKinds faces_of(const State& state) {
   return face_kinds(state.triangulation, state.report.edge_lengths, state.cone_angles);
 }
 
-/// The length of an edge of one tetrahedron from the others and the dihedral angle opposite it; nothing
-/// if there is none. That angle's cosine is a linear function of the Gram entry: docs/theory.md (10).
+/// The length of an edge of one tetrahedron from the others and the dihedral angle opposite it;
+/// nothing if there is none. That angle's cosine is a linear function of the Gram entry:
+/// docs/theory.md (10).
 std::optional<double> length_across(const std::array<double, 6>& l, const detail::Diagonal& d,
                                     int edge, double angle) {
   const auto [a, b] = topology::kEdgeEnds[static_cast<std::size_t>(edge)];
@@ -88,7 +95,7 @@ class Walker {
   ProtoCanonical run() {
     if (!descend() && !spread()) search();
     const bool found = !faces_.has_concave();
-    return {std::move(state_.triangulation), std::move(state_.report), std::move(faces_),
+    return {std::move(state_.triangulation), std::move(state_.report),      std::move(faces_),
             std::move(state_.path),          std::move(state_.cone_angles), found};
   }
 
@@ -96,12 +103,20 @@ class Walker {
   /// Moves at concave faces as long as there are any that do, and lead to something new; true if no
   /// concave face is left.
   bool descend() {
-    while (improve()) {
+    // In exact arithmetic every such move lowers the hull, so that none comes back; but moves in
+    // one plane can go in circles by rounding, and the search knows where it has been.
+    std::size_t left = kMoves + kMovesPerTetrahedron * state_.triangulation.tetrahedron_count();
+    while (left-- > 0 && !stopped() && improve()) {
       if (known_.empty()) continue;
       if (!known_.insert(key(state_)).second) return false;
       open_.push_back(state_);
     }
+    faces_ = faces_of(state_);
     return !faces_.has_concave();
+  }
+
+  bool stopped() const {
+    return options_.stop_requested != nullptr && options_.stop_requested->load();
   }
 
   /// Makes one move at a concave face. False if there is no such face, or no such move.
@@ -120,8 +135,8 @@ class Walker {
   }
 
   /// Breadth first from where the moves got stuck through triangulations that carry the metric, and
-  /// from each again moves at concave faces until they come to one that is known. Cheap, as there is
-  /// nothing is solved for in vain, so that the budget goes kCheap times as far. Up to kSmall
+  /// from each again moves at concave faces until they come to one that is known. Cheap, as there
+  /// is nothing is solved for in vain, so that the budget goes kCheap times as far. Up to kSmall
   /// tetrahedra.
   bool spread() {
     const State stuck = state_;
@@ -130,7 +145,7 @@ class Walker {
     constexpr std::array kKinds{MoveKind::kThreeTwo, MoveKind::kFourFour, MoveKind::kTwoThree};
     known_.insert(key(stuck));
     open_.assign(1, stuck);
-    while (!open_.empty() && solves_ < kCheap * options_.budget) {
+    while (!open_.empty() && solves_ < kCheap * options_.budget && !stopped()) {
       const State here = std::move(open_.front());
       open_.pop_front();
       for (const Move& move : topology::all_moves(here.triangulation, kKinds)) {
@@ -171,7 +186,7 @@ class Walker {
     known.insert(key(stuck));
     add(stuck);
     constexpr std::array kKinds{MoveKind::kThreeTwo, MoveKind::kFourFour, MoveKind::kTwoThree};
-    while (!open.empty() && solves_ < kCheap * options_.budget) {
+    while (!open.empty() && solves_ < kCheap * options_.budget && !stopped()) {
       const auto [size, number] = open.top();
       const State here = nodes[number];
       open.pop();
@@ -180,10 +195,11 @@ class Walker {
         const bool grows = move.kind == MoveKind::kTwoThree;
         if (size + grows > limit) continue;
         if (!trouble.empty() && !trouble[move.tetrahedron]) continue;
-        if (solves_ >= kCheap * options_.budget) break;
+        if (solves_ >= kCheap * options_.budget || stopped()) break;
         auto next = moved(here, move);
         if (!next || !known.insert(key(next->state)).second) continue;
-        if (next->lengths.empty() || keeps_metric(*next)) solve(*next);
+        const bool was_geometric = here.report.outcome == structure::Outcome::kGeometric;
+        if (!was_geometric || keeps_metric(*next)) solve(*next);
         if (next->state.report.outcome == structure::Outcome::kGeometric) {
           state_ = std::move(next->state);
           if (descend()) return;
@@ -280,8 +296,8 @@ class Walker {
     return true;
   }
 
-  /// The state after a move, and where the metric before it was known: the lengths [E] that the edges
-  /// have in it, the new one included. Empty if it has none.
+  /// The state after a move, and where the metric before it was known: the lengths [E] that the
+  /// edges have in it, the new one included. Empty if it has none.
   struct Moved {
     State state;
     std::vector<double> lengths;
@@ -336,6 +352,7 @@ class Walker {
       if (state.triangulation.valence(e) < 3 && is_full(state, e)) return;
     structure::SolveOptions solve;
     solve.evidence = false;
+    solve.stop_requested = options_.stop_requested;
     solve.cone_angles = state.cone_angles;
     solve.initial_lengths = next.lengths;
     state.report = structure::solve(state.triangulation, solve);
@@ -353,10 +370,12 @@ class Walker {
     if (next.lengths.empty()) return false;
     energies::CoVolume energy(next.state.triangulation, next.state.cone_angles);
     std::vector<double> curvature(next.lengths.size());
-    return energy.evaluate(next.lengths, curvature, {}) && energy.flat_count() == 0 &&
-           std::ranges::all_of(curvature, [](double K) {
-             return std::fabs(K) < tolerance::kFlatAngleMargin;
-           });
+    if (!energy.evaluate(next.lengths, curvature, {}) || energy.flat_count() > 0) return false;
+    for (std::size_t t = 0; t < next.state.triangulation.tetrahedron_count(); ++t)
+      if (std::ranges::max(energy.dihedral_angles(t)) > std::numbers::pi - kNearlyFlat)
+        return false;
+    return std::ranges::all_of(curvature,
+                               [](double K) { return std::fabs(K) < tolerance::kFlatAngleMargin; });
   }
 
   static bool is_full(const State& state, std::size_t edge) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct ProtoCanonicalOptions {
   std::size_t budget = 2000;  ///< triangulations to solve on at most where the moves get stuck
   /// [E] of the metric; empty for 2 pi. No move takes an edge away that has another angle.
   std::vector<topology::ConeAngle> cone_angles = {};
+  const std::atomic<bool>* stop_requested = nullptr;  ///< ends it soon, with nothing found
 };
 
 /// A geometric triangulation without concave faces: it subdivides the canonical decomposition.
@@ -20,9 +22,9 @@ struct ProtoCanonical {
   topology::Triangulation triangulation;
   structure::Report report;  ///< the metric on it
   FaceKinds faces;
-  std::vector<topology::Move> path;  ///< moves from the start to here
+  std::vector<topology::Move> path;              ///< moves from the start to here
   std::vector<topology::ConeAngle> cone_angles;  ///< [E] here; empty for 2 pi
-  bool found = false;                ///< false: the budget ran out, concave faces are left
+  bool found = false;  ///< false: the budget ran out, concave faces are left
 };
 
 /// Moves at concave faces until there are none: 3-2 at an edge of the face, else 2-3 at the face,

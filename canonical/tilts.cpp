@@ -161,8 +161,8 @@ class FaceSorter {
   const Triangulation& triangulation_;
   std::span<const double> lengths_;
   std::span<const topology::ConeAngle> cone_angles_;
-  std::vector<detail::Diagonal> diagonals_;      // [T]
-  std::vector<std::array<Tilt, 4>> tilt_;        // [T]
+  std::vector<detail::Diagonal> diagonals_;  // [T]
+  std::vector<std::array<Tilt, 4>> tilt_;    // [T]
   std::vector<detail::FacePlace> doubtful_;
   FaceKinds result_;
 };

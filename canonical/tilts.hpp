@@ -56,9 +56,9 @@ struct FaceKinds {
 ///   lengths      [E]  those of the metric, as structure::solve finds them: from horospheres of one
 ///                     area at all cusps
 ///   cone_angles  [E]  of the metric; empty for 2 pi everywhere
-/// No vertex may be finite. Sums that double precision cannot tell from 0 are settled in 50 digits, from lengths that are
-/// improved to 50 digits first; only if no face is concave beyond doubt (else there is something to
-/// do anyway, and faces in doubt are called transparent for the time being).
+/// No vertex may be finite. Sums that double precision cannot tell from 0 are settled in 50 digits,
+/// from lengths that are improved to 50 digits first; only if no face is concave beyond doubt (else
+/// there is something to do anyway, and faces in doubt are called transparent for the time being).
 /// Throws InternalError if the lengths are so poor that they cannot be improved.
 FaceKinds face_kinds(const topology::Triangulation& triangulation, std::span<const double> lengths,
                      std::span<const topology::ConeAngle> cone_angles = {});

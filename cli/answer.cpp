@@ -1,15 +1,16 @@
 #include "cli/answer.hpp"
 
-#include <new>
-
 #include <fmt/format.h>
 
 #include "base/stopped.hpp"
 #include "cli/arguments.hpp"
 #include "cli/batch.hpp"
 #include "cli/numbers.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/output.hpp"
+#include "cli/output_names.hpp"
 #include "manifold/json_text.hpp"
+#include "topology/work_size.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -22,11 +23,10 @@ const char* const kNoStandardInput =
     "a line of a batch cannot be standard input; give a signature or a file";
 
 Answer error_answer(const std::string& input, bool json, const std::exception& error) {
-  const bool out_of_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
-  const std::string message =
-      out_of_memory ? "out of memory: the input is too large for this machine" : error.what();
+  const std::string message = failure_text(error);
   Answer answer;
   answer.message = message;
+  answer.status = status_of(error);
   if (json) {
     JsonText out;
     append_error(out, input, error_kind(error), message);
@@ -35,18 +35,17 @@ Answer error_answer(const std::string& input, bool json, const std::exception& e
   return answer;
 }
 
-int status_of(const std::exception& error) {
-  if (dynamic_cast<const Stopped*>(&error) != nullptr) return kNoAnswer;
-  return dynamic_cast<const InvalidInput*>(&error) != nullptr ? kBadInput : kInternalFailure;
-}
-
 namespace {
 
 int answer_one(const CommonOptions& options,
                const std::function<Outcome(const std::string&)>& answer) {
   Outcome outcome;
   std::string message;
+  const Answer interrupted = error_answer(options.input, options.json, Stopped());
+  set_last_words(fmt::format("tripus: {}\n", interrupted.message),
+                 options.json ? interrupted.text + '\n' : "");
   try {
+    require_not_written(options.input);
     outcome = answer(options.input);
   } catch (const std::exception& error) {
     Answer failure = error_answer(options.input, options.json, error);
@@ -73,10 +72,18 @@ void add_input_options(CLI::App& verb, CommonOptions& options, const char* answe
                                             answers))
                     ->option_text("FILE");
   input->excludes(batch);
+  auto* resume = verb.add_option("--resume", options.resume,
+                                 "with --batch and --json: write to this file, after the answers "
+                                 "that an\ninterrupted run has left there")
+                     ->option_text("FILE")
+                     ->check(problem_of_name)
+                     ->needs(batch);
   verb.add_flag("--quiet", options.quiet, "no progress on standard error");
-  verb.parse_complete_callback([input, batch] {
+  verb.parse_complete_callback([input, batch, resume, &options] {
     if (input->count() == 0 && batch->count() == 0)
       throw CLI::RequiredError("INPUT or --batch FILE");
+    if (resume->count() > 0 && !options.json)
+      throw CLI::RequiredError("--json, whose lines can be told apart, with --resume");
   });
 }
 
@@ -90,13 +97,15 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
 
 int answer_lines(const CommonOptions& options,
                  const std::function<Outcome(const topology::BatchLine&)>& answer) {
-  return run_batch({options.batch, options.threads, options.quiet},
+  return run_batch({options.batch, options.resume, options.threads, options.quiet},
                    [&](const topology::BatchLine& line) -> Answer {
+                     topology::begin_work();
                      try {
+                       require_not_written(line.text);
                        Outcome outcome = answer(line);
                        std::string& answered = outcome.text;
                        if (!answered.empty() && answered.back() == '\n') answered.pop_back();
-                       return {std::move(answered), {}};
+                       return {std::move(answered), {}, kSuccess};
                      } catch (const std::exception& error) {
                        return error_answer(line.text, options.json, error);
                      }

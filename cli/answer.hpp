@@ -7,6 +7,7 @@
 #include "cli/batch.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_status.hpp"
+#include "cli/failure.hpp"
 
 namespace tripus::cli {
 
@@ -28,8 +29,6 @@ int answer_lines(const CommonOptions& options,
 
 /// An exception as an answer: a JSON object for standard output, a line for standard error.
 Answer error_answer(const std::string& input, bool json, const std::exception& error);
-/// The exit status that an exception deserves.
-int status_of(const std::exception& error);
 /// What to say where a line of a batch is "-".
 extern const char* const kNoStandardInput;
 

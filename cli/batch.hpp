@@ -11,19 +11,22 @@ namespace tripus::cli {
 struct Answer {
   std::string text;     ///< for standard output, without the line end; may be empty
   std::string message;  ///< for standard error; may be empty
+  int status = 0;       ///< the exit status that it deserves
 };
 
 struct BatchOptions {
   std::string file;      ///< one INPUT a line, `-` for standard input
+  std::string resume;    ///< see BatchOutput
   unsigned threads = 0;  ///< 0: all cores
   bool quiet = false;
 };
 
 /// Answers every line, on all threads, and writes the answers in the order of the input.
-/// `answer` must not throw and must be safe to call from several threads.
-/// Returns the exit status: success when the run finished, no answer when it was interrupted; then
-/// the answers so far are out.
-/// Throws InvalidInput if the file cannot be read.
+/// `answer` must be safe to call from several threads.
+/// Returns the exit status: success when the run finished, failure if the system failed for a line;
+/// no answer when it was interrupted: then the answers to the first lines are out, without a gap,
+/// and none of a line that the interruption may have cut short.
+/// Throws InvalidInput if the file cannot be read, and what `answer` throws.
 int run_batch(const BatchOptions& options,
               const std::function<Answer(const topology::BatchLine& line)>& answer);
 

@@ -1,17 +1,16 @@
 // tripus census: makes tables of manifolds, and looks things up in them.
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <unordered_set>
 
 #include <fmt/format.h>
 
+#include "base/checksum.hpp"
+#include "base/journal.hpp"
 #include "base/output_file.hpp"
+#include "base/version.hpp"
 #include "canonical/census.hpp"
 #include "canonical/census_proofs.hpp"
 #include "cli/answer.hpp"
@@ -25,6 +24,7 @@
 #include "cli/manifold_text.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "cli/output_names.hpp"
 #include "cli/progress.hpp"
 #include "manifold/load.hpp"
 #include "topology/formats/formats.hpp"
@@ -49,46 +49,25 @@ struct CensusCommand {
   bool json = false, quiet = false, check = false, prove = false;
 };
 
-/// The journal of an earlier run and the stream that goes on with it.
-class Journal {
- public:
-  /// Reads what is there; a torn last line is cut off.
-  explicit Journal(const std::string& path) : path_(path) {
-    std::error_code error;
-    if (std::filesystem::exists(path, error)) read();
-    out_.open(path, std::ios::app | std::ios::binary);
-    require_written();
-  }
+/// What a census depends on besides its list, which is told apart by its checksum.
+std::string work_of(const CensusCommand& command, const std::vector<std::string>& list) {
+  std::uint64_t digest = checksum("");
+  for (const std::string& text : list) digest = checksum(text + '\n', digest);
+  return fmt::format("# tripus census: version {}, budget {}, {} triangulations, list {:016x}",
+                     kVersion, command.classify.canonize.retriangulation.budget, list.size(),
+                     digest);
+}
 
-  void add(const CensusLine& line) {
-    out_ << canonical::to_journal(line) << '\n' << std::flush;
-    require_written();
+/// The lines of an earlier run.
+std::vector<CensusLine> lines_of(const Journal& journal) {
+  std::vector<CensusLine> lines;
+  for (std::size_t k = 0; k < journal.lines().size(); ++k) {
+    auto line = canonical::parse_journal_line(journal.lines()[k]);
+    if (!line) throw InvalidInput(journal.place(k) + " is not one of a census");
+    lines.push_back(std::move(*line));
   }
-  std::vector<CensusLine>& lines() { return lines_; }
-
- private:
-  void require_written() const {
-    if (!out_)
-      throw InvalidInput("cannot write the journal " + tripus::quoted(path_) + ": " +
-                         std::strerror(errno));
-  }
-  void read() {
-    canonical::JournalText journal;
-    const std::string text = read_file(path_);
-    try {
-      journal = canonical::parse_journal(text);
-    } catch (const InvalidInput& error) {
-      throw InvalidInput("the journal " + tripus::quoted(path_) + ": " + error.what() +
-                         "; name another file, or remove it to begin anew");
-    }
-    lines_ = std::move(journal.lines);
-    if (journal.complete != text.size()) std::filesystem::resize_file(path_, journal.complete);
-  }
-
-  std::string path_;
-  std::vector<CensusLine> lines_;
-  std::ofstream out_;
-};
+  return lines;
+}
 
 /// What the lists name.
 struct Inputs {
@@ -100,10 +79,12 @@ struct Inputs {
 /// goes on.
 Inputs read_lists(const std::vector<std::string>& paths) {
   Inputs inputs;
-  for (const std::string& path : paths)
-    for (const auto& line : topology::read_batch(read_file(path))) {
+  for (const std::string& path : paths) {
+    require_not_written(path);
+    for (const auto& line : read_batch_file(path)) {
       try {
         if (line.text == "-") throw InvalidInput(kNoStandardInput);
+        require_not_written(line.text);
         const topology::NamedGluings loaded = load_manifold_input(line.text);
         inputs.triangulations.push_back(topology::isosig(loaded.gluings));
       } catch (const InvalidInput& error) {
@@ -112,6 +93,7 @@ Inputs read_lists(const std::vector<std::string>& paths) {
                                   error.what()));
       }
     }
+  }
   return inputs;
 }
 
@@ -121,12 +103,6 @@ void write_text(const std::string& path, const std::string& text) {
     return;
   }
   write_file(path, text);
-}
-
-/// Before the work, not after it.
-void require_outputs(const CensusCommand& command) {
-  for (const std::string& path : {command.tsv, command.database})
-    if (!path.empty() && path != "-") OutputFile can_be_written(path);
 }
 
 void write_census(const CensusCommand& command, const Census& census) {
@@ -142,8 +118,22 @@ std::string journal_of(const CensusCommand& command) {
   return {};
 }
 
+/// Before the work, not after it.
+void declare_outputs(const CensusCommand& command) {
+  if (!command.tsv.empty() && command.tsv != "-") declare_output("--tsv", command.tsv);
+  if (!command.database.empty()) declare_output("--database", command.database);
+  if (!command.lists.empty() && !journal_of(command).empty())
+    declare_output("--journal", journal_of(command));
+  if (command.prove && !command.proofs.empty()) declare_output("--proofs", command.proofs);
+  if (!command.in.empty()) require_not_written(command.in);
+}
+
 int make(CensusCommand& command) {
-  require_outputs(command);
+  const std::string path = journal_of(command);
+  const auto interrupted = [&](std::size_t done, std::size_t of) {
+    return fmt::format("tripus: interrupted after {} of {} triangulations{}\n", done, of,
+                       path.empty() ? "" : "; the same command goes on from there");
+  };
   const Inputs inputs = read_lists(command.lists);
   const std::vector<std::string>& list = inputs.triangulations;
   if (list.empty()) {
@@ -152,13 +142,12 @@ int make(CensusCommand& command) {
                            : fmt::format("none of the {} could be read: no census was made",
                                          counted(inputs.refused, "line", "lines")));
   }
-  const std::string path = journal_of(command);
   std::optional<Journal> journal;
-  if (!path.empty()) journal.emplace(path);
+  if (!path.empty()) journal.emplace(path, work_of(command, list));
   std::vector<CensusLine> lines;
   std::unordered_set<std::string> listed(list.begin(), list.end()), done;
   if (journal) {
-    for (CensusLine& line : journal->lines())
+    for (CensusLine& line : lines_of(*journal))
       if (listed.contains(line.triangulation) && done.insert(line.triangulation).second)
         lines.push_back(std::move(line));
   }
@@ -169,18 +158,19 @@ int make(CensusCommand& command) {
   catch_interrupts();
   Progress progress(!command.quiet);
   std::size_t count = resumed;
+  set_last_words(interrupted(count, total));
   command.classify.stop_requested = &interrupt_requested();
   command.classify.canonize.solve.stop_requested = &interrupt_requested();
   command.classify.on_line = [&](const CensusLine& line) {
-    if (journal) journal->add(line);
+    if (journal) journal->add(canonical::to_journal(line));
     ++count;
+    set_last_words(interrupted(count, total));
     if (progress.due()) progress.show(fmt::format("{} of {} triangulations", count, total));
   };
   for (CensusLine& line : canonical::classify(todo, command.classify))
     lines.push_back(std::move(line));
   if (lines.size() < total) {
-    write_message(fmt::format("tripus: interrupted after {} of {} triangulations{}\n", lines.size(),
-                              total, path.empty() ? "" : "; the same command goes on from there"));
+    write_message(interrupted(lines.size(), total));
     return kNoAnswer;
   }
   std::size_t own = 0, moved = 0, refused = inputs.refused;
@@ -197,7 +187,7 @@ int make(CensusCommand& command) {
         fmt::format("all of the {} were refused: no census was made",
                     counted(total + inputs.refused, "triangulation", "triangulations")));
   write_census(command, census);
-  if (!path.empty() && command.journal.empty()) std::filesystem::remove(path);
+  if (journal && command.journal.empty()) journal->remove();
   const std::string summary = fmt::format(
       "{} triangulations: {} manifolds; {} carry their metric, {} after moves, {} unresolved, {} "
       "refused{}\n",
@@ -408,6 +398,7 @@ void add_census(CLI::App& program, Command& chosen) {
     command->has_homology = verb->get_option("--homology")->count() > 0;
     command->has_cells = verb->get_option("--cells")->count() > 0;
     chosen = [command] {
+      declare_outputs(*command);
       if (command->check) return check_proofs(*command);
       if (command->prove) return write_proofs(*command);
       return command->lists.empty() ? look_up(*command) : make(*command);

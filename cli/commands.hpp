@@ -10,7 +10,8 @@ namespace tripus::cli {
 /// What every verb that takes an INPUT understands.
 struct CommonOptions {
   std::string input;
-  std::string batch;  ///< file, empty without --batch
+  std::string batch;   ///< file, empty without --batch
+  std::string resume;  ///< file that answers of a batch are added to, empty for standard output
   unsigned threads = 0;
   bool json = false;
   bool quiet = false;

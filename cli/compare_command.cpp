@@ -116,8 +116,8 @@ Comparison compare_subjects(const Subject& first, const Subject& second,
   const bool known = first.orientation_known && second.orientation_known;
   try {
     return canonical::compare(
-        {first.triangulation, first.cone_angles}, {second.triangulation, second.cone_angles}, options,
-        known ? canonical::Orientations::kKnown : canonical::Orientations::kNotKnown);
+        {first.triangulation, first.cone_angles}, {second.triangulation, second.cone_angles},
+        options, known ? canonical::Orientations::kKnown : canonical::Orientations::kNotKnown);
   } catch (const InvalidInput&) {
     require_metric(first);
     require_metric(second);

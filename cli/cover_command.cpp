@@ -1,9 +1,6 @@
 // tripus cover: finite covers, as a stream.
-#include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -13,9 +10,11 @@
 #include <fmt/ranges.h>
 
 #include "base/output_file.hpp"
+#include "base/system_error.hpp"
 #include "canonical/canonize.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
+#include "cli/batch_output.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
@@ -23,11 +22,13 @@
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "cli/output_names.hpp"
 #include "cli/progress.hpp"
 #include "manifold/load.hpp"
 #include "topology/covers/covers.hpp"
 #include "topology/formats/json.hpp"
 #include "topology/homology.hpp"
+#include "topology/work_size.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -51,52 +52,78 @@ struct CoverCommand {
   }
 };
 
-/// Where covers go: lines to standard output or to a file, or a file each to a folder as well.
+/// The part of a cover's name that comes before its number, in a folder.
+constexpr const char* kFilePrefix = "cover-";
+
+/// Where covers go: lines to standard output, a file or after an earlier run's (--resume), or a
+/// file each to a folder as well.
 class Sink {
  public:
-  explicit Sink(const std::string& path) : path_(path) {
-    if (path.empty()) return;
+  Sink(const CoverCommand& command, const std::vector<topology::BatchLine>& inputs)
+      : path_(command.output), resumed_(command.common.resume, inputs, AnswersPerLine::kAnyNumber) {
+    if (path_.empty()) return;
     std::error_code error;
-    if (path.ends_with('/')) std::filesystem::create_directories(path, error);
-    if (std::filesystem::is_directory(path, error)) {
-      folder_ = true;
+    if (path_.ends_with('/')) {
+      std::filesystem::create_directories(path_, error);
+      if (error) fail_on_file("cannot make the folder", path_, error.value());
+    }
+    folder_ = std::filesystem::is_directory(path_, error);
+    if (folder_) {
+      declare_output_folder(path_, kFilePrefix);
       return;
     }
-    file_.open(path, std::ios::binary);
-    check(file_.is_open(), path);
+    declare_output("-o", path_);
+    file_.emplace(path_);
   }
 
   void add(const std::string& line, const topology::NamedGluings& cover) {
     ++count_;
     if (folder_) {
-      const auto path = std::filesystem::path(path_) / fmt::format("cover-{:06}.json", count_);
-      std::ofstream out(path, std::ios::binary);
-      out << topology::write_json(cover) << std::flush;
-      check(bool(out), path.string());
+      const auto name = fmt::format("{}{:06}.json", kFilePrefix, count_);
+      write_file((std::filesystem::path(path_) / name).string(), topology::write_json(cover));
     }
     write_line(line);
   }
   void comment(const std::string& text) { write_line("# " + text); }
-  std::size_t count() const { return count_; }
-
- private:
-  void write_line(const std::string& line) {
-    if (file_.is_open()) {
-      file_ << line << '\n' << std::flush;
-      check(bool(file_), path_);
-    } else {
-      write_output(line);
-      write_output("\n");
+  /// An error as an answer, which is not for the file.
+  void failure(const std::string& line) {
+    if (file_) {
+      write_output(line + '\n');
       flush_output();
+    } else {
+      resumed_.write(line + '\n');
     }
   }
-  static void check(bool good, const std::string& path) {
-    if (!good)
-      throw InvalidInput("cannot write " + tripus::quoted(path) + ": " + std::strerror(errno));
+  std::size_t first() const { return resumed_.answered(); }
+  std::size_t count() const { return count_; }
+  /// The file comes to its name, with what there is.
+  void close() {
+    if (!file_ || count_ == 0) return;
+    lines();
+    file_->close();
   }
+
+ private:
+  /// The file is begun with the first line: a bad input leaves an old one alone.
+  std::ostream& lines() {
+    if (lines_ == nullptr) lines_ = &file_->open();
+    return *lines_;
+  }
+  void write_line(const std::string& line) {
+    if (file_) {
+      lines() << line << '\n';
+      if (file_->is_direct()) lines().flush();
+      if (!lines()) file_->close();  // throws
+    } else {
+      resumed_.write(line + '\n');
+    }
+  }
+
   std::string path_;
+  BatchOutput resumed_;
   bool folder_ = false;
-  std::ofstream file_;
+  std::optional<OutputFile> file_;
+  std::ostream* lines_ = nullptr;
   std::size_t count_ = 0;
 };
 
@@ -225,13 +252,14 @@ class DistinctManifolds {
 /// Writes the covers of one INPUT; the exit status it deserves.
 int write_covers(const CoverCommand& command, const std::string& input, Sink& sink,
                  Progress& progress) {
-  const topology::NamedGluings loaded = load_input(input, interruptible());
+  const topology::NamedGluings loaded = load_manifold_input(input, interruptible());
   const topology::Triangulation base(loaded.gluings);
   catch_interrupts();
   if (command.sheets() > kMostTetrahedra / base.tetrahedron_count())
     throw InvalidInput(fmt::format(
         "degree {}: the cover would have {} tetrahedra; at most {} are made here", command.sheets(),
         command.sheets() * base.tetrahedron_count(), kMostTetrahedra));
+  topology::note_work_size(command.sheets() * base.tetrahedron_count());
   std::size_t number = 0, written = 0;
   DistinctManifolds distinct;
   const auto visit = [&](const Cover& cover) {
@@ -269,33 +297,46 @@ int write_covers(const CoverCommand& command, const std::string& input, Sink& si
 
 int run(const CoverCommand& command) {
   const bool batch = !command.common.batch.empty();
+  if (!command.common.resume.empty()) declare_output("--resume", command.common.resume);
   std::vector<topology::BatchLine> inputs{{0, command.common.input}};
   if (batch) inputs = read_batch_file(command.common.batch);
-  Sink sink(command.output);
-  int status = kSuccess;
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
+  Sink sink(command, inputs);
+  require_not_written(command.common.batch);
+  int status = kSuccess, worst = kSuccess;
+  for (std::size_t i = sink.first(); i < inputs.size(); ++i) {
     const std::string& input = inputs[i].text;
+    const auto interrupted = [&] {
+      return fmt::format("tripus: interrupted after {}{}\n",
+                         counted(sink.count(), "cover", "covers"),
+                         batch ? fmt::format(", of the first {} of {} inputs", i, inputs.size()) : "");
+    };
+    set_last_words(interrupted());
+    topology::begin_work();
     try {
+      require_not_written(input);
       if (batch && !command.common.json) sink.comment(printable(input));
       if (batch && input == "-") throw InvalidInput(kNoStandardInput);
       Progress progress(!command.common.quiet);
       status = write_covers(command, input, sink, progress);
-    } catch (const OutputError&) {
-      throw;
+    } catch (const IoError&) {
+      throw;  // of a file or standard output: the next line will not fare better
     } catch (const std::exception& error) {
       status = status_of(error);
       const Answer answer = error_answer(input, command.common.json, error);
-      write_message(
-          batch ? fmt::format("tripus: line {}: {}\n", inputs[i].line_number, answer.message)
-                : fmt::format("tripus: {}\n", answer.message));
-      if (!answer.text.empty()) write_output(answer.text + "\n");
+      if (!interrupt_requested() && !answer.text.empty()) sink.failure(answer.text);
+      if (!interrupt_requested())
+        write_message(
+            batch ? fmt::format("tripus: line {}: {}\n", inputs[i].line_number, answer.message)
+                  : fmt::format("tripus: {}\n", answer.message));
     }
+    if (status == kInternalFailure) worst = kInternalFailure;
     if (!interrupt_requested()) continue;
-    write_message(
-        fmt::format("tripus: interrupted after {}\n", counted(sink.count(), "cover", "covers")));
+    sink.close();
+    write_message(interrupted());
     return kNoAnswer;
   }
-  return batch ? int(kSuccess) : status;
+  sink.close();
+  return batch ? worst : status;
 }
 
 constexpr const char* kFooter =

@@ -16,6 +16,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/metric.hpp"
 #include "cli/numbers.hpp"
+#include "cli/output_names.hpp"
 #include "cli/remedies.hpp"
 #include "cli/report_text.hpp"
 #include "embedding/developing_map.hpp"
@@ -131,11 +132,6 @@ Outcome embed_one(const EmbedCommand& command, const std::string& input) {
   std::optional<OutputFile> file, circles;
   if (!command.output.empty()) file.emplace(command.output);
   if (!command.circles.empty()) circles.emplace(command.circles);
-  if (file && circles && file->is_same_as(*circles)) {
-    throw InvalidInput(
-        fmt::format("-o and --circles would both write {}; give one of them another name",
-                    quoted(command.circles)));
-  }
   Subject loaded = load_solvable_subject(input, interruptible(), require_boundary_with_remedy);
   catch_interrupts();
   const Solved solved = find_metric(std::move(loaded), {}, command.search);
@@ -163,6 +159,8 @@ Outcome embed_one(const EmbedCommand& command, const std::string& input) {
 }
 
 int run(const EmbedCommand& command) {
+  if (!command.output.empty()) declare_output("-o", command.output);
+  if (!command.circles.empty()) declare_output("--circles", command.circles);
   return answer_inputs(command.common,
                        [&](const std::string& input) { return embed_one(command, input); });
 }

@@ -2,26 +2,26 @@
 
 #include <string>
 
+#include "base/output_file.hpp"
 #include "structure/solve.hpp"
 
 namespace tripus::cli {
 
-/// The history of a run as a CSV file, one row an iteration, written as it goes.
+/// The history of a run as a CSV file, one row an iteration. Like every other file it comes to its
+/// name when the run ends, interrupted or not; through a pipe the rows come as they are made.
 class HistoryFile {
  public:
-  /// Throws InvalidInput if the file cannot be written.
+  /// Throws what OutputFile throws.
   explicit HistoryFile(const std::string& path);
-  ~HistoryFile();
-  HistoryFile(const HistoryFile&) = delete;
-  HistoryFile& operator=(const HistoryFile&) = delete;
 
+  /// Throws IoError.
   void add(const structure::HistoryRow& row);
-  /// Throws Error if a row could not be written.
-  void close();
+  /// Throws IoError if a row could not be written.
+  void close() { file_.close(); }
 
  private:
-  std::string path_;
-  std::FILE* file_;
+  OutputFile file_;
+  std::ostream& out_;
 };
 
 }  // namespace tripus::cli

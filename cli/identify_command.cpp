@@ -61,8 +61,8 @@ std::string as_json(const Subject& subject, const Identification& found,
 
 Outcome identify_one(const IdentifyCommand& command, const Census& census,
                      const std::string& input) {
-  const Subject subject = load_ideal_subject(input, Balls::kRefused, interruptible(),
-                                             require_canonizable_with_remedy);
+  const Subject subject =
+      load_ideal_subject(input, Balls::kRefused, interruptible(), require_canonizable_with_remedy);
   catch_interrupts();
   canonical::CanonizeOptions options = command.canonize;
   options.solve.cone_angles = subject.cone_angles;

@@ -12,8 +12,11 @@
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 #include "cli/exit_status.hpp"
+#include "cli/failure.hpp"
 #include "cli/help.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/output.hpp"
+#include "cli/streams.hpp"
 #include "manifold/json_text.hpp"
 
 namespace {
@@ -144,6 +147,9 @@ int run(const std::vector<std::string>& given) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  secure_standard_streams();
+  limit_blas_threads(argv);
+  catch_interrupts();
   const std::vector<std::string> arguments(argv + 1, argv + std::max(argc, 1));
   try {
     return run(arguments);
@@ -151,12 +157,11 @@ int main(int argc, char** argv) {
     write_message(fmt::format("tripus: {}\n", error.what()));
   } catch (const std::exception& error) {
     try {
-      report_failure(wants_json(arguments), tripus::error_kind(error), error.what());
+      report_failure(wants_json(arguments), tripus::error_kind(error), failure_text(error));
     } catch (const OutputError&) {
       return kInternalFailure;
     }
-    return dynamic_cast<const tripus::InvalidInput*>(&error) != nullptr ? kBadInput
-                                                                        : kInternalFailure;
+    return status_of(error);
   }
   return kInternalFailure;
 }

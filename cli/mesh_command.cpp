@@ -14,6 +14,7 @@
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
+#include "cli/output_names.hpp"
 #include "cli/progress.hpp"
 #include "cli/triangulation_file.hpp"
 #include "manifold/load.hpp"
@@ -57,22 +58,16 @@ bool ends_with(const std::string& path, std::string_view ending) {
   return path.size() > ending.size() && path.ends_with(ending);
 }
 
-void write_file(const std::string& path, const std::string& text) {
-  OutputFile file(path);
-  file.open() << text;
-  file.close();
-}
-
 /// What --pictures adds to its prefix.
 constexpr std::array kPictures{"-boundary.svg", "-mesh.svg", "-coned.svg", "-stages.svg"};
 
 /// Before the work, not after it.
 void require_known_outputs(const MeshCommand& command) {
   if (!command.output.empty()) require_triangulation_name(command.output);
-  for (const std::string& path : {command.output, command.mesh_output})
-    if (!path.empty()) OutputFile can_be_written(path);
+  if (!command.output.empty()) declare_output("-o", command.output);
+  if (!command.mesh_output.empty()) declare_output("--save-mesh", command.mesh_output);
   if (!command.pictures.empty())
-    for (const char* ending : kPictures) OutputFile can_be_written(command.pictures + ending);
+    for (const char* ending : kPictures) declare_output("--pictures", command.pictures + ending);
   if (!command.mesh_output.empty() && !ends_with(command.mesh_output, ".vtk") &&
       !ends_with(command.mesh_output, ".mesh") && !ends_with(command.mesh_output, ".msh"))
     throw InvalidInput("--save-mesh " + tripus::quoted(command.mesh_output) +

@@ -16,6 +16,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/orthospectrum_text.hpp"
+#include "cli/output_names.hpp"
 #include "cli/progress.hpp"
 #include "cli/remedies.hpp"
 #include "cli/report_text.hpp"
@@ -33,7 +34,7 @@ struct OrthospectrumCommand {
   CommonOptions common;
   orthospectrum::SpectrumOptions spectrum;
   double time_limit = kNoTimeLimit;
-  bool words = false, summary = false, canonical = false, force = false;
+  bool words = false, summary = false, canonical = false, force = false, prove = false;
   std::string table, picture, plot;
 };
 
@@ -41,7 +42,8 @@ orthospectrum::SpectrumOptions options_for(const OrthospectrumCommand& command) 
   orthospectrum::SpectrumOptions options = command.spectrum;
   if (options.length == 0 && options.count == 0) options.count = kDefaultCount;
   options.keep_arcs = !command.summary;
-  options.keep_faces = !command.summary && (command.words || !command.table.empty());
+  options.keep_faces =
+      !command.summary && (command.words || command.prove || !command.table.empty());
   if (command.force) options.most_arcs = std::numeric_limits<double>::infinity();
   return options;
 }
@@ -95,7 +97,7 @@ Outcome spectrum_one(const OrthospectrumCommand& command, const std::string& inp
   if (!command.picture.empty()) picture.emplace(command.picture);
   if (!command.plot.empty()) plot.emplace(command.plot);
   const Subject subject =
-      load_solvable_subject(input, interruptible(), require_boundary_with_remedy);
+      load_solvable_subject(input, interruptible(), require_boundary_beside_cusps_with_remedy);
   catch_interrupts();
   structure::SolveOptions solve;
   solve.stop_requested = &interrupt_requested();
@@ -108,10 +110,14 @@ Outcome spectrum_one(const OrthospectrumCommand& command, const std::string& inp
   }
   SpectrumAnswer answer{subject, spectrum_of(command, subject, report), {}, {}, {}, command.words};
   double area = 0;
-  for (const structure::VertexReport& vertex : report.vertices) area += vertex.area;
+  for (const structure::VertexReport& vertex : report.vertices)
+    if (vertex.kind == topology::VertexKind::kHyperideal) area += vertex.area;
   answer.identities = orthospectrum::identities_of(answer.spectrum.sums, answer.spectrum.length,
                                                    area, report.volume);
   answer.grouping = orthospectrum::group_arcs(answer.spectrum, subject.triangulation);
+  if (command.prove)
+    answer.proved = orthospectrum::prove_lengths(subject.triangulation, report.edge_lengths,
+                                                 answer.spectrum, interruptible());
   if (command.canonical) answer.canonical_edges = canonical_edges_of(subject);
   if (table) {
     write_arc_table(table->open(), answer);
@@ -127,8 +133,9 @@ Outcome spectrum_one(const OrthospectrumCommand& command, const std::string& inp
                orthospectrum::counting_as_svg(
                    answer.spectrum, answer.identities,
                    fmt::format("counting function of the orthospectrum of {}", printable(input))));
+  const bool is_complete = answer.spectrum.end == orthospectrum::SpectrumEnd::kComplete;
   const int status =
-      answer.spectrum.end == orthospectrum::SpectrumEnd::kComplete ? kSuccess : kNoAnswer;
+      is_complete && (!answer.proved || answer.proved->proved) ? kSuccess : kNoAnswer;
   return {command.common.json ? spectrum_as_json(answer) : spectrum_as_text(answer), status};
 }
 
@@ -159,6 +166,10 @@ void add_outputs(CLI::App& verb, OrthospectrumCommand& command) {
   auto* summary = verb.add_flag("--summary", command.summary,
                                 "counts, sums and estimates only, in memory that does not grow")
                       ->option_text(" ");
+  verb.add_flag("--prove", command.prove,
+                "prove the metric and the length of each arc, every rounding accounted for")
+      ->option_text(" ")
+      ->excludes(summary);
   verb.add_flag("--canonical", command.canonical,
                 "say how many edges of the canonical decomposition have each length");
   CLI::Option* batch = verb.get_option("--batch");
@@ -198,6 +209,10 @@ void add_orthospectrum(CLI::App& program, Command& chosen) {
       kInputHelp + "\n" + kExitStatusHelp);
   verb->final_callback([command, &chosen] {
     chosen = [command] {
+      for (const auto& [option, path] : {std::pair("--tsv", command->table),
+                                         std::pair("--picture", command->picture),
+                                         std::pair("--plot", command->plot)})
+        if (!path.empty()) declare_output(option, path);
       return answer_inputs(command->common,
                            [&](const std::string& input) { return spectrum_one(*command, input); });
     };

@@ -36,6 +36,14 @@ std::string identity_text(const Identity& identity) {
       identity.tail ? ", the longer arcs about " + estimate_text(*identity.tail) : std::string());
 }
 
+/// How far the number as it is printed may be from all members.
+std::string error_bound(const std::string& printed, const structure::Interval& interval) {
+  const double shown = std::stod(printed);
+  const double error = std::max(shown - interval.lower, interval.upper - shown);
+  constexpr double kUp = 1.06;  // more than the rounding to two digits
+  return fmt::format("{:.1e}", kUp * error);
+}
+
 std::string group_line(const SpectrumAnswer& answer, const ArcGroup& group) {
   std::string marks;
   const auto edges = answer.edges_in(group);
@@ -47,7 +55,13 @@ std::string group_line(const SpectrumAnswer& answer, const ArcGroup& group) {
                            counted(count, "edge", "edges"));
     }
   }
-  std::string line = fmt::format("  {:<20.15g}{:<8}{:<11}{}", group.length, group.multiplicity,
+  const std::string length = fmt::format("{:.15g}", group.length);
+  if (answer.proved) {
+    const auto hull = answer.proved->of(answer.grouping, group);
+    marks += (marks.empty() ? "" : "; ") +
+             (hull ? "proved to within " + error_bound(length, *hull) : std::string("not proved"));
+  }
+  std::string line = fmt::format("  {:<20}{:<8}{:<11}{}", length, group.multiplicity,
                                  fmt::format("{}-{}", group.ends[0], group.ends[1]), marks);
   line.erase(line.find_last_not_of(' ') + 1);
   line += '\n';
@@ -83,6 +97,11 @@ std::string spectrum_as_text(const SpectrumAnswer& answer) {
                         counted(groups.size() - kMostLines, "length", "lengths"));
   }
   line("arcs", fmt::format("{} up to length {:.10g}", spectrum.arc_count, spectrum.length));
+  if (answer.proved)
+    line("proof",
+         answer.proved->proved
+             ? "the metric, and the length of each of these arcs; not that there are no others"
+             : answer.proved->reason);
   if (!spectrum.arcs.empty())
     line("shortest return", fmt::format("{:.15g}", spectrum.arcs.front().length));
   const orthospectrum::Identities& identities = answer.identities;
@@ -101,16 +120,23 @@ std::string spectrum_as_text(const SpectrumAnswer& answer) {
 }
 
 void write_arc_table(std::ostream& out, const SpectrumAnswer& answer) {
-  out << "length\tends\tedge\tstart\tstart_x\tstart_y\tend\tend_x\tend_y\tdisc_radius\tfaces\n";
+  out << "length\tends\tedge\tstart\tstart_x\tstart_y\tend\tend_x\tend_y\tdisc_radius\tfaces";
+  out << (answer.proved ? "\tproved_from\tproved_to\n" : "\n");
   for (const ArcGroup& group : answer.grouping.groups) {
     for (const std::size_t n : answer.members(group)) {
       const Arc& arc = answer.spectrum.arcs[n];
       const std::string edge = arc.edge == orthospectrum::kNoEdge ? "-" : std::to_string(arc.edge);
-      fmt::print(out, "{}\t{}-{}\t{}\t{}.{}\t{}\t{}\t{}.{}\t{}\t{}\t{}\t{}\n", arc.length,
+      fmt::print(out, "{}\t{}-{}\t{}\t{}.{}\t{}\t{}\t{}.{}\t{}\t{}\t{}\t{}", arc.length,
                  group.ends[0], group.ends[1], edge, arc.start.tile.tetrahedron,
                  arc.start.tile.vertex, arc.start.x, arc.start.y, arc.end.tile.tetrahedron,
                  arc.end.tile.vertex, arc.end.x, arc.end.y, orthospectrum::disc_radius(arc.length),
                  faces_of(answer, arc));
+      if (answer.proved && n < answer.proved->arcs.size() && answer.proved->arcs[n]) {
+        fmt::print(out, "\t{}\t{}", answer.proved->arcs[n]->lower, answer.proved->arcs[n]->upper);
+      } else if (answer.proved) {
+        out << "\t-\t-";
+      }
+      out << '\n';
     }
   }
 }

@@ -45,6 +45,10 @@ void require_canonizable_with_remedy(const topology::Triangulation& triangulatio
   with_remedy(triangulation, [&] { canonical::require_canonizable(triangulation, cone_angles); });
 }
 
+void require_boundary_beside_cusps_with_remedy(const topology::Triangulation& triangulation) {
+  with_remedy(triangulation, [&] { topology::require_boundary_beside_cusps(triangulation); });
+}
+
 void require_with_remedy(const topology::Triangulation& triangulation,
                          std::span<const topology::ConeAngle> cone_angles) {
   with_remedy(triangulation, [&] { topology::require_solvable(triangulation, cone_angles); });

@@ -11,6 +11,7 @@ namespace tripus::cli {
 
 /// topology::require_geodesic_boundary, with the command that helps where there is one.
 void require_boundary_with_remedy(const topology::Triangulation& triangulation);
+void require_boundary_beside_cusps_with_remedy(const topology::Triangulation& triangulation);
 /// The same with topology::require_solvable.
 void require_with_remedy(const topology::Triangulation& triangulation,
                          std::span<const topology::ConeAngle> cone_angles);

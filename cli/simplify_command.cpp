@@ -15,6 +15,7 @@
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
+#include "cli/output_names.hpp"
 #include "cli/progress.hpp"
 #include "cli/triangulation_file.hpp"
 #include "manifold/load.hpp"
@@ -148,7 +149,7 @@ void add_simplify(CLI::App& program, Command& chosen) {
     chosen = [command] {
       if (!command->output.empty()) {
         require_triangulation_name(command->output);
-        OutputFile can_be_written(command->output);
+        declare_output("-o", command->output);
       }
       return answer_inputs(command->common,
                            [&](const std::string& input) { return simplify_one(*command, input); });

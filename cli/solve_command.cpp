@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "base/output_file.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
@@ -17,6 +16,7 @@
 #include "cli/metric.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "cli/output_names.hpp"
 #include "cli/progress.hpp"
 #include "cli/remedies.hpp"
 #include "cli/report_text.hpp"
@@ -198,6 +198,12 @@ Outcome solve_components(const SolveCommandOptions& command, const std::string& 
 int run(SolveCommandOptions& command) {
   if (command.lengths_file == "-" && (command.common.input == "-" || command.common.batch == "-"))
     throw InvalidInput("standard input cannot be both the input and --initial-lengths");
+  if (!command.output.empty()) {
+    require_triangulation_name(command.output);
+    declare_output("-o", command.output);
+  }
+  if (!command.history.empty()) declare_output("--history", command.history);
+  if (!command.lengths_file.empty()) require_not_written(command.lengths_file);
   if (!command.lengths_file.empty()) {
     try {
       command.solve.initial_lengths = parse_lengths(read_file(command.lengths_file));
@@ -208,10 +214,6 @@ int run(SolveCommandOptions& command) {
     if (command.solve.initial_lengths.empty())
       throw InvalidInput("--initial-lengths " + tripus::quoted(command.lengths_file) +
                          " holds no numbers");
-  }
-  if (!command.output.empty()) {
-    require_triangulation_name(command.output);
-    OutputFile can_be_written(command.output);
   }
   structure::find_solve_method(command.solve.method, 1);  // a wrong name is wrong for all inputs
   return answer_inputs(command.common, [&](const std::string& input) {

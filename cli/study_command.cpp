@@ -109,7 +109,14 @@ int run(StudyCommandOptions command) {
   options.threads =
       command.threads == 0 ? std::max(1u, std::thread::hardware_concurrency()) : command.threads;
   options.stop_requested = &interrupt_requested();
+  const auto interrupted = [](std::size_t done, std::size_t total) {
+    return fmt::format("tripus: interrupted: {}; the same command goes on from there\n",
+                       total == 0 ? "before any item was begun"
+                                  : fmt::format("{} of {} items done", done, total));
+  };
+  set_last_words(interrupted(0, 0));
   options.on_progress = [&](std::size_t done, std::size_t total) {
+    set_last_words(interrupted(done, total));
     if (progress.due()) progress.show(fmt::format("{} of {} items", done, total));
   };
   const studies::RunResult result = studies::run_study(study, command.study, options);
@@ -120,11 +127,7 @@ int run(StudyCommandOptions command) {
   }
   flush_output();
   if (result.finished()) return kSuccess;
-  const std::string state = result.total == 0
-                                ? "before any item was begun"
-                                : fmt::format("{} of {} items done", result.done, result.total);
-  write_message(
-      fmt::format("tripus: interrupted: {}; the same command goes on from there\n", state));
+  write_message(interrupted(result.done, result.total));
   return kNoAnswer;
 }
 

@@ -14,6 +14,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "cli/output_names.hpp"
 #include "cli/progress.hpp"
 #include "manifold/json_text.hpp"
 #include "manifold/load.hpp"
@@ -136,7 +137,11 @@ int run(const TubeCommand& command) {
                                              : meshing::surface_format_of(command.output);
   catch_interrupts();
   std::optional<OutputFile> file;
-  if (command.output != "-") file.emplace(command.output);
+  if (command.output != "-") {
+    declare_output("-o", command.output);
+    file.emplace(command.output);
+  }
+  require_not_written(command.graph);
   try {
     const meshing::Tube tube = tube_of(command);
     const std::string surface = format.write(tube.surface);

@@ -14,6 +14,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/metric.hpp"
 #include "cli/numbers.hpp"
+#include "cli/output_names.hpp"
 #include "cli/remedies.hpp"
 #include "cli/report_text.hpp"
 #include "cli/view_pages.hpp"
@@ -181,7 +182,11 @@ Outcome view_one(const ViewCommand& command, const std::string& input) {
 
 int run(ViewCommand& command) {
   if (!command.common.batch.empty()) return write_gallery(command.common, page_request(command));
-  if (!command.page.empty()) check_pages(page_request(command));
+  if (!command.page.empty()) {
+    check_pages(page_request(command));
+    declare_output("-o", command.page);
+  }
+  if (!command.png.empty()) declare_output("--png", command.png);
   parse_size(command);
   parse_camera(command);
   name_choices(command);

@@ -13,6 +13,7 @@
 
 #include "base/output_file.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/output_names.hpp"
 #include "cli/remedies.hpp"
 #include "cli/report_text.hpp"
 #include "manifold/load.hpp"
@@ -146,15 +147,13 @@ class Gallery {
 
 /// The index must not replace the list; nor anything, where there is no list.
 /// Throws InvalidInput.
-void check_list(const std::string& list, const std::string& index) {
+void check_list(const std::string& list) {
+  require_not_written(list);
   if (list == "-") return;
   std::error_code unknown;
-  if (std::filesystem::equivalent(list, index, unknown))
-    throw InvalidInput("-o " + tripus::quoted(index) +
-                       " is the list itself; give the index another name, such as index.html");
   // A pipe can be read only once.
   const bool is_pipe = std::filesystem::is_fifo(list, unknown);
-  if (!is_pipe) (void)topology::read_batch(read_file(list));
+  if (!is_pipe) (void)read_batch_file(list);
 }
 
 }  // namespace
@@ -181,7 +180,8 @@ Outcome write_page(const Subject& subject, const structure::Report& report,
 
 int write_gallery(const CommonOptions& list, const PageRequest& request) {
   check_pages(request);
-  check_list(list.batch, request.path);
+  declare_output("-o", request.path);
+  check_list(list.batch);
   Gallery gallery(request);
   const std::string title =
       list.batch == "-" ? "Manifolds"

@@ -23,6 +23,7 @@ struct Found {
   std::uint32_t tetrahedron;
   std::uint32_t parent;  ///< as a Cell
   std::uint32_t depth;
+  std::uint8_t face;
 };
 
 struct QueueEntry {
@@ -73,7 +74,7 @@ class Grower {
 
   UniversalCover grow() {
     UniversalCover cover;
-    discover({{}, options_.root, kNoCell, 0});
+    discover({{}, options_.root, kNoCell, 0, 0});
     while (!queue_.empty() && !out_of_precision_) {
       if (cover.cells.size() >= options_.max_cells) {
         cover.end = CoverEnd::kCells;
@@ -87,7 +88,8 @@ class Grower {
       queue_.pop();
       const auto number = static_cast<std::uint32_t>(cover.cells.size());
       cover.cells.push_back(
-          {next.tetrahedron, geometry::to_matrix(next.place), next.depth, next.parent});
+          {next.tetrahedron, geometry::to_matrix(next.place), next.depth, next.parent,
+           next.face});
       expand(next, number);
     }
     if (out_of_precision_) cover.end = CoverEnd::kPrecision;
@@ -102,7 +104,8 @@ class Grower {
       // and would bring its own noise in.
       const MoebiusMap place =
           cell.place * pairings_[cell.tetrahedron][static_cast<std::size_t>(f)];
-      discover({place, gluings_.neighbour(cell.tetrahedron, f), number, cell.depth + 1});
+      discover({place, gluings_.neighbour(cell.tetrahedron, f), number, cell.depth + 1,
+                static_cast<std::uint8_t>(f)});
     }
   }
 

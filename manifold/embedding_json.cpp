@@ -1,5 +1,6 @@
 #include "manifold/embedding_json.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -36,6 +37,21 @@ void append_tetrahedron(JsonText& out, const HyperboloidTetrahedron& tetrahedron
   out.push_back('}');
 }
 
+void append_word(JsonText& out, const topology::Word& word) {
+  append_array(out, word, [](JsonText& to, topology::Letter letter) {
+    fmt::format_to(std::back_inserter(to), "{}", letter);
+  });
+}
+
+/// null where an isometry carries farther than doubles reach.
+void append_finite_matrix(JsonText& out, const Matrix4& matrix) {
+  if (matrix.allFinite()) {
+    append_matrix(out, matrix);
+  } else {
+    append(out, "null");
+  }
+}
+
 /// JSON has no infinity: null.
 void append_finite(JsonText& out, double value) {
   if (std::isfinite(value)) {
@@ -57,12 +73,19 @@ void append_generators(JsonText& out, const embedding::Holonomy& holonomy) {
     first = false;
     fmt::format_to(std::back_inserter(out),
                    "{{\"tetrahedron\": {}, \"face\": {}, \"isometry\": ", slot / 4, slot % 4);
-    append_matrix(out, holonomy.isometries[g]);
+    append_finite_matrix(out, holonomy.isometries[g]);
     append(out, ", \"moebius\": ");
-    append_array(out, std::array{map.a, map.b, map.c, map.d},
-                 [](JsonText& to, const geometry::Complex& w) {
-                   append_numbers(to, std::array{w.real(), w.imag()});
-                 });
+    const std::array entries{map.a, map.b, map.c, map.d};
+    const bool finite = std::ranges::all_of(entries, [](const geometry::Complex& w) {
+      return std::isfinite(w.real()) && std::isfinite(w.imag());
+    });
+    if (finite) {
+      append_array(out, entries, [](JsonText& to, const geometry::Complex& w) {
+        append_numbers(to, std::array{w.real(), w.imag()});
+      });
+    } else {
+      append(out, "null");
+    }
     fmt::format_to(std::back_inserter(out), ", \"reverses_orientation\": {}}}", map.reverses);
   }
   append(out, "]");
@@ -72,12 +95,7 @@ void append_holonomy(JsonText& out, const embedding::Holonomy& holonomy) {
   append(out, "{\"generators\": ");
   append_generators(out, holonomy);
   append(out, ", \"relators\": ");
-  append_array(out, holonomy.group.presentation.relators,
-               [](JsonText& to, const topology::Word& word) {
-                 append_array(to, word, [](JsonText& text, topology::Letter letter) {
-                   fmt::format_to(std::back_inserter(text), "{}", letter);
-                 });
-               });
+  append_array(out, holonomy.group.presentation.relators, append_word);
   const embedding::RelatorDefect numbers = embedding::relator_defect(holonomy);
   append(out, ", \"relator_defect\": ");
   append_finite(out, numbers.defect);
@@ -90,10 +108,32 @@ void append_holonomy(JsonText& out, const embedding::Holonomy& holonomy) {
   out.push_back('}');
 }
 
-void append_cell(JsonText& out, const Cell& cell) {
+/// The deck transformation that carries a cell's tetrahedron from the fundamental domain of the
+/// generators to the cell, freely reduced: exact, however far away that is.
+topology::Word word_of(const std::vector<Cell>& cells, const Cell& cell,
+                       const std::vector<topology::Letter>& face_letters) {
+  topology::Word word;
+  for (const Cell* at = &cell; at->parent != embedding::kNoCell; at = &cells[at->parent]) {
+    const topology::Letter letter =
+        face_letters[4 * std::size_t{cells[at->parent].tetrahedron} + at->face];
+    if (letter == 0) continue;
+    if (!word.empty() && word.back() == -letter) {
+      word.pop_back();
+    } else {
+      word.push_back(letter);
+    }
+  }
+  std::ranges::reverse(word);
+  return word;
+}
+
+void append_cell(JsonText& out, const std::vector<Cell>& cells, const Cell& cell,
+                 const std::vector<topology::Letter>& face_letters) {
   fmt::format_to(std::back_inserter(out),
                  "{{\"tetrahedron\": {}, \"isometry\": ", cell.tetrahedron);
-  append_matrix(out, cell.isometry);
+  append_finite_matrix(out, cell.isometry);
+  append(out, ", \"word\": ");
+  append_word(out, word_of(cells, cell, face_letters));
   fmt::format_to(std::back_inserter(out), ", \"depth\": {}, \"parent\": ", cell.depth);
   if (cell.parent == embedding::kNoCell) {
     append(out, "null}");
@@ -130,9 +170,12 @@ std::string embedding_as_json(const EmbeddedSubject& embedded) {
   append_array(out, embedded.embedding.face_pairings,
                [](JsonText& to, const auto& four) { append_array(to, four, append_matrix); });
   append(out, ", \"holonomy\": ");
-  append_holonomy(out, embedding::holonomy(embedded.embedding, embedded.subject.triangulation));
+  const auto holonomy = embedding::holonomy(embedded.embedding, embedded.subject.triangulation);
+  append_holonomy(out, holonomy);
   append(out, ", \"cells\": ");
-  append_array(out, embedded.cover.cells, append_cell);
+  append_array(out, embedded.cover.cells, [&](JsonText& to, const Cell& cell) {
+    append_cell(to, embedded.cover.cells, cell, holonomy.group.face_letters);
+  });
   fmt::format_to(std::back_inserter(out), ", \"cells_end\": \"{}\"}}",
                  end_word(embedded.cover.end));
   return fmt::to_string(out);

@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "canonical/census.hpp"
 #include "manifold/prepared.hpp"
+#include "meshing/formats/foreign_meshes.hpp"
 #include "meshing/manifold.hpp"
 #include "topology/formats/foreign_names.hpp"
 #include "topology/formats/signature.hpp"
@@ -50,9 +51,20 @@ std::optional<topology::NamedGluings> find_in_census(const std::string& name) {
 topology::NamedGluings read_signature(const std::string& text) {
   try {
     return topology::read_signature(text);
-  } catch (const InvalidInput&) {
+  } catch (const InvalidInput& error) {
     if (const auto foreign = topology::foreign_name(text)) throw InvalidInput(*foreign);
-    throw;
+    if (text.find_first_of("./") == std::string::npos) throw;
+    throw InvalidInput("there is no file " + quoted(text) +
+                       ", and it is no signature: " + error.what());
+  }
+}
+
+bool is_signature(const std::string& text) {
+  try {
+    topology::read_signature(text);
+    return true;
+  } catch (const Error&) {
+    return false;
   }
 }
 
@@ -83,9 +95,15 @@ bool is_drawing(const std::string& text) {
       meshing::mesh_format_names() + "; a name of the census");
 }
 
+/// What is a mesh in a format that is not read.
+void refuse_foreign_mesh(const std::string& content) {
+  if (const auto foreign = meshing::foreign_mesh(content)) throw InvalidInput(*foreign);
+}
+
 /// The triangulations in a text; a list of several signatures belongs to --batch.
 std::vector<topology::NamedGluings> read_all_of(const std::string& text) {
   const topology::TextFormat format = topology::detect_format(text);
+  refuse_foreign_mesh(text);
   if (format == topology::TextFormat::kJson && is_drawing(text)) refuse_drawing();
   if (format == topology::TextFormat::kUnknown || format == topology::TextFormat::kIsosig) {
     const auto lines = topology::read_batch(text);
@@ -96,7 +114,7 @@ std::vector<topology::NamedGluings> read_all_of(const std::string& text) {
         return one;
       }
     }
-    if (lines.size() > 1 && topology::looks_like_signature(lines.front().text)) {
+    if (lines.size() > 1 && is_signature(lines.front().text)) {
       throw InvalidInput("it holds " + std::to_string(lines.size()) +
                          " inputs; give it to --batch to run them all");
     }
@@ -225,6 +243,22 @@ void tell_notes(const topology::NamedGluings& loaded, const std::string& input,
   for (const std::string& note : loaded.notes) context.note(source_of(input) + ": " + note);
 }
 
+/// A list of inputs is text, and no mesh.
+void require_list(const std::string& content, const std::string& path) {
+  const auto mesh = meshing::detect_mesh_format(content, path);
+  if (mesh)
+    throw InvalidInput("it is a mesh (" + std::string(*mesh) +
+                       ") and no list; write its name on a line of one");
+  refuse_foreign_mesh(content);
+  const auto is_binary = [](char c) {
+    return (c >= 0 && c < ' ' && std::string_view("\t\r\n\f\v").find(c) == std::string_view::npos);
+  };
+  if (std::any_of(content.begin(),
+                  content.begin() + std::ptrdiff_t(std::min<std::size_t>(content.size(), 4096)),
+                  is_binary))
+    throw InvalidInput("it is a binary file and no list of inputs, one a line");
+}
+
 }  // namespace
 
 std::string read_file(const std::string& path) {
@@ -240,6 +274,7 @@ std::string read_file(const std::string& path) {
 
 std::vector<topology::BatchLine> read_batch_file(const std::string& path) {
   const std::string content = read_file(path);
+  blame(source_of(path), [&] { require_list(content, path); });
   if (topology::detect_format(content) != topology::TextFormat::kReginaXml)
     return topology::read_batch(content);
   if (path == "-")
@@ -301,6 +336,7 @@ meshing::MeshFile load_mesh(const std::string& input) {
   const std::string content = read_file(input);
   if (auto mesh = read_as_mesh(content, input)) return *std::move(mesh);
   return blame(source_of(input), [&]() -> meshing::MeshFile {
+    refuse_foreign_mesh(content);
     const topology::TextFormat format = topology::detect_format(content);
     if (format == topology::TextFormat::kUnknown || format == topology::TextFormat::kJson)
       (void)read_all_of(content);  // says what it is, if it is no triangulation either

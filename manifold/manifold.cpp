@@ -98,13 +98,22 @@ Manifold::Manifold(topology::Triangulation triangulation, std::string name)
 Manifold::Manifold(topology::Gluings gluings, std::string name)
     : Manifold(topology::Triangulation(std::move(gluings)), std::move(name), {}, true) {}
 
+Manifold::Manifold(topology::NamedGluings loaded, std::string input)
+    : Manifold(topology::Triangulation(std::move(loaded.gluings)), std::move(loaded.name),
+               std::move(input), loaded.orientation_known) {
+  if (!topology::all_full(loaded.cone_angles))
+    throw Unsupported("a Manifold has no cone angles so far; give them to solve()");
+}
+
 Manifold load(const std::string& input, const Context& context) {
-  topology::NamedGluings loaded = load_input(input, context);
-  return {topology::Triangulation(std::move(loaded.gluings)), std::move(loaded.name), input,
-          loaded.orientation_known};
+  return Manifold(load_input(input, context), input);
 }
 
 const std::string& Manifold::name() const { return state_->name; }
+
+const std::string& Manifold::input() const { return state_->input; }
+
+bool Manifold::is_orientation_known() const { return state_->orientation_known; }
 
 std::string Manifold::label() const {
   if (!state_->input.empty()) return state_->input;
@@ -125,6 +134,12 @@ const std::optional<std::string>& Manifold::signature() const {
   return state_->signature.get([&] {
     return std::pair(topology::isosig(triangulation().gluings(), kSignatureWorkLimit), true);
   });
+}
+
+std::optional<std::string> Manifold::oriented_signature() const {
+  topology::NamedGluings given{name(), triangulation().gluings()};
+  given.orientation_known = is_orientation_known();
+  return make_subject({}, std::move(given)).oriented_isosig;
 }
 
 const topology::AbelianGroup& Manifold::homology() const {

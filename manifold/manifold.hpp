@@ -14,6 +14,7 @@
 #include "structure/solve.hpp"
 #include "topology/covers/covers.hpp"
 #include "topology/covers/presentation.hpp"
+#include "topology/formats/formats.hpp"
 #include "topology/homology.hpp"
 #include "topology/simplify/simplify.hpp"
 #include "topology/triangulation.hpp"
@@ -30,10 +31,16 @@ class Manifold {
   /// Throws InvalidInput as the constructor of topology::Triangulation does.
   explicit Manifold(topology::Gluings gluings, std::string name = {});
   explicit Manifold(topology::Triangulation triangulation, std::string name = {});
+  /// What was read elsewhere, with what it was read from: the manifold is then as `load` gives it.
+  /// Throws Unsupported also for cone angles other than 2 pi.
+  explicit Manifold(topology::NamedGluings loaded, std::string input = {});
 
   const std::string& name() const;  ///< from the file or the caller; may be empty
   /// What `load` was given, or the name, or the signature; the "input" of the JSON.
   std::string label() const;
+  const std::string& input() const;  ///< what `load` was given; may be empty
+  /// Whether the labels mean an orientation; a signature without a sign says nothing about it.
+  bool is_orientation_known() const;
 
   // Topology: of any triangulation.
 
@@ -44,6 +51,9 @@ class Manifold {
   std::vector<topology::VertexLink> links() const;
   /// The isomorphism signature, Regina's; nothing where it would take too long.
   const std::optional<std::string>& signature() const;
+  /// The signature with its sign, which keeps the orientation; nothing where the orientation is not
+  /// known, and for triangulations that are not connected or not orientable.
+  std::optional<std::string> oriented_signature() const;
   const topology::AbelianGroup& homology() const;
   topology::FundamentalGroup fundamental_group() const;
   /// The same manifold with as few tetrahedra as were found.
@@ -90,7 +100,6 @@ class Manifold {
   void write(const std::string& path, const Context& context = {}) const;
 
  private:
-  friend Manifold load(const std::string& input, const Context& context);
   struct State;
   Manifold(topology::Triangulation triangulation, std::string name, std::string input,
            bool orientation_known);

@@ -95,6 +95,14 @@ void append_group(JsonText& out, const SpectrumAnswer& answer, const ArcGroup& g
   if (answer.canonical_edges) {
     fmt::format_to(to, ", \"canonical_edges\": {}", answer.canonical_edges_as_long(group.length));
   }
+  if (answer.proved) {
+    append(out, ", \"proved_length\": ");
+    if (const auto hull = answer.proved->of(answer.grouping, group)) {
+      append_numbers(out, std::array{hull->lower, hull->upper});
+    } else {
+      append(out, "null");
+    }
+  }
   if (answer.words) append_words(out, answer, group);
   out.push_back('}');
 }
@@ -135,6 +143,13 @@ std::string spectrum_as_json(const SpectrumAnswer& answer) {
   append(out, ", \"arcs\": ");
   append_array(out, answer.grouping.groups,
                [&](JsonText& to, const ArcGroup& group) { append_group(to, answer, group); });
+  if (answer.proved) {
+    fmt::format_to(std::back_inserter(out), ", \"proved\": {}", answer.proved->proved);
+    if (!answer.proved->proved) {
+      append(out, ", \"proof_reason\": ");
+      append_string(out, answer.proved->reason);
+    }
+  }
   append_identity(out, "area", answer.identities.area);
   out.push_back('}');
   append_identity(out, "volume", answer.identities.volume);

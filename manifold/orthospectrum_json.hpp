@@ -9,6 +9,7 @@
 
 #include "manifold/subject.hpp"
 #include "orthospectrum/identities.hpp"
+#include "orthospectrum/proved_lengths.hpp"
 #include "orthospectrum/spectrum.hpp"
 
 namespace tripus {
@@ -21,7 +22,8 @@ struct SpectrumAnswer {
   orthospectrum::Identities identities;
   /// Lengths of the edges of the canonical decomposition, if they were asked for and found.
   std::optional<std::vector<double>> canonical_edges;
-  bool words = false;  ///< each arc by itself
+  bool words = false;                                    ///< each arc by itself
+  std::optional<orthospectrum::ProvedLengths> proved{};  ///< if it was asked for
 
   /// Indices of the arcs of a group.
   std::span<const std::size_t> members(const orthospectrum::ArcGroup& group) const;

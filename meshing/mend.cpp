@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/tolerances.hpp"
+#include "meshing/detail/diagonals.hpp"
 #include "meshing/detail/faces.hpp"
 #include "meshing/detail/open_edges.hpp"
 #include "meshing/detail/point_hash.hpp"
@@ -267,6 +268,14 @@ void keep_places(SourceLines& lines, const std::vector<std::uint32_t>& point_of,
   lines.cells = picked(lines.cells, cell_of);
 }
 
+/// Parts of one face of the file that reading cut into triangles; halves of one triangle are not.
+detail::SameFace same_face(const Patch& patch, const std::vector<std::uint32_t>& numbers) {
+  return [&patch, &numbers](std::size_t s, std::size_t t) {
+    const std::uint32_t a = patch.cell_of[s], b = patch.cell_of[t];
+    return a != b && std::max(a, b) < numbers.size() && numbers[a] == numbers[b];
+  };
+}
+
 void note(std::vector<std::string>& notes, std::size_t count, const char* one, const char* many) {
   if (count > 0) notes.push_back(counted(count, one, many));
 }
@@ -283,12 +292,19 @@ SurfaceFile mend(SurfaceFile file) {
   renumber(patch.mesh.triangles, first_equal(patch.mesh.points, merged));
   const std::size_t flat = drop_repeated_corners(patch);
   std::vector<std::string> notes;
+  const std::vector<std::uint32_t> faces = file.lines.cell_numbers;
+  std::size_t turned = 0;
+  if (!faces.empty()) turned = detail::uncrowd_diagonals(patch.mesh, same_face(patch, faces));
   if (!patch.mesh.triangles.empty() && !is_good(patch.mesh)) notes = close(patch);
+  if (!faces.empty() && is_good(patch.mesh))
+    turned += detail::uncross_diagonals(patch.mesh, same_face(patch, faces));
   drop_unused(patch.mesh.points, patch.mesh.triangles, patch.point_of);
   note(file.notes, merged, "point merged with another in the same place",
        "points merged with others in the same place");
   note(file.notes, flat, "triangle without area left out", "triangles without area left out");
   file.notes.insert(file.notes.end(), notes.begin(), notes.end());
+  note(file.notes, turned, "face cut along its other diagonal, the first being in the way",
+       "faces cut along their other diagonals, the first being in the way");
   note(file.notes, unused, "point that no triangle has left out",
        "points that no triangle has left out");
   file.mesh = std::move(patch.mesh);

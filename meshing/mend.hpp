@@ -8,7 +8,8 @@ namespace tripus::meshing {
 /// one, triangles without area and points of no triangle go. If that does not close the surface,
 /// and the following does, then also: one of two equal triangles goes, or both; points on open
 /// edges become one where they lie closer together than a small part of the size; triangles are
-/// split where a point lies in the middle of their open edge (a T-junction). What stays open is
+/// split where a point lies in the middle of their open edge (a T-junction). Faces that reading cut
+/// into triangles are cut along other diagonals where the first ones collide. What stays open is
 /// given back with its open edges, which validation then names.
 ///
 /// The numbers of points and cells in the file are kept in `lines`. Never throws: coordinates that

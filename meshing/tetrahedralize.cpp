@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 #include <random>
+#include <sstream>
 #include <utility>
 
 #include "base/error.hpp"
@@ -54,7 +55,7 @@ constexpr Attempt kAttempts[] = {{0, true}, {0, false}, {1, true},  {2, false},
                                  {3, true}, {4, false}, {5, false}, {6, false}};
 
 /// A try ends after so many seconds: where TetGen succeeds it takes far less, and it may hang.
-constexpr double kShortTry = 1, kShortTryEach = 1e-3;
+constexpr double kShortTry = 0.5, kShortTryEach = 1e-3;
 /// Of processor time to that on a clock, at most, on a machine that is busy.
 constexpr double kBusy = 8;
 
@@ -127,7 +128,47 @@ bool make_positive(TetrahedralMesh& mesh) {
   return true;
 }
 
-[[noreturn]] void fail(const std::string& problem) {
+/// What is wrong with the points inside, where the boundary is as it should be: tetrahedra that were
+/// turned to be positive fill a region once only if they fill its volume.
+std::string inside_fault(const TetrahedralMesh& mesh, const Region& region) {
+  constexpr double kVolumeTolerance = 1e-6;  // rounding makes 1e-9 of thin ones
+  Point low = region.surface.points.front(), high = low;
+  for (const Point& p : region.surface.points)
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::fmin(low[k], p[k]);
+      high[k] = std::fmax(high[k], p[k]);
+    }
+  for (const Point& p : mesh.points)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!(p[k] >= low[k] && p[k] <= high[k])) return "TetGen made a point outside the surface";
+  double sum = 0;
+  for (const Tetrahedron& t : mesh.tetrahedra) sum += std::fabs(detail::volume_of(mesh, t));
+  if (!(std::fabs(sum - volume(region)) <= kVolumeTolerance * volume(region)))
+    return "TetGen's tetrahedra do not fill the volume inside this surface";
+  return {};
+}
+
+/// Takes out points that are in no tetrahedron, beyond those of the surface.
+void drop_unused_points(TetrahedralMesh& mesh, std::size_t of_surface) {
+  std::vector<std::uint32_t> place(mesh.points.size());
+  for (const Tetrahedron& t : mesh.tetrahedra)
+    for (const std::uint32_t corner : t) place[corner] = 1;
+  std::uint32_t kept = 0;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const bool keep = i < of_surface || place[i] != 0;
+    place[i] = kept;
+    if (keep) mesh.points[kept++] = mesh.points[i];
+  }
+  mesh.points.resize(kept);
+  for (Tetrahedron& t : mesh.tetrahedra)
+    for (std::uint32_t& corner : t) corner = place[corner];
+}
+
+/// A program of ours that crashes is no fault of the surface, whatever drove it there.
+[[noreturn]] void fail(const std::string& problem, bool mesher_failed) {
+  if (mesher_failed)
+    throw IoError(problem + "; if it does so on every surface, install it again, or name another "
+                            "with TRIPUS_TETGEN; else remesh this one more evenly");
   throw Unsupported(problem +
                     ", a fault of its own that very thin or very crowded parts can cause; remesh "
                     "the surface more evenly, or give a tetrahedral mesh");
@@ -167,7 +208,7 @@ class Filler {
     attempt_ = kAttempts[0];  // with all the time that there is
     if (auto mesh = ask(attempt_, 0, deadline_ - detail::now_in_seconds())) return *std::move(mesh);
     require_time();
-    fail(first_problem_);
+    fail(first_problem_, mesher_failed_);
   }
 
   /// Whether tetrahedra may be flat, or turned inside out, by rounding.
@@ -186,7 +227,7 @@ class Filler {
     if (auto mesh = ask(attempt_, scaled_volume, deadline_ - detail::now_in_seconds()))
       return *std::move(mesh);
     require_time();
-    fail(first_problem_);
+    fail(first_problem_, mesher_failed_);
   }
 
  private:
@@ -196,7 +237,7 @@ class Filler {
     question.keep_boundary = attempt.keep_boundary;
     question.max_volume = max_volume;
     question.memory_limit = options_.memory_limit;
-    question.processor_seconds = static_cast<std::uint64_t>(std::ceil(seconds)) + 1;
+    question.processor_seconds = static_cast<std::uint64_t>(std::ceil(seconds));
     question.deadline = std::fmin(deadline_, detail::now_in_seconds() + kBusy * seconds);
     question.stop_requested = options_.stop_requested;
     detail::TetgenAnswer answer = detail::ask_tetgen(question);
@@ -207,11 +248,14 @@ class Filler {
       TetrahedralMesh& mesh = *answer.mesh;
       shuffled.turn_back(mesh);
       mesh.points = scaled(std::move(mesh.points), -exponent_);
+      drop_unused_points(mesh, region_.surface.points.size());
       problem = make_positive(mesh) ? detail::boundary_fault(mesh, region_, options_.stop_requested)
                                     : "TetGen made a flat tetrahedron on this surface";
+      if (problem.empty()) problem = inside_fault(mesh, region_);
       if (problem.empty()) return std::move(answer.mesh);
     }
     if (first_problem_.empty()) first_problem_ = problem;
+    mesher_failed_ = answer.mesher_failed;
     return std::nullopt;
   }
 
@@ -231,6 +275,7 @@ class Filler {
   Attempt attempt_;
   bool by_planes_ = false;
   std::string first_problem_;
+  bool mesher_failed_ = false;  ///< at the last try
 };
 
 /// The boundary alone may force more; else the largest volume is corrected a few times.
@@ -282,6 +327,14 @@ double volume(const Region& region) {
 }
 
 TetrahedralMesh tetrahedralize(const Region& region, const TetrahedralizeOptions& options) {
+  const double most = static_cast<double>(options.memory_limit) / kBytesEach;
+  if (options.max_volume > 0 && volume(region) / options.max_volume > most) {
+    std::ostringstream text;
+    text << "no tetrahedron larger than " << options.max_volume << ": that is more than "
+         << volume(region) / options.max_volume << " tetrahedra, and memory is granted for " << most
+         << "; allow larger ones";
+    throw InvalidInput(text.str());
+  }
   Filler filler(region, options);
   TetrahedralMesh mesh = filler.fill();
   if (options.tetrahedra > 0 && filler.can_refine())

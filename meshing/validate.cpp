@@ -75,7 +75,15 @@ void require_different_triangles(const SurfaceMesh& mesh, const Places& places) 
                          " have the same corners; remove one of them");
 }
 
-void require_no_crossing(const SurfaceMesh& mesh, const Places& places,
+/// Whether reading cut the face of the file that a triangle is a part of.
+bool is_part(const SourceLines& lines, std::size_t t) {
+  const auto& numbers = lines.cell_numbers;
+  if (t >= numbers.size()) return false;
+  return (t > 0 && numbers[t - 1] == numbers[t]) ||
+         (t + 1 < numbers.size() && numbers[t + 1] == numbers[t]);
+}
+
+void require_no_crossing(const SurfaceMesh& mesh, const Places& places, const SourceLines& lines,
                          const std::atomic<bool>* stop_requested) {
   const auto pair = first_self_intersection(mesh, stop_requested);
   if (!pair) return;
@@ -87,7 +95,10 @@ void require_no_crossing(const SurfaceMesh& mesh, const Places& places,
   std::snprintf(where, sizeof where, "(%.4g, %.4g, %.4g)", centre[0], centre[1], centre[2]);
   throw InvalidInput("the surface intersects itself: " + places.cell((*pair)[0]) + " and " +
                      places.cell((*pair)[1]) + " meet, near " + where +
-                     "; move the sheets apart or take their union first");
+                     (is_part(lines, (*pair)[0]) || is_part(lines, (*pair)[1])
+                          ? "; the face was cut into triangles, since it has more than three "
+                            "corners: cut it where it was made, where it is not planar"
+                          : "; move the sheets apart or take their union first"));
 }
 
 void turn(Triangle& t) { std::swap(t[1], t[2]); }
@@ -195,7 +206,7 @@ Region require_valid(SurfaceMesh mesh, const SourceLines& lines,
   throw_if_stopped(stop_requested);
   const Connectivity connectivity = detail::require_closed_manifold(
       mesh.triangles, mesh.points.size(), [&](std::size_t t) { return places.cell(t); }, places);
-  require_no_crossing(mesh, places, stop_requested);
+  require_no_crossing(mesh, places, lines, stop_requested);
   Region region;
   region.surface = std::move(mesh);
   count_components(region, connectivity);

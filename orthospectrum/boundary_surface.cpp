@@ -60,9 +60,10 @@ BoundarySurface::BoundarySurface(const topology::Triangulation& triangulation,
   const std::size_t tiles = 4 * triangulation.tetrahedron_count();
   for (std::size_t n = 0; n < tiles; ++n) {
     const detail::Triangle& triangle = steps.triangle(n / 4, static_cast<int>(n % 4));
+    is_tile_.push_back(!steps.is_ideal(n / 4, static_cast<int>(n % 4)));
     vertices_.push_back(triangle.corners);
-    Matrix3 corners;
-    for (std::size_t k = 0; k < 3; ++k) {
+    Matrix3 corners = Matrix3::Zero();
+    for (std::size_t k = 0; k < 3 && is_tile_.back(); ++k) {
       const Vector3 foot(triangle.feet[k][0], triangle.feet[k][1], triangle.feet[k][2]);
       corners.col(column(k)) = foot / std::sqrt(-lorentz(foot, foot));
     }
@@ -75,7 +76,7 @@ BoundarySurface::BoundarySurface(const topology::Triangulation& triangulation,
     return result;
   };
   for (std::size_t n = 0; n < tiles; ++n) {
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3 && is_tile_[n]; ++k) {
       const detail::Step& step = steps.step(n / 4, vertices_[n][k]);
       const Tile there{step.tetrahedron, step.labels[n % 4]};
       const auto corner_there = [&](std::size_t c) {

@@ -29,6 +29,8 @@ class BoundarySurface {
   BoundarySurface(const topology::Triangulation& triangulation,
                   std::span<const double> edge_lengths);
 
+  /// Ideal vertices have no tile.
+  bool has(Tile tile) const { return is_tile_[index(tile)]; }
   /// Corner k of a tile, k = 0, 1, 2, in its own frame, where edge `corner_vertex(tile, k)` ends.
   Vector3 corner(Tile tile, std::size_t k) const { return corners_[index(tile)].col(column(k)); }
   /// The other end of the edge of the tetrahedron at this corner.
@@ -47,6 +49,7 @@ class BoundarySurface {
   static std::size_t index(Tile tile) { return 4 * std::size_t{tile.tetrahedron} + tile.vertex; }
   static Eigen::Index column(std::size_t k) { return static_cast<Eigen::Index>(k); }
 
+  std::vector<bool> is_tile_;                          // [4 T], as all that follows
   std::vector<Matrix3> corners_;                       // [tiles] columns: the corners
   std::vector<std::array<std::uint8_t, 3>> vertices_;  // [tiles]
   std::vector<std::array<Side, 3>> sides_;             // [tiles] side k is opposite to corner k

@@ -133,7 +133,7 @@ Spectrum orthospectrum(const topology::Triangulation& triangulation,
   require_options(options);
   detail::Halt halt(context);
   detail::StageRunner runner(triangulation, edge_lengths, options, context.threads, halt);
-  Schedule schedule(options, std::min(kLongestArc, *std::ranges::min_element(edge_lengths)));
+  Schedule schedule(options, std::min(kLongestArc, runner.first_length()));
   Spectrum spectrum;
   Stage last;
   bool done = false;

@@ -1,5 +1,6 @@
 #include "structure/existence.hpp"
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -19,28 +20,37 @@ namespace {
 
 using topology::Triangulation;
 
+/// Nothing if the time is over, which `out_of_time` then says.
 std::optional<Existence> search(const Triangulation& triangulation,
-                                std::span<const topology::ConeAngle> cone_angles) {
+                                std::span<const topology::ConeAngle> cone_angles, double seconds,
+                                bool& out_of_time) {
   detail::AngleProgramme programme(triangulation, cone_angles);
+  programme.limit_time(seconds);
   std::optional<Existence> found;
-  if (programme.solve()) {
+  const bool solved = programme.solve();
+  out_of_time = !solved && programme.is_out_of_time();
+  if (out_of_time) return std::nullopt;
+  if (solved) {
     found = detail::by_rounding(triangulation, programme);
     if (!found) found = detail::by_exact_basis(triangulation, programme);
   }
   if (!found && programme.solve_exactly()) found = detail::by_exact_basis(triangulation, programme);
+  out_of_time = !found && programme.is_out_of_time();
   return found;
 }
 
 }  // namespace
 
-Existence existence(const Triangulation& triangulation,
-                    std::span<const topology::ConeAngle> cone_angles) {
+std::optional<Existence> existence_within(double seconds, const Triangulation& triangulation,
+                                          std::span<const topology::ConeAngle> cone_angles) {
   for (std::size_t e = 0; e < cone_angles.size(); ++e)
     if (!cone_angles[e].is_rational())
       throw InvalidInput("the cone angle of edge class " + std::to_string(e) +
                          " is not known to be a rational multiple of pi; angle structures are "
                          "decided exactly for such angles only");
-  std::optional<Existence> found = search(triangulation, cone_angles);
+  bool out_of_time = false;
+  std::optional<Existence> found = search(triangulation, cone_angles, seconds, out_of_time);
+  if (out_of_time) return std::nullopt;
   if (!found) throw InternalError("the existence of a strict angle structure could not be decided");
   if (!topology::all_full(cone_angles))
     std::visit(
@@ -50,7 +60,12 @@ Existence existence(const Triangulation& triangulation,
       std::visit([&](const auto& proof) { return check(triangulation, proof); }, *found);
   if (!result)
     throw InternalError("a proof about angle structures does not pass its check: " + result.reason);
-  return *std::move(found);
+  return found;
+}
+
+Existence existence(const Triangulation& triangulation,
+                    std::span<const topology::ConeAngle> cone_angles) {
+  return *existence_within(std::numeric_limits<double>::infinity(), triangulation, cone_angles);
 }
 
 }  // namespace tripus::structure

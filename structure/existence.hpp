@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <variant>
 
@@ -27,5 +28,10 @@ using Existence = std::variant<StrictAngles, Certificate>;
 /// docs/theory.md (50)-(52).
 Existence existence(const topology::Triangulation& triangulation,
                     std::span<const topology::ConeAngle> cone_angles = {});
+
+/// The same, or nothing if the simplex method takes longer than so many seconds.
+std::optional<Existence> existence_within(double seconds,
+                                          const topology::Triangulation& triangulation,
+                                          std::span<const topology::ConeAngle> cone_angles = {});
 
 }  // namespace tripus::structure

@@ -37,7 +37,11 @@ constexpr std::size_t kSmall = 12;
 
 /// Up to so many tetrahedra the search itself simplifies: it makes all moves that shrink first.
 constexpr std::size_t kFew = 5;
-/// In how many ways a start is simplified; one where that takes long.
+/// With up to so many it needs no more help than a quick simplification, which is a hundred times
+/// cheaper than a thorough one.
+constexpr std::size_t kSeveral = 10;
+constexpr double kQuickly = 0.02;
+/// In how many ways a start is simplified thoroughly; one where that takes long.
 constexpr std::size_t kSimplifications = 4;
 constexpr std::size_t kLongToSimplify = 400;
 
@@ -112,8 +116,7 @@ class Search {
   }
 
   Retriangulation run() {
-    if (given_.tetrahedron_count() > kFew && given_cone_angles_.empty() && simplify())
-      return success();
+    if (begin_small()) return success();
     while (!open_.empty() && !ended()) {
       const std::size_t node = open_.top().second;
       open_.pop();
@@ -183,12 +186,18 @@ class Search {
     return false;
   }
 
-  /// Begins with simplifications of the start as well; true if one carries the metric: it is then
-  /// the last node.
-  bool simplify() {
-    const std::size_t seeds = given_.tetrahedron_count() > kLongToSimplify ? 1 : kSimplifications;
+  /// Begins with simplifications of the start as well, the cheaper ones first; true if one carries
+  /// the metric: it is then the last node.
+  bool begin_small() {
+    const std::size_t size = given_.tetrahedron_count();
+    if (size <= kFew || !given_cone_angles_.empty()) return false;
+    if (try_simplified(1, kQuickly)) return true;
+    return size > kSeveral && try_simplified(size > kLongToSimplify ? 1 : kSimplifications, 1.0);
+  }
+
+  bool try_simplified(std::size_t seeds, double effort) {
     auto small = topology::small_triangulations(nodes_.front().gluings, seeds,
-                                                solve_options_.stop_requested);
+                                                solve_options_.stop_requested, effort);
     for (Gluings& gluings : small) {
       limit_ = std::min(limit_, gluings.tetrahedron_count() + options_.extra);
       if (ended()) return false;
@@ -287,9 +296,9 @@ class Search {
       result.volumes.push_back({isosig, report.outcome, report.volume});
       if (!(std::fabs(report.volume - result.report.volume) <=
             tolerance::kVolumeAgreement * result.report.volume)) {
-        throw InternalError(fmt::format("the move {} of {} changed the volume from {} to {}",
-                                        topology::to_string(move), topology::isosig(found.gluings()),
-                                        result.report.volume, report.volume));
+        throw InternalError(fmt::format(
+            "the move {} of {} changed the volume from {} to {}", topology::to_string(move),
+            topology::isosig(found.gluings()), result.report.volume, report.volume));
       }
       return;
     }
@@ -359,7 +368,7 @@ class Search {
   Report start_, report_;
   Gluings given_;
   std::vector<topology::ConeAngle> given_cone_angles_;  ///< empty for 2 pi everywhere
-  const std::string signature_;  ///< of the start
+  const std::string signature_;                         ///< of the start
   const topology::AbelianGroup homology_;
   std::mt19937_64 random_;
   std::size_t limit_;

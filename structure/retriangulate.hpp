@@ -59,8 +59,8 @@ struct Retriangulation {
 /// of low valence and the support of the certificate (everywhere, if there are few tetrahedra).
 /// Triangulations with few tetrahedra are tried first; none is tried twice. A start with more
 /// than a handful of tetrahedra is simplified first, in several ways, and the search goes on from
-/// there. The orientation is kept, and so are cone angles other than 2 pi (`solve_options`): no move
-/// is made that would remove such an edge or merge two, and a start with such edges is not
+/// there. The orientation is kept, and so are cone angles other than 2 pi (`solve_options`): no
+/// move is made that would remove such an edge or merge two, and a start with such edges is not
 /// simplified first.
 ///
 /// `start` is the report of `solve` on the triangulation, not geometric. Where nothing is found the

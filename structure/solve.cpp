@@ -15,6 +15,7 @@
 #include "structure/assess.hpp"
 #include "structure/detail/flat_minimiser.hpp"
 #include "structure/detail/gauss_newton.hpp"
+#include "structure/detail/precise_minimiser.hpp"
 #include "structure/existence.hpp"
 #include "structure/method.hpp"
 #include "structure/starting_lengths.hpp"
@@ -29,8 +30,14 @@ namespace {
 constexpr int kNewtonPatience = 100;
 
 /// The exact decision about angle structures is a linear programme: it took 23 s at this size, 8 s
-/// at half of it, and cannot be interrupted.
+/// at half of it.
 constexpr std::size_t kExactLimit = 10000;
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 /// Where a run ended: lengths, and the method's own account.
 struct Run {
@@ -228,7 +235,7 @@ std::string certificate_message(const Certificate& certificate) {
 
 /// Turns the report of a run that found no metric into a verdict with evidence.
 Report settle(const topology::Triangulation& triangulation, const SolveOptions& options,
-              Report report) {
+              Clock::time_point start, Report report) {
   report.advice = Advice::kRetriangulate;
   if (triangulation.tetrahedron_count() > kExactLimit) {
     report.message += fmt::format(
@@ -236,7 +243,14 @@ Report settle(const topology::Triangulation& triangulation, const SolveOptions& 
         kExactLimit);
     return report;
   }
-  Existence found = existence(triangulation, options.cone_angles);
+  auto decided = existence_within(options.time_limit - seconds_since(start), triangulation,
+                                  options.cone_angles);
+  if (!decided) {
+    report.advice = Advice::kMoreTime;
+    report.message += " The time was over before it was decided whether it has angle structures.";
+    return report;
+  }
+  Existence found = *std::move(decided);
   if (auto* certificate = std::get_if<Certificate>(&found)) {
     // A flat minimiser is more than a certificate says; it contradicts one of kind "none".
     if (certificate->kind == Certificate::Kind::kNone || report.outcome != Outcome::kDegenerate) {
@@ -247,6 +261,8 @@ Report settle(const topology::Triangulation& triangulation, const SolveOptions& 
   } else {
     if (report.outcome == Outcome::kUnresolved)
       report = detail::flat_minimiser(triangulation, options, report).value_or(report);
+    if (report.outcome == Outcome::kUnresolved)
+      report = detail::precise_minimiser(triangulation, options, report).value_or(report);
     report.strict_angles = std::move(std::get<StrictAngles>(found));
     if (report.outcome == Outcome::kUnresolved)
       report.message += " A strict angle structure exists, so the co-volume has a minimiser.";
@@ -286,7 +302,8 @@ bool is_decidable(const topology::Triangulation& triangulation, const SolveOptio
              links, [](const auto& link) { return link.kind == topology::VertexKind::kFinite; });
 }
 
-Report find_outcome(const topology::Triangulation& triangulation, const SolveOptions& options) {
+Report find_outcome(const topology::Triangulation& triangulation, const SolveOptions& options,
+                    Clock::time_point start) {
   Report report = run_method(triangulation, options);
   if (report.outcome != Outcome::kGeometric && was_cut_short(report, options)) {
     report.advice = Advice::kMoreTime;
@@ -304,7 +321,7 @@ Report find_outcome(const topology::Triangulation& triangulation, const SolveOpt
   }
   if (!options.evidence || !is_decidable(triangulation, options)) return report;
   if (report.outcome != Outcome::kGeometric)
-    return settle(triangulation, options, std::move(report));
+    return settle(triangulation, options, start, std::move(report));
   if (options.angle_structure) {
     Existence found = existence(triangulation, options.cone_angles);
     if (auto* strict = std::get_if<StrictAngles>(&found)) report.strict_angles = std::move(*strict);
@@ -315,11 +332,11 @@ Report find_outcome(const topology::Triangulation& triangulation, const SolveOpt
 }  // namespace
 
 Report solve(const topology::Triangulation& triangulation, const SolveOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const Clock::time_point start = Clock::now();
   require_options(options);
   topology::require_solvable(triangulation, options.cone_angles);
-  Report report = find_outcome(triangulation, options);
-  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  Report report = find_outcome(triangulation, options, start);
+  report.seconds = seconds_since(start);
   return report;
 }
 

@@ -1,13 +1,15 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
-#include <thread>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/checksum.hpp"
 #include "base/error.hpp"
 #include "base/output_file.hpp"
+#include "base/system_error.hpp"
+#include "base/threads.hpp"
 #include "base/version.hpp"
 #include "studies/study.hpp"
 #include "studies/write_report.hpp"
@@ -16,20 +18,14 @@
 namespace tripus::studies {
 namespace {
 
-/// FNV-1a, 64 bits.
-std::uint64_t hash(std::string_view text, std::uint64_t h = 0xcbf29ce484222325u) {
-  for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return h;
-}
-
 /// What the items depend on.
 std::string fingerprint(const Study& study, const StudyOptions& options) {
-  std::uint64_t inputs = hash("");
+  std::uint64_t inputs = checksum("");
   for (const StudyInput& input : options.inputs) {
-    inputs = hash(input.name, inputs);
+    inputs = checksum(input.name, inputs);
     for (std::size_t t = 0; t < input.gluings.tetrahedron_count(); ++t)
       for (int f = 0; f < 4; ++f)
-        inputs = hash(
+        inputs = checksum(
             fmt::format("{} {} ", input.gluings.neighbour(t, f), input.gluings.gluing(t, f).rank()),
             inputs);
   }
@@ -54,11 +50,7 @@ class Workers {
   void run() {
     const std::size_t threads =
         std::min<std::size_t>(std::max(1u, run_.threads), std::max<std::size_t>(1, left_.size()));
-    {
-      std::vector<std::jthread> workers;
-      for (std::size_t i = 1; i < threads; ++i) workers.emplace_back([this] { work(); });
-      work();
-    }
+    run_on_threads(threads, [this] { work(); });
     if (failure_) std::rethrow_exception(failure_);
   }
 
@@ -118,7 +110,7 @@ void write_results(const ReportSource& source, const std::filesystem::path& fold
 }  // namespace
 
 std::uint64_t item_seed(std::uint64_t seed, std::string_view id) {
-  return Random(hash(id, hash(std::to_string(seed)))).bits();
+  return Random(checksum(id, checksum(std::to_string(seed)))).bits();
 }
 
 std::uint64_t Random::bits() {
@@ -138,7 +130,7 @@ RunResult run_study(const Study& study, const StudyOptions& given, const RunOpti
   if (run.stop_requested != nullptr && *run.stop_requested) return {};
   std::error_code failed;
   std::filesystem::create_directories(run.folder, failed);
-  if (failed) throw InvalidInput("cannot make the folder " + tripus::quoted(run.folder));
+  if (failed) fail_on_file("cannot make the folder", run.folder, failed.value());
   const std::filesystem::path folder(run.folder);
   RowStore store((folder / "items.jsonl").string(), fingerprint(study, options));
   RunResult result;
@@ -147,9 +139,11 @@ RunResult run_study(const Study& study, const StudyOptions& given, const RunOpti
   for (const Item& item : plan.items) result.done += store.has(item.id);
   if (!result.finished()) return result;
   std::vector<Table> tables = collect(plan, store);
-  const Findings findings = plan.conclude(tables);
+  Findings findings = plan.conclude(tables);
   tables.insert(tables.end(), findings.tables.begin(), findings.tables.end());
   write_results({study, options, run.threads, tables, findings}, folder, result);
+  result.tables = std::move(tables);
+  result.figures = std::move(findings.figures);
   return result;
 }
 

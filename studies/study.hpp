@@ -92,6 +92,8 @@ struct RunResult {
   std::string paragraph;           ///< the findings, if finished
   std::vector<Fact> facts;         ///< the same in numbers
   std::vector<std::string> files;  ///< written, in the folder
+  std::vector<Table> tables;       ///< what the files hold, if finished
+  std::vector<Figure> figures;
 };
 
 /// Does what is left to do of the study in the folder, on all threads. When every item is done,

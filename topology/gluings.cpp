@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "topology/work_size.hpp"
 
 namespace tripus::topology {
 namespace {
@@ -32,6 +33,7 @@ std::string text(Perm4 p) {
 
 void require_consistent(const Gluings& gluings, OpenFaces open_faces) {
   const std::size_t count = gluings.tetrahedron_count();
+  note_work_size(count);
   if (count > kMaxTetrahedra)
     throw InvalidInput(std::to_string(count) + " tetrahedra are more than the " +
                        std::to_string(kMaxTetrahedra) + " that a triangulation can have");

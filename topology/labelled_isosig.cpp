@@ -25,8 +25,7 @@ std::pair<Isomorphism, std::vector<ConeAngle>> least(const Triangulation& from,
   for (Isomorphism& candidate : all_isomorphisms(from.gluings(), to.gluings())) {
     if (!admits(candidate)) continue;
     auto carried = relabelled_edges(from, labels, candidate, to);
-    if (best.second.empty() ||
-        std::ranges::lexicographical_compare(carried, best.second, is_less))
+    if (best.second.empty() || std::ranges::lexicographical_compare(carried, best.second, is_less))
       best = {std::move(candidate), std::move(carried)};
   }
   return best;
@@ -44,15 +43,16 @@ bool keeps_orientation(const Isomorphism& isomorphism, const std::vector<char>& 
 
 }  // namespace
 
-std::vector<ConeAngle> relabelled_edges(const Triangulation& from, std::span<const ConeAngle> labels,
+std::vector<ConeAngle> relabelled_edges(const Triangulation& from,
+                                        std::span<const ConeAngle> labels,
                                         const Isomorphism& isomorphism, const Triangulation& to) {
   std::vector<ConeAngle> result(to.edge_count());
   for (std::size_t e = 0; e < labels.size(); ++e) {
     const EdgeCorner corner = from.corners(e)[0];
     const Perm4 p = isomorphism.perms[corner.tetrahedron()];
     const auto ends = kEdgeEnds[static_cast<std::size_t>(corner.edge())];
-    const int edge = kEdgeNumber[static_cast<std::size_t>(p(ends[0]))]
-                                [static_cast<std::size_t>(p(ends[1]))];
+    const int edge =
+        kEdgeNumber[static_cast<std::size_t>(p(ends[0]))][static_cast<std::size_t>(p(ends[1]))];
     result[to.edge_class(isomorphism.tetrahedron_images[corner.tetrahedron()], edge)] = labels[e];
   }
   return result;

@@ -12,7 +12,8 @@ namespace tripus::topology {
 
 /// The labels [E] of a triangulation's edge classes carried to another one by an isomorphism from
 /// the first to the second.
-std::vector<ConeAngle> relabelled_edges(const Triangulation& from, std::span<const ConeAngle> labels,
+std::vector<ConeAngle> relabelled_edges(const Triangulation& from,
+                                        std::span<const ConeAngle> labels,
                                         const Isomorphism& isomorphism, const Triangulation& to);
 
 /// Labels [E] of a triangulation as those of `turned`, of its gluings made `oriented`.
@@ -22,10 +23,10 @@ std::vector<ConeAngle> oriented_edges(const Triangulation& triangulation,
 
 /// A labelled triangulation in its canonical labelling.
 struct LabelledSignature {
-  std::string text;                ///< see labelled_isosig
-  std::string isosig;              ///< the part of it before the labels
-  std::vector<ConeAngle> labels;   ///< [E] of decode_isosig(isosig); empty if there are none
-  Isomorphism isomorphism;         ///< carries the triangulation and its labels there
+  std::string text;               ///< see labelled_isosig
+  std::string isosig;             ///< the part of it before the labels
+  std::vector<ConeAngle> labels;  ///< [E] of decode_isosig(isosig); empty if there are none
+  Isomorphism isomorphism;        ///< carries the triangulation and its labels there
 };
 
 /// The isomorphism signature with the labels of the edge classes of the triangulation that it

@@ -76,6 +76,36 @@ void require_parabolic_ends(const Triangulation& triangulation,
   }
 }
 
+void require_orientable_link(const Triangulation& triangulation, std::size_t vertex) {
+  const VertexLink& link = triangulation.link(vertex);
+  if (!link.orientable)
+    throw InvalidInput(link_place(triangulation, vertex) + " is " + surface_name(link) +
+                       "; links must be orientable of genus 2 or more: take the orientable "
+                       "double cover");
+}
+
+/// Links of genus 2 or more; those of Euler characteristic 0 go to `cusp`.
+template <class Cusp>
+void require_boundary(const Triangulation& triangulation, Cusp&& cusp) {
+  require_connected(triangulation);
+  if (is_closed(triangulation))
+    throw Unsupported(
+        "the link of every vertex is a sphere, so the manifold is closed; its metric can be "
+        "solved for, but nothing else so far: geodesic boundary needs a link of genus 2 or more");
+  for (std::size_t v = 0; v < triangulation.vertex_count(); ++v) {
+    const VertexLink& link = triangulation.link(v);
+    if (link.euler_characteristic == 2)
+      throw InvalidInput(link_place(triangulation, v) +
+                         " is a sphere, so this is a finite vertex; simplify first to "
+                         "remove it");
+    if (link.euler_characteristic == 0) {
+      cusp(v);
+      continue;
+    }
+    require_orientable_link(triangulation, v);
+  }
+}
+
 }  // namespace
 
 void require_solvable(const Triangulation& triangulation, std::span<const ConeAngle> cone_angles) {
@@ -89,26 +119,25 @@ void require_solvable(const Triangulation& triangulation, std::span<const ConeAn
 }
 
 void require_geodesic_boundary(const Triangulation& triangulation) {
-  require_connected(triangulation);
-  if (is_closed(triangulation))
-    throw Unsupported(
-        "the link of every vertex is a sphere, so the manifold is closed; its metric can be "
-        "solved for, but nothing else so far: geodesic boundary needs a link of genus 2 or more");
-  for (std::size_t v = 0; v < triangulation.vertex_count(); ++v) {
-    const VertexLink& link = triangulation.link(v);
-    if (!link.orientable)
-      throw InvalidInput(link_place(triangulation, v) + " is " + surface_name(link) +
-                         "; links must be orientable of genus 2 or more: take the orientable "
-                         "double cover");
-    if (link.euler_characteristic == 2)
-      throw InvalidInput(link_place(triangulation, v) +
-                         " is a sphere, so this is a finite vertex; simplify first to "
-                         "remove it");
-    if (link.euler_characteristic == 0)
-      throw Unsupported(link_place(triangulation, v) +
-                        " is a torus; a metric with cusps can be solved for, but for the "
-                        "rest every link must have genus 2 or more");
-  }
+  require_boundary(triangulation, [&](std::size_t vertex) {
+    require_orientable_link(triangulation, vertex);
+    throw Unsupported(link_place(triangulation, vertex) +
+                      " is a torus; a metric with cusps can be solved for, but for the rest every "
+                      "link must have genus 2 or more");
+  });
+}
+
+void require_boundary_beside_cusps(const Triangulation& triangulation) {
+  bool has_boundary = false;
+  for (std::size_t v = 0; v < triangulation.vertex_count(); ++v)
+    has_boundary = has_boundary || triangulation.link(v).euler_characteristic < 0;
+  require_boundary(triangulation, [&](std::size_t vertex) {
+    if (has_boundary) return;
+    throw Unsupported(link_place(triangulation, vertex) + " is " +
+                      surface_name(triangulation.link(vertex)) +
+                      ", and so is that of every vertex, or a sphere: without geodesic boundary, "
+                      "a link of genus 2 or more, there is nothing here to find");
+  });
 }
 
 }  // namespace tripus::topology

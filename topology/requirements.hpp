@@ -26,4 +26,8 @@ void require_solvable(const Triangulation& triangulation,
 /// manifold: no link but spheres. The message names the place as above.
 void require_geodesic_boundary(const Triangulation& triangulation);
 
+/// The same with cusps beside the geodesic boundary: links that are tori or Klein bottles are
+/// welcome, but not alone. Throws as above; Unsupported where there is no link of genus 2 or more.
+void require_boundary_beside_cusps(const Triangulation& triangulation);
+
 }  // namespace tripus::topology

@@ -71,8 +71,7 @@ class Metric {
       const auto corner = triangulation.corners(e)[0];
       const auto& d = diagonals[corner.tetrahedron()];
       const auto ends = topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())];
-      ends_.push_back(
-          {d[static_cast<std::size_t>(ends[0])], d[static_cast<std::size_t>(ends[1])]});
+      ends_.push_back({d[static_cast<std::size_t>(ends[0])], d[static_cast<std::size_t>(ends[1])]});
     }
     energies::CoVolume energy(triangulation, cone_angles);
     improve(energy, lengths);
@@ -90,9 +89,7 @@ class Metric {
       a[e] = gram_[triangulation_.edge_class(t, static_cast<int>(e))];
     return a;
   }
-  Cofactors<Real> cofactors_of(std::size_t t) const {
-    return cofactors(gram_of(t), diagonals_[t]);
-  }
+  Cofactors<Real> cofactors_of(std::size_t t) const { return cofactors(gram_of(t), diagonals_[t]); }
 
   void set_gram() {
     gram_.clear();
@@ -176,12 +173,12 @@ class Metric {
         const auto side = [&](std::size_t u, std::size_t v) {
           const Real& iu = a[edge(i, u)];
           const Real& iv = a[edge(i, v)];
-          return Real(
-              sqrt(d[u] / (iu * iu) + d[v] / (iv * iv) + 2 * a[edge(u, v)] / (iu * iv)));
+          return Real(sqrt(d[u] / (iu * iu) + d[v] / (iv * iv) + 2 * a[edge(u, v)] / (iu * iv)));
         };
         const Real& slope = slope_[triangulation_.edge_class(t, static_cast<int>(edge(i, j)))];
         const Real sine = sqrt(g.D / (g.c[k][k] * g.c[l][l])) * slope;
-        areas[triangulation_.vertex_class(t, static_cast<int>(i))] += side(j, k) * side(j, l) * sine;
+        areas[triangulation_.vertex_class(t, static_cast<int>(i))] +=
+            side(j, k) * side(j, l) * sine;
       }
     }
     return areas;

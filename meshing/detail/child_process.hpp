@@ -9,10 +9,11 @@
 namespace tripus::meshing::detail {
 
 /// A program that runs with a socket to this one as its standard input; killed and waited for when
-/// this goes out of scope. Its only argument is the number of this process.
+/// this goes out of scope, and killed by the system when this process ends in any way. Its only
+/// argument is the number of this process.
 class ChildProcess {
  public:
-  /// Throws Unsupported if it cannot be started.
+  /// Throws IoError if it cannot be started.
   explicit ChildProcess(const std::string& program);
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -28,15 +29,19 @@ class ChildProcess {
                    const std::atomic<bool>* stop_requested);
 
   /// How it ended, once it closed the socket: "ended with status 1", "was ended by signal 11".
+  /// With its last words on standard error, if it had some.
   std::string ending();
   /// The signal that ended it, 0 if none; after ending().
   int signal() const;
 
  private:
   bool wait_ready(short events, double deadline, const std::atomic<bool>* stop_requested);
+  void hear();
 
   pid_t process_ = -1;
   int socket_ = -1;
+  int errors_ = -1;  // its standard error; -1 when it is closed
+  std::string last_words_;
   int status_ = 0;
   bool ended_ = false;
 };

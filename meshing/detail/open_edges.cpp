@@ -181,13 +181,20 @@ std::size_t split_at_points(SurfaceMesh& mesh, std::vector<std::uint32_t>& cell_
   std::vector<Triangle> parts;
   for (const auto& [triangle, sides] : split) {
     std::vector<std::uint32_t> polygon;
+    std::vector<std::uint8_t> on;  // the sides of the triangle that each corner lies on
     for (std::size_t k = 0; k < 3; ++k) {
+      const auto side = static_cast<std::uint8_t>(1u << k);
+      const auto last = static_cast<std::uint8_t>(1u << (k + 2) % 3);
       polygon.push_back(mesh.triangles[triangle][k]);
-      for (const OnSide& each : sides[k]) polygon.push_back(each.point);
+      on.push_back(side | last);
+      for (const OnSide& each : sides[k]) {
+        polygon.push_back(each.point);
+        on.push_back(side);
+      }
     }
     if (polygon.size() > kMostCorners) return 0;
     parts.clear();
-    cut_polygon(mesh.points, polygon, parts);
+    cut_polygon(mesh.points, polygon, parts, on);
     mesh.triangles[triangle] = parts[0];
     for (std::size_t i = 1; i < parts.size(); ++i) {
       mesh.triangles.push_back(parts[i]);

@@ -29,8 +29,9 @@ Point normal_of(const std::vector<Point>& points, std::span<const std::uint32_t>
 /// The ears of a polygon that gets smaller, as a ring of corners.
 class Ears {
  public:
-  Ears(const std::vector<Point>& points, std::span<const std::uint32_t> corners)
-      : points_(points), corners_(corners), normal_(normal_of(points, corners)) {
+  Ears(const std::vector<Point>& points, std::span<const std::uint32_t> corners,
+       std::span<const std::uint8_t> sides)
+      : points_(points), corners_(corners), sides_(sides), normal_(normal_of(points, corners)) {
     const std::size_t n = corners.size();
     for (std::size_t i = 0; i < n; ++i) {
       next_.push_back((i + 1) % n);
@@ -66,7 +67,8 @@ class Ears {
   /// Twice the area over the square of the longest side, negative at a reflex corner; an ear that
   /// another corner lies in is taken only when there is no other.
   double quality_of(std::size_t i) const {
-    constexpr double kLast = 10;
+    constexpr double kLast = 10, kNever = 20;
+    if (!sides_.empty() && (sides_[before_[i]] & sides_[next_[i]]) != 0) return -kNever;
     const Point &a = point(before_[i]), &b = point(i), &c = point(next_[i]);
     const Point ab = difference(b, a), bc = difference(c, b), ca = difference(a, c);
     const Point across = cross(ab, bc);
@@ -90,6 +92,7 @@ class Ears {
 
   const std::vector<Point>& points_;
   std::span<const std::uint32_t> corners_;
+  std::span<const std::uint8_t> sides_;
   Point normal_;
   std::vector<std::size_t> next_, before_;
   std::vector<double> quality_;
@@ -98,12 +101,12 @@ class Ears {
 }  // namespace
 
 void cut_polygon(const std::vector<Point>& points, std::span<const std::uint32_t> corners,
-                 std::vector<Triangle>& triangles) {
+                 std::vector<Triangle>& triangles, std::span<const std::uint8_t> sides) {
   if (corners.size() == 3) {
     triangles.push_back({corners[0], corners[1], corners[2]});
     return;
   }
-  Ears(points, corners).cut(triangles);
+  Ears(points, corners, sides).cut(triangles);
 }
 
 bool is_planar(const std::vector<Point>& points, std::span<const std::uint32_t> corners) {

@@ -15,8 +15,10 @@ inline constexpr std::size_t kMostCorners = 10'000;
 /// round, the roundest ears first, so that corners in the middle of a side make no flat triangle
 /// where that can be helped. The polygon need not be convex or planar; of one that crosses itself
 /// the triangles still have its border, but may overlap.
+///   sides  [corners] or empty: for each corner a set of lines, as bits, that it lies on but for
+///          rounding; two corners on one line are then joined only if they are neighbours
 void cut_polygon(const std::vector<Point>& points, std::span<const std::uint32_t> corners,
-                 std::vector<Triangle>& triangles);
+                 std::vector<Triangle>& triangles, std::span<const std::uint8_t> sides = {});
 
 /// Whether its corners lie in one plane but for rounding to single precision.
 bool is_planar(const std::vector<Point>& points, std::span<const std::uint32_t> corners);

@@ -11,17 +11,6 @@
 namespace tripus::meshing::detail {
 namespace {
 
-double volume_of(const TetrahedralMesh& mesh, const Tetrahedron& t) {
-  const Point& o = mesh.points[t[0]];
-  std::array<Point, 3> v;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) v[i][k] = mesh.points[t[i + 1]][k] - o[k];
-  return std::fabs(v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) +
-                   v[0][1] * (v[1][2] * v[2][0] - v[1][0] * v[2][2]) +
-                   v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0])) /
-         6;
-}
-
 int sign_of(const TetrahedralMesh& mesh, const Tetrahedron& t) {
   const auto& p = mesh.points;
   return orientation(p[t[0]], p[t[1]], p[t[2]], p[t[3]]);
@@ -50,6 +39,17 @@ bool split(TetrahedralMesh& mesh, std::size_t place) {
 }
 
 }  // namespace
+
+double volume_of(const TetrahedralMesh& mesh, const Tetrahedron& t) {
+  const Point& o = mesh.points[t[0]];
+  std::array<Point, 3> v;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) v[i][k] = mesh.points[t[i + 1]][k] - o[k];
+  return std::fabs(v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) +
+                   v[0][1] * (v[1][2] * v[2][0] - v[1][0] * v[2][2]) +
+                   v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0])) /
+         6;
+}
 
 void split_largest(TetrahedralMesh& mesh, const SplitOptions& options) {
   if (options.max_volume == 0 && options.tetrahedra == 0) return;

@@ -18,4 +18,7 @@ struct SplitOptions {
 /// Throws Unsupported if `most` is not enough, or one is too flat for `max_volume`.
 void split_largest(TetrahedralMesh& mesh, const SplitOptions& options);
 
+/// Volume of a tetrahedron, negative if its corners are not in positive order.
+double volume_of(const TetrahedralMesh& mesh, const Tetrahedron& t);
+
 }  // namespace tripus::meshing::detail

@@ -17,6 +17,7 @@ using Transfer = ChildProcess::Transfer;
 /// The talk with one process broke off.
 struct BrokenOff {
   std::string problem;
+  bool by_itself = false;  ///< it ended, or what it said makes no sense
 };
 
 class TetgenTalk {
@@ -43,7 +44,7 @@ class TetgenTalk {
     if (child_.signal() == SIGXCPU) throw BrokenOff{"TetGen was not done in time"};
     throw_if_stopped(question_.stop_requested);
     if (child_.signal() == SIGINT || child_.signal() == SIGTERM) throw Stopped();
-    throw BrokenOff{"TetGen " + ending + " on this surface"};
+    throw BrokenOff{"the mesher " + quoted(find_tetgen(), 200) + " " + ending, true};
   }
 
   const TetgenQuestion& question_;
@@ -53,13 +54,15 @@ class TetgenTalk {
 TetgenAnswer problem_of(std::uint64_t status) {
   switch (static_cast<TetgenStatus>(status)) {
     case TetgenStatus::kOutOfMemory:
-      return {std::nullopt, "TetGen ran out of memory", true};
+      return {std::nullopt, "TetGen ran out of memory", true, false};
     case TetgenStatus::kSelfIntersection:
     case TetgenStatus::kTinyFeature:
-      return {std::nullopt, "TetGen does not tell apart parts of the surface that are near", false};
+      return {std::nullopt, "TetGen does not tell apart parts of the surface that are near", false,
+              false};
     default:
       return {std::nullopt,
-              "TetGen gave up on this surface (its error " + std::to_string(status) + ")", false};
+              "TetGen gave up on this surface (its error " + std::to_string(status) + ")", false,
+              false};
   }
 }
 
@@ -80,9 +83,15 @@ TetgenAnswer talk(const TetgenQuestion& question) {
   TetgenResponse response;
   talk.receive(&response, sizeof response);
   if (response.mark != TetgenResponse::kMark)
-    throw InternalError("tripus-tetgen is not of the version of this program");
+    throw BrokenOff{"the answer of the mesher " + quoted(find_tetgen(), 200) +
+                        " is damaged, or of another version",
+                    true};
   if (static_cast<TetgenStatus>(response.status) != TetgenStatus::kDone)
     return problem_of(response.status);
+  // A wrong count is not believed.
+  const std::uint64_t most = question.memory_limit;
+  if (response.points > most / sizeof(Point) || response.tetrahedra > most / sizeof(Tetrahedron))
+    throw BrokenOff{"the answer of the mesher " + quoted(find_tetgen(), 200) + " is damaged", true};
   TetrahedralMesh mesh;
   mesh.points.resize(response.points);
   mesh.tetrahedra.resize(response.tetrahedra);
@@ -91,8 +100,10 @@ TetgenAnswer talk(const TetgenQuestion& question) {
   for (const Tetrahedron& t : mesh.tetrahedra)
     for (const std::uint32_t corner : t)
       if (corner >= mesh.points.size())
-        return {std::nullopt, "TetGen named a corner that does not exist", false};
-  return {std::move(mesh), "", false};
+        throw BrokenOff{"the answer of the mesher " + quoted(find_tetgen(), 200) +
+                            " is damaged: it names a corner that does not exist",
+                        true};
+  return {std::move(mesh), "", false, false};
 }
 
 }  // namespace
@@ -101,7 +112,7 @@ TetgenAnswer ask_tetgen(const TetgenQuestion& question) {
   try {
     return talk(question);
   } catch (const BrokenOff& broken_off) {
-    return {std::nullopt, broken_off.problem, false};
+    return {std::nullopt, broken_off.problem, false, broken_off.by_itself};
   }
 }
 

@@ -29,10 +29,11 @@ struct TetgenAnswer {
   std::optional<TetrahedralMesh> mesh;
   std::string problem;         ///< a sentence without its full stop
   bool out_of_memory = false;  ///< another try would end so as well
+  bool mesher_failed = false;  ///< it crashed, or its answer makes no sense
 };
 
 /// Asks TetGen in a process of its own (tripus-tetgen), and ends that.
-/// Throws Unsupported if the program is missing, InternalError if it is another's, Stopped.
+/// Throws Unsupported if the program is missing, IoError if it cannot be started, Stopped.
 TetgenAnswer ask_tetgen(const TetgenQuestion& question);
 
 }  // namespace tripus::meshing::detail

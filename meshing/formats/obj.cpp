@@ -147,11 +147,12 @@ bool is_number(std::string_view word) {
 bool starts_obj(std::string_view content) {
   Scanner in("", content.substr(0, 1 << 16), '#');
   do {
-    const std::string_view key = in.word_of_line();
+    Line line(in);
+    const std::string_view key = line.word();
     if (key.empty()) continue;
-    if (key == "v" || key == "vn" || key == "vt" || key == "f") return is_number(in.word_of_line());
+    if (key == "v" || key == "vn" || key == "vt" || key == "f") return is_number(line.word());
     if (!is_in(kSkipped, key) && !is_in(kCurved, key)) return false;
-    Line(in).skip();
+    line.skip();
   } while (in.next_line());
   return false;
 }

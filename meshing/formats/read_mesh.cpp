@@ -85,13 +85,15 @@ const Format* find_format(std::string_view content, std::string_view name) {
   return nullptr;
 }
 
-/// The other file of the pair, in the same case of the letters.
+/// The other file of the pair, in the same case of the letters: .Node and .Ele.
 std::string companion_of(std::string_view name) {
-  const std::size_t dot = name.rfind('.');
-  const bool is_upper = name.find_first_of("NE", dot) != std::string_view::npos;
-  const std::string_view other =
-      ends_with(name, ".node") ? (is_upper ? ".ELE" : ".ele") : (is_upper ? ".NODE" : ".node");
-  return std::string(name.substr(0, dot)) + std::string(other);
+  const std::size_t first = name.rfind('.') + 1;
+  const auto is_upper = [&](std::size_t i) { return name[i] >= 'A' && name[i] <= 'Z'; };
+  std::string other = ends_with(name, ".node") ? "ele" : "node";
+  for (std::size_t i = 0; i < other.size(); ++i)
+    if (is_upper(std::min(first + i, name.size() - 1)))
+      other[i] = static_cast<char>(other[i] - 'a' + 'A');
+  return std::string(name.substr(0, first)) + other;
 }
 
 std::string_view without_mark(std::string_view content) {

@@ -138,8 +138,9 @@ bool read_section(VtkNumbers& in, const std::string& key, Sections& found) {
   return true;
 }
 
-MeshFile read_body(VtkNumbers& in) {
+MeshFile read_body(VtkNumbers& in, bool has_field) {
   Sections found;
+  found.has_data = has_field;
   for (std::string key = in.key(); !key.empty(); key = in.key())
     if (!read_section(in, key, found)) break;
   if (!found.has_grid && found.blocks.empty()) in.text().fail("the file has no cells");
@@ -169,15 +170,18 @@ MeshFile read_vtk(std::string_view text) {
   VtkNumbers numbers(in, coding == "binary");
   std::string key = numbers.key();
   // Field data of the file stands before the data set or in it.
-  for (; key == "field" || key == "metadata"; key = numbers.key())
+  bool has_field = false;
+  for (; key == "field" || key == "metadata"; key = numbers.key()) {
+    has_field = has_field || key == "field";
     key == "field" ? skip_field(numbers) : skip_metadata(numbers.text());
+  }
   if (key != "dataset") numbers.text().fail("DATASET was expected");
   const std::string given(numbers.text().word());
   const std::string kind = detail::lowered(given);
   if (kind != "unstructured_grid" && kind != "polydata")
     numbers.text().fail("a data set of kind " + quoted(given.substr(0, 32)) +
                         "; expected UNSTRUCTURED_GRID or POLYDATA: extract its surface first");
-  return read_body(numbers);
+  return read_body(numbers, has_field);
 }
 
 std::string write_vtk(const TetrahedralMesh& mesh) {

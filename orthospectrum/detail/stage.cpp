@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <mutex>
-#include <thread>
 #include <tuple>
 
 #include <fmt/format.h>
 
+#include "base/threads.hpp"
 #include "base/tolerances.hpp"
 
 namespace tripus::orthospectrum::detail {
@@ -171,6 +172,7 @@ void StageRunner::run_tiles(const Reach& reach, std::span<const Lid> lids, std::
         const Tile tile{static_cast<std::uint32_t>((first + n) / 4),
                         static_cast<std::uint32_t>((first + n) % 4)};
         results[n] = Stage();
+        if (steps_.is_ideal(tile.tetrahedron, static_cast<int>(tile.vertex))) continue;
         unfolding.search(tile.tetrahedron, static_cast<int>(tile.vertex),
                          Collector(steps_, options_, tile, results[n]), halt_);
       }
@@ -182,17 +184,27 @@ void StageRunner::run_tiles(const Reach& reach, std::span<const Lid> lids, std::
     const std::scoped_lock lock(guard);
     windows_ += unfolding.window_count();
   };
-  std::vector<std::jthread> others;
-  const std::size_t wanted = std::min<std::size_t>(threads_, results.size());
-  for (std::size_t n = 1; n < wanted; ++n) others.emplace_back(work);
-  work();
-  others.clear();  // joins
+  run_on_threads(std::min<std::size_t>(threads_, results.size()), work);
   if (failure) std::rethrow_exception(failure);
+}
+
+/// Not if it runs into a cusp.
+bool StageRunner::is_arc(std::size_t edge) const {
+  const topology::EdgeCorner corner = triangulation_.corners(edge).front();
+  const auto [i, j] = topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())];
+  return !steps_.is_ideal(corner.tetrahedron(), i) && !steps_.is_ideal(corner.tetrahedron(), j);
+}
+
+double StageRunner::first_length() const {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t e = 0; e < edge_lengths_.size(); ++e)
+    if (is_arc(e)) shortest = std::min(shortest, edge_lengths_[e]);
+  return std::isinf(shortest) ? 1 : shortest;
 }
 
 void StageRunner::add_edges(double length, Stage& stage) const {
   for (std::size_t e = 0; e < edge_lengths_.size(); ++e) {
-    if (edge_lengths_[e] > length) continue;
+    if (!is_arc(e) || edge_lengths_[e] > length) continue;
     stage.sums.add(edge_lengths_[e]);
     stage.sums.add(edge_lengths_[e]);
     if (!options_.keep_arcs) continue;

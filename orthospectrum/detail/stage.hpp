@@ -29,11 +29,14 @@ class StageRunner {
   /// faster.
   std::optional<Stage> run(double length);
   std::uint64_t window_count() const { return windows_; }
+  /// The length of the shortest edge that is an arc; 1 if all edges run into cusps.
+  double first_length() const;
 
  private:
   void run_tiles(const Reach& reach, std::span<const Lid> lids, std::size_t first,
                  std::span<Stage> results);
   void add_edges(double length, Stage& stage) const;
+  bool is_arc(std::size_t edge) const;
 
   const topology::Triangulation& triangulation_;
   std::span<const double> edge_lengths_;

@@ -1,12 +1,15 @@
 #include "orthospectrum/detail/steps.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <Eigen/Dense>
+#include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "geometry/truncated_tetrahedron.hpp"
+#include "geometry/mixed_tetrahedron.hpp"
 
 namespace tripus::orthospectrum::detail {
 namespace {
@@ -22,14 +25,29 @@ Wide4 gram_of(const topology::Triangulation& triangulation, std::span<const doub
   std::array<double, 6> l{}, theta{};
   for (int e = 0; e < 6; ++e)
     l[static_cast<std::size_t>(e)] = lengths[triangulation.edge_class(t, e)];
-  if (geometry::dihedral_angles(l, theta) != geometry::TetrahedronKind::kTruncated) {
+  std::array<double, 4> diagonal{};
+  for (int i = 0; i < 4; ++i)
+    diagonal[static_cast<std::size_t>(i)] =
+        triangulation.link(triangulation.vertex_class(t, i)).euler_characteristic == 0 ? 0 : 1;
+  for (std::size_t e = 0; e < 6; ++e) {
+    const auto [i, j] = topology::kEdgeEnds[e];
+    const bool is_compact =
+        diagonal[static_cast<std::size_t>(i)] != 0 && diagonal[static_cast<std::size_t>(j)] != 0;
+    if (!std::isfinite(l[e]) || (is_compact && !(l[e] > 0)))
+      throw InvalidInput(fmt::format("edge {} of tetrahedron {} has the length {}", e, t, l[e]));
+  }
+  if (geometry::mixed_dihedral_angles(l, diagonal, theta) !=
+      geometry::TetrahedronKind::kTruncated) {
     throw InvalidInput("tetrahedron " + std::to_string(t) +
                        " is flat: arcs are unfolded through true truncated tetrahedra only");
   }
-  Wide4 gram = Wide4::Identity();
+  Wide4 gram = Wide4::Zero();
+  for (int i = 0; i < 4; ++i) gram(i, i) = diagonal[static_cast<std::size_t>(i)];
   for (std::size_t e = 0; e < 6; ++e) {
     const auto [i, j] = topology::kEdgeEnds[e];
-    gram(i, j) = gram(j, i) = -std::cosh(Wide(l[e]));
+    const int ideal_ends = (gram(i, i) == 0) + (gram(j, j) == 0);
+    gram(i, j) = gram(j, i) =
+        ideal_ends == 0 ? -std::cosh(Wide(l[e])) : -ideal_ends * std::exp(Wide(l[e]));
   }
   return gram;
 }
@@ -71,7 +89,8 @@ Triangle triangle_at(const Wide4& gram, int i) {
     const Wide g = gram(i, static_cast<int>(j));
     triangle.corners[k] = static_cast<std::uint8_t>(j);
     triangle.gram[k] = static_cast<double>(g);
-    sinh[k++] = std::sqrt((g - 1) * (g + 1));
+    const int corner = static_cast<int>(j);
+    sinh[k++] = gram(corner, corner) == 0 ? -g : std::sqrt((g - 1) * (g + 1));
   }
   // cosh of the sides, side k between the other two corners.
   std::array<Wide, 3> side{};
@@ -108,15 +127,16 @@ Triangle triangle_at(const Wide4& gram, int i) {
   return triangle;
 }
 
-Lid lid_over(const Wide4& gram, int f, Wide cosh) {
+/// `apart`: what -<v, w_i> is at least.
+Lid lid_over(const Wide4& gram, int f, const std::array<Wide, 4>& apart) {
   Wide3 face;
+  WideVector3 products;
   for (int r = 0, i = 0; i < 4; ++i) {
     if (i == f) continue;
     for (int c = 0, j = 0; j < 4; ++j)
       if (j != f) face(r, c++) = gram(i, j);
-    ++r;
+    products[r++] = -apart[static_cast<std::size_t>(i)];
   }
-  const WideVector3 products = WideVector3::Constant(-cosh);
   const WideVector3 within = face.fullPivLu().solve(products);
   const Wide height_square = 1 - within.dot(products);
   const Wide4 inverse = gram.inverse();
@@ -132,6 +152,29 @@ Lid lid_over(const Wide4& gram, int f, Wide cosh) {
   return lid;
 }
 
+/// [4 T] the largest c for which the horoball -<x, w_i> <= c of an ideal vertex meets neither the
+/// face opposite to it nor another truncation, in any tetrahedron around it; 0 for the others.
+std::vector<double> horoballs_of(const topology::Triangulation& triangulation,
+                                 std::span<const Wide4> grams) {
+  std::vector<Wide> of_class(triangulation.vertex_count(), std::numeric_limits<Wide>::infinity());
+  std::vector<double> result(4 * grams.size());
+  const auto for_each_ideal = [&](auto&& visit) {
+    for (std::size_t t = 0; t < grams.size(); ++t)
+      for (int i = 0; i < 4; ++i)
+        if (grams[t](i, i) == 0) visit(t, i, of_class[triangulation.vertex_class(t, i)]);
+  };
+  for_each_ideal([&](std::size_t t, int i, Wide& level) {
+    const Wide4& gram = grams[t];
+    level = std::min(level, 1 / std::sqrt(gram.inverse()(i, i)));
+    for (int j = 0; j < 4; ++j)
+      if (gram(j, j) != 0) level = std::min(level, -gram(i, j));
+  });
+  for_each_ideal([&](std::size_t t, int i, Wide level) {
+    result[4 * t + static_cast<std::size_t>(i)] = static_cast<double>(level);
+  });
+  return result;
+}
+
 }  // namespace
 
 std::vector<Lid> Steps::lids(double shortest) const {
@@ -141,7 +184,11 @@ std::vector<Lid> Steps::lids(double shortest) const {
     Wide4 gram;
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) gram(i, j) = -Wide(cosh_length(t, i, j));
-    for (int f = 0; f < 4; ++f) result.push_back(lid_over(gram, f, std::cosh(Wide(shortest))));
+    std::array<Wide, 4> apart{};
+    for (int i = 0; i < 4; ++i)
+      apart[static_cast<std::size_t>(i)] =
+          is_ideal(t, i) ? Wide(horoball(t, i)) : std::cosh(Wide(shortest));
+    for (int f = 0; f < 4; ++f) result.push_back(lid_over(gram, f, apart));
   }
   return result;
 }
@@ -155,13 +202,14 @@ Steps::Steps(const topology::Triangulation& triangulation, std::span<const doubl
   std::vector<Wide4> grams;
   grams.reserve(count);
   for (std::size_t t = 0; t < count; ++t) grams.push_back(gram_of(triangulation, edge_lengths, t));
+  horoballs_ = horoballs_of(triangulation, grams);
   steps_.reserve(4 * count);
   triangles_.reserve(4 * count);
   cosh_.reserve(16 * count);
   for (std::size_t t = 0; t < count; ++t) {
     for (int i = 0; i < 4; ++i) {
       steps_.push_back(step_across(triangulation.gluings(), grams, t, i));
-      triangles_.push_back(triangle_at(grams[t], i));
+      triangles_.push_back(grams[t](i, i) == 0 ? Triangle() : triangle_at(grams[t], i));
       for (int j = 0; j < 4; ++j) cosh_.push_back(static_cast<double>(-grams[t](i, j)));
     }
   }

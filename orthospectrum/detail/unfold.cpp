@@ -51,6 +51,7 @@ void Unfolding::begin(std::size_t t, int i) {
     vertex.Y = triangle.feet[k][1];
     vertex.Z = triangle.feet[k][2];
     vertex.product = triangle.gram[k];
+    set_kind(vertex, t, triangle.corners[k]);
     reach_.place(vertex);
   }
   // Nothing symmetric about these shares: no line between feet should pass there.
@@ -79,6 +80,12 @@ void Unfolding::begin(std::size_t t, int i) {
   stack_.push_back(node);
 }
 
+void Unfolding::set_kind(Vertex& vertex, std::size_t t, int i) const {
+  if (!steps_.is_ideal(t, i)) return;
+  vertex.square = 0;
+  vertex.level = steps_.horoball(t, i);
+}
+
 Vertex Unfolding::beyond(const Node& node, const Step& step) const {
   const auto& c = step.combination;
   const double a = c[node.labels[0]], b = c[node.labels[1]], d = c[node.labels[2]],
@@ -89,6 +96,7 @@ Vertex Unfolding::beyond(const Node& node, const Step& step) const {
   apex.X = a * f[0].X + b * f[1].X + d * f[2].X + e * o.X;
   apex.Y = a * f[0].Y + b * f[1].Y + d * f[2].Y + e * o.Y;
   apex.Z = a * f[0].Z + b * f[1].Z + d * f[2].Z + e * o.Z;
+  set_kind(apex, step.tetrahedron, step.labels[node.opposite]);
   apex.product = a * f[0].product + b * f[1].product + d * f[2].product + e * o.product;
   reach_.place(apex);
   return apex;
@@ -99,7 +107,7 @@ void Unfolding::expand(const Node& node, const VisitFind& visit) {
   faces_.push_back(node.opposite);
   const Step& step = steps_.step(node.tetrahedron, node.opposite);
   const Vertex apex = beyond(node, step);
-  if (-apex.product <= reach_.cosh_length()) look_at(node, step, apex, visit);
+  if (apex.square != 0 && -apex.product <= reach_.cosh_length()) look_at(node, step, apex, visit);
   for (std::size_t k = 0; k < 3; ++k) push_child(node, step, apex, k);
 }
 

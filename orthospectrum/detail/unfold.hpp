@@ -56,6 +56,7 @@ class Unfolding {
   void look_at(const Node& node, const Step& step, const Vertex& apex, const VisitFind& visit);
   void push_child(const Node& node, const Step& step, const Vertex& apex, std::size_t k);
   bool is_lidded(const Node& next) const;
+  void set_kind(Vertex& vertex, std::size_t t, int i) const;
   bool holds(double x, double y) const;
 
   const Steps& steps_;

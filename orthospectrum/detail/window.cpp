@@ -14,27 +14,33 @@ struct Lifted {
   double height, square;
 };
 
-using Cosines = std::array<double, 3>;
+/// Products of the poles of a face, with the sign changed: of two different ones, and of each with
+/// itself (1, or 0 if ideal; this sign is not changed).
+struct Form {
+  std::array<double, 3> cosh, square;
+};
 
-double polar(const Cosines& cosh, const std::array<double, 3>& p, const std::array<double, 3>& q) {
+double polar(const Form& form, const std::array<double, 3>& p, const std::array<double, 3>& q) {
+  const auto& [cosh, square] = form;
   return cosh[0] * (p[1] * q[2] + p[2] * q[1]) + cosh[1] * (p[2] * q[0] + p[0] * q[2]) +
-         cosh[2] * (p[0] * q[1] + p[1] * q[0]) - p[0] * q[0] - p[1] * q[1] - p[2] * q[2];
+         cosh[2] * (p[0] * q[1] + p[1] * q[0]) - square[0] * p[0] * q[0] - square[1] * p[1] * q[1] -
+         square[2] * p[2] * q[2];
 }
 
-Lifted lift(const std::array<const Vertex*, 3>& face, const Cosines& cosh, const Corner& corner) {
+Lifted lift(const std::array<const Vertex*, 3>& face, const Form& form, const Corner& corner) {
   Lifted lifted{};
   for (std::size_t k = 0; k < 3; ++k) {
     lifted.weight[k] = corner.area[k] / face[k]->Z;
     lifted.height -= lifted.weight[k] * face[k]->product;
   }
-  lifted.square = polar(cosh, lifted.weight, lifted.weight);
+  lifted.square = polar(form, lifted.weight, lifted.weight);
   return lifted;
 }
 
 /// Whether the line between two points of a plane comes within the bound between them, though
 /// neither of them does. The largest square / height^2 on it is where the gradients are parallel.
-bool meets_between(const Lifted& p, const Lifted& q, const Cosines& cosh, double bound) {
-  const double mixed = polar(cosh, p.weight, q.weight);
+bool meets_between(const Lifted& p, const Lifted& q, const Form& form, double bound) {
+  const double mixed = polar(form, p.weight, q.weight);
   const double to_p = q.square * p.height - mixed * q.height;
   const double to_q = p.square * q.height - mixed * p.height;
   if (to_p >= 0 || to_q >= 0) return false;
@@ -44,15 +50,17 @@ bool meets_between(const Lifted& p, const Lifted& q, const Cosines& cosh, double
 
 /// The point of the whole plane that is nearest to the base plane, as weights of the poles up to a
 /// positive factor; false if the two planes meet.
-bool nearest_of_plane(const std::array<const Vertex*, 3>& face, const Cosines& c,
+bool nearest_of_plane(const std::array<const Vertex*, 3>& face, const Form& form,
                       std::array<double, 3>& weight, double& square_of_sinh) {
-  // The inverse of the form with c off and -1 on the diagonal, times its determinant.
-  const double determinant = -1 + c[0] * c[0] + c[1] * c[1] + c[2] * c[2] + 2 * c[0] * c[1] * c[2];
+  // The inverse of the form with c off and -s on the diagonal, times its determinant.
+  const auto& [c, s] = form;
+  const double determinant = -s[0] * s[1] * s[2] + s[0] * c[0] * c[0] + s[1] * c[1] * c[1] +
+                             s[2] * c[2] * c[2] + 2 * c[0] * c[1] * c[2];
   const std::array<double, 3> h{-face[0]->product, -face[1]->product, -face[2]->product};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    weight[i] =
-        (1 - c[i] * c[i]) * h[i] + (c[i] * c[j] + c[k]) * h[j] + (c[i] * c[k] + c[j]) * h[k];
+    weight[i] = (s[j] * s[k] - c[i] * c[i]) * h[i] + (c[i] * c[j] + s[k] * c[k]) * h[j] +
+                (c[i] * c[k] + s[j] * c[j]) * h[k];
   }
   const double sum = h[0] * weight[0] + h[1] * weight[1] + h[2] * weight[2];
   square_of_sinh = sum / determinant;
@@ -111,12 +119,15 @@ Reach::Reach(double length, double shortest)
 void Reach::place(Vertex& vertex) const {
   vertex.x = vertex.X / vertex.Z;
   vertex.y = vertex.Y / vertex.Z;
+  // For an ideal vertex e^d takes the places of cosh d and sinh d, and its horoball that of l_0.
+  const bool is_ideal = vertex.square == 0;
   const double cosh = -vertex.product;
-  const double square = (cosh - 1) * (cosh + 1), sinh = std::sqrt(square);
+  const double square = is_ideal ? cosh * cosh : (cosh - 1) * (cosh + 1), sinh = std::sqrt(square);
   const double up = cosh + sinh;  // e^d
-  const double cosh_difference = (up_ / up + down_ * up) / 2;
+  const double cosh_difference = is_ideal ? down_ * cosh : (up_ / up + down_ * up) / 2;
   // cosh of the radius, less 1.
-  const double excess = (cosh_shortest_ + cosh_difference) / (sinh * sinh_);
+  const double excess =
+      ((is_ideal ? vertex.level : cosh_shortest_) + cosh_difference) / (sinh * sinh_);
   vertex.room = excess * (2 + excess) * square / (vertex.Z * vertex.Z) * (1 - tolerance::kArcReach);
 }
 
@@ -132,20 +143,21 @@ bool Reach::fills(const Vertex& vertex, const Window& window) const {
 bool Reach::meets(const std::array<const Vertex*, 3>& face, const std::array<double, 3>& cosh,
                   const Window& window) const {
   const double bound = sinh_ * sinh_;
-  const auto is_near = [bound](const Lifted& p) { return p.height * p.height <= bound * p.square; };
-  const Lifted first = lift(face, cosh, window.front());
-  if (is_near(first)) return true;
+  const Form form{cosh, {face[0]->square, face[1]->square, face[2]->square}};
+  const auto within = [bound](const Lifted& p) { return p.height * p.height <= bound * p.square; };
+  const Lifted first = lift(face, form, window.front());
+  if (within(first)) return true;
   Lifted last = first;
   for (std::size_t n = 1; n < window.size(); ++n) {
-    const Lifted next = lift(face, cosh, window[n]);
-    if (is_near(next) || meets_between(last, next, cosh, bound)) return true;
+    const Lifted next = lift(face, form, window[n]);
+    if (within(next) || meets_between(last, next, form, bound)) return true;
     last = next;
   }
-  if (meets_between(last, first, cosh, bound)) return true;
+  if (meets_between(last, first, form, bound)) return true;
   // What is near may still lie wholly within the window.
   std::array<double, 3> weight{};
   double square_of_sinh = 0;
-  if (!nearest_of_plane(face, cosh, weight, square_of_sinh) || square_of_sinh > bound) return false;
+  if (!nearest_of_plane(face, form, weight, square_of_sinh) || square_of_sinh > bound) return false;
   double x = 0, y = 0, z = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     x += weight[k] * face[k]->X;

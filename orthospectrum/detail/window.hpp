@@ -9,11 +9,14 @@
 namespace tripus::orthospectrum::detail {
 
 /// A vertex of the tetrahedron that the bundle leaves, as seen from the base plane with pole v:
-/// the pole w of its truncation is the projection (X, Y, Z) to the base plane and the product
+/// the pole w of its truncation has the projection (X, Y, Z) to the base plane and the product
 /// <v, w> = -cosh d. So (x, y) = (X, Y) / Z is the foot of the common perpendicular of both planes.
+/// Of an ideal vertex w is the point itself: (x, y) is the foot of the ray into the cusp.
 struct Vertex {
   double X = 0, Y = 0, Z = 0;
   double product = 1;
+  double square = 1;  ///< <w, w>: 1, or 0 if ideal
+  double level = 0;   ///< if ideal, of its horoball; see Steps::horoball
   double x = 0, y = 0;
   /// No arc that is short enough has its foot nearer to (x, y) than this allows; see `Reach`.
   double room = 0;
@@ -57,7 +60,7 @@ class Reach {
   bool fills(const Vertex& vertex, const Window& window) const;
   /// Whether some ray over the window meets the plane of the face at a distance <= L.
   ///   face  its vertices a, b, c, in the order of Corner::area
-  ///   cosh  of the edges bc, ca, ab
+  ///   cosh  of the edges bc, ca, ab, as Steps::cosh_length
   bool meets(const std::array<const Vertex*, 3>& face, const std::array<double, 3>& cosh,
              const Window& window) const;
 

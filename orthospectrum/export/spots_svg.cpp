@@ -157,8 +157,11 @@ std::vector<std::vector<Spot>> spots_by_tile(const topology::Triangulation& tria
   // Edges end at corners, which several tiles share: each draws them.
   for (std::size_t n = 0; n < spots.size(); ++n) {
     const Tile tile{static_cast<std::uint32_t>(n / 4), static_cast<std::uint32_t>(n % 4)};
+    if (!surface.has(tile)) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const int to = surface.corner_vertex(tile, k);
+      if (!surface.has({tile.tetrahedron, static_cast<std::uint32_t>(to)}))
+        continue;  // into a cusp
       const double length = edge_lengths[triangulation.edge_class(
           n / 4, topology::kEdgeNumber[n % 4][static_cast<std::size_t>(to)])];
       if (length <= spectrum.length) spots[n].push_back({surface.corner(tile, k), length});
@@ -193,18 +196,21 @@ std::string scale_of_lengths(double width, double shortest, double longest) {
 std::string spots_as_svg(const topology::Triangulation& triangulation,
                          std::span<const double> edge_lengths, const Spectrum& spectrum,
                          const std::string& title) {
-  const std::size_t components = triangulation.vertex_count();
-  const double width = (kDisc + 2 * kBorder) * static_cast<double>(components);
+  std::vector<std::size_t> components;
+  for (std::size_t v = 0; v < triangulation.vertex_count(); ++v)
+    if (triangulation.link(v).euler_characteristic < 0) components.push_back(v);
+  const double width = (kDisc + 2 * kBorder) * static_cast<double>(components.size());
   const double shortest = spectrum.arcs.empty() ? 0 : spectrum.arcs.front().length;
   const double longest = std::max(spectrum.length, shortest + 1);
   const BoundarySurface surface(triangulation, edge_lengths);
   const auto spots = spots_by_tile(triangulation, edge_lengths, surface, spectrum);
   std::string svg = svg_head(width, kDisc + 2 * kBorder + kFooter, title);
-  for (std::size_t v = 0; v < components; ++v) {
+  for (std::size_t place = 0; place < components.size(); ++place) {
+    const std::size_t v = components[place];
     std::size_t n = 0;
     while (triangulation.vertex_classes()[n] != v) ++n;
     const Tile from{static_cast<std::uint32_t>(n / 4), static_cast<std::uint32_t>(n % 4)};
-    DiscPicture picture((kDisc + 2 * kBorder) * static_cast<double>(v), shortest, longest);
+    DiscPicture picture((kDisc + 2 * kBorder) * static_cast<double>(place), shortest, longest);
     for (const DevelopedTile& developed : surface.develop(from, kDrawnRadius, kMostTiles)) {
       picture.tile(surface, developed);
       for (const Spot& spot :

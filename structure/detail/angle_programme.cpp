@@ -1,6 +1,8 @@
 #include "structure/detail/angle_programme.hpp"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 
 #include <glpk.h>
 
@@ -34,9 +36,10 @@ struct Triplets {
   }
 };
 
-glp_smcp simplex_options() {
+glp_smcp simplex_options(int milliseconds) {
   glp_smcp options;
   glp_init_smcp(&options);
+  options.tm_lim = milliseconds;
   options.msg_lev = GLP_MSG_OFF;
   return options;
 }
@@ -112,10 +115,24 @@ void AngleProgramme::add_rows(const topology::Triangulation& triangulation) {
                   a.value.data());
 }
 
+void AngleProgramme::limit_time(double seconds) {
+  constexpr double kLongest = 1e8;  // three years
+  if (!(seconds < kLongest)) return;
+  deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                 std::chrono::duration<double>(std::max(seconds, 0.0)));
+}
+
+int AngleProgramme::milliseconds_left() const {
+  if (deadline_ == Clock::time_point::max()) return std::numeric_limits<int>::max();
+  const auto left =
+      std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now()).count();
+  return static_cast<int>(std::clamp<long>(left, 1, std::numeric_limits<int>::max()));
+}
+
 bool AngleProgramme::solve() {
   // A triangular basis to begin with and the dual method: 6 to 10 times as fast as GLPK's defaults
   // on covers of 2,000 tetrahedra in random order. It goes on to the primal method if this fails.
-  glp_smcp options = simplex_options();
+  glp_smcp options = simplex_options(milliseconds_left());
   options.meth = GLP_DUALP;
   glp_adv_basis(programme_, 0);
   return glp_simplex(programme_, &options) == 0 && glp_get_status(programme_) == GLP_OPT;
@@ -123,8 +140,9 @@ bool AngleProgramme::solve() {
 
 bool AngleProgramme::solve_exactly() {
   // A failed floating-point run may leave a basis that is singular in rational arithmetic.
-  const glp_smcp options = simplex_options();
+  const glp_smcp options = simplex_options(milliseconds_left());
   if (glp_exact(programme_, &options) == 0 && glp_get_status(programme_) == GLP_OPT) return true;
+  if (is_out_of_time()) return false;
   glp_std_basis(programme_);
   return glp_exact(programme_, &options) == 0 && glp_get_status(programme_) == GLP_OPT;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -26,6 +27,10 @@ class AngleProgramme {
   AngleProgramme(const AngleProgramme&) = delete;
   AngleProgramme& operator=(const AngleProgramme&) = delete;
 
+  /// From now on; then both methods below give up. Infinite by default.
+  void limit_time(double seconds);
+  bool is_out_of_time() const { return Clock::now() >= deadline_; }
+
   /// The simplex method in floating point; false if it fails.
   bool solve();
   /// The simplex method in rational arithmetic, from the basis of the last `solve`; false if it
@@ -48,6 +53,9 @@ class AngleProgramme {
   const AngleConstraints& constraints() const { return constraints_; }
 
  private:
+  using Clock = std::chrono::steady_clock;
+  int milliseconds_left() const;
+
   void add_columns();
   void add_rows(const topology::Triangulation& triangulation);
 
@@ -58,6 +66,7 @@ class AngleProgramme {
   std::size_t corner_count_;  // 6 T
   std::size_t edge_count_;
   glp_prob* programme_;
+  Clock::time_point deadline_ = Clock::time_point::max();
 };
 
 }  // namespace tripus::structure::detail

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <map>
 
-#include <arb_mat.h>
 #include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "geometry/edge_frames.hpp"
+#include "structure/proof/detail/arb_matrix.hpp"
 #include "structure/proof/detail/decimal.hpp"
 #include "structure/proof/detail/precise_tetrahedron.hpp"
 
@@ -15,6 +15,7 @@ namespace tripus::structure {
 namespace {
 
 using detail::Arb;
+using detail::ArbMatrix;
 using detail::Precision;
 using topology::Triangulation;
 
@@ -26,23 +27,6 @@ constexpr int kTries = 4;
 constexpr int kExtraDigits = 12;
 /// As in prove.cpp: claimed radii are wider than what was proved.
 constexpr double kMargin = 1 + 0x1p-4;
-
-class ArbMatrix {
- public:
-  ArbMatrix(std::size_t rows, std::size_t columns) {
-    arb_mat_init(m_, static_cast<long>(rows), static_cast<long>(columns));
-  }
-  ~ArbMatrix() { arb_mat_clear(m_); }
-  ArbMatrix(const ArbMatrix&) = delete;
-  ArbMatrix& operator=(const ArbMatrix&) = delete;
-  arb_mat_struct* get() { return m_; }
-  arb_ptr at(std::size_t i, std::size_t j) {
-    return arb_mat_entry(m_, static_cast<long>(i), static_cast<long>(j));
-  }
-
- private:
-  arb_mat_t m_;
-};
 
 struct DigitsRun {
   const Triangulation& triangulation;

@@ -66,13 +66,13 @@ TetrahedralizeOptions little_memory() {
 
 TEST(MeshingProcess, Crashes) {
   const FalseTetgen tetgen("kill -SEGV $$");
-  EXPECT_NE(message_of<Unsupported>(little_memory()).find("was ended by signal 11"),
-            std::string::npos);
+  EXPECT_NE(message_of<IoError>(little_memory()).find("was ended by signal 11"), std::string::npos);
 }
 
 TEST(MeshingProcess, EndsEarly) {
-  const FalseTetgen tetgen("exit 7");
-  EXPECT_NE(message_of<Unsupported>(little_memory()).find("ended with status 7"),
+  const FalseTetgen tetgen("echo first; echo last words >&2; exit 7");
+  EXPECT_NE(message_of<IoError>(little_memory())
+                .find("ended with status 7, its last words \"last words\""),
             std::string::npos);
 }
 
@@ -82,6 +82,17 @@ TEST(MeshingProcess, IsNotNeeded) {
     const Solid solid = require_valid(tetrahedralize(region()));
     EXPECT_EQ(solid.boundary_genera, std::vector<int>{0}) << failure;
   }
+}
+
+TEST(MeshingProcess, ClosesItsEndAndLivesOn) {
+  const FalseTetgen tetgen("exec <&-; exec sleep 1000");
+  EXPECT_NE(message_of<IoError>(little_memory()).find("was ended by signal 9"), std::string::npos);
+}
+
+TEST(MeshingProcess, IsNotAskedForMoreThanThereIsRoomFor) {
+  TetrahedralizeOptions options;
+  options.max_volume = 1e-300;
+  EXPECT_NE(message_of<InvalidInput>(options).find("allow larger ones"), std::string::npos);
 }
 
 TEST(MeshingProcess, Hangs) {

@@ -135,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(BadInput{"disconnected", "cPcbbbihqcPcbbbihq", "has 2 components"},
                     BadInput{
                         "cusp", "cPcbbbiht",
-                        "the link of vertex class 0 (vertex 0 of tetrahedron 0) is a torus; cusps"},
+                        "the link of vertex class 0 (vertex 0 of tetrahedron 0) is a torus; a metric"},
                     BadInput{"sphere", "bkaagj",
                              "is a sphere, so the manifold is closed; its metric can be solved for"},
                     BadInput{"klein", "bkaaid", "is a Klein bottle"}));

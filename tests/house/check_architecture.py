@@ -28,7 +28,7 @@ USES = {
     "integrators": ["solver"],
     "energies": ["topology", "geometry", "solver"],
     "structure": ["energies", "solver", "integrators"],
-    "orthospectrum": ["topology", "geometry"],
+    "orthospectrum": ["structure"],
     "canonical": ["structure", "orthospectrum"],
     "meshing": ["topology"],
     "embedding": ["structure"],
@@ -36,6 +36,7 @@ USES = {
     "viewer": ["embedding"],
     "studies": ["structure", "canonical"],
     "cli": ["manifold", "viewer", "studies"],
+    "python": ["manifold", "viewer", "studies"],
 }
 
 HIDDEN = re.compile(
@@ -47,6 +48,8 @@ FORBIDDEN_CALLS = re.compile(
     r"putchar|perror)\s*\("
     r"|\bstd::(?:terminate|cout|cerr|clog|print|println)\b|\bfmt::(?:print|println)\b|\b(?:stdout|stderr)\b"
 )
+# Between fork and exec a child has no other end.
+ALLOWED_CALLS = {("meshing/detail/child_process.cpp", "_exit(")}
 # Strings and comments, raw strings first; a quote in digits (1'000) opens no character constant.
 TEXT = re.compile(
     r'R"(\w*)\(.*?\)\1"'
@@ -147,7 +150,7 @@ def check(root):
             if module != "cli":
                 for number, line in enumerate(code_only(text).splitlines(), start=1):
                     match = FORBIDDEN_CALLS.search(line)
-                    if match:
+                    if match and (place.as_posix(), match.group(0).strip()) not in ALLOWED_CALLS:
                         complain("silent", f"{place}:{number}", match.group(0).strip())
 
     public_links = {name: lists[0] for name, lists in links.items()}

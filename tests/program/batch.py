@@ -1,6 +1,7 @@
 """--batch: one answer a line, in the order of the input, whatever the lines are."""
 
 import json
+import os
 import random
 import signal
 import subprocess
@@ -88,11 +89,20 @@ class Lists(ProgramTest):
 
     def test_of_garbage(self):
         chance = random.Random(11)
-        self.write("list", chance.randbytes(200_000))
+        letters = bytes(b for b in range(256) if b >= 32 or b in b"\t\r\n")
+        self.write("list", bytes(chance.choices(letters, k=200_000)))
         result = self.run_program("info", "--batch", "list", "--json")
         self.assertEqual(result.status, 0)
+        self.assertGreater(len(result.lines), 500)
         for line in result.text.split("\n")[:-1]:
             self.assertEqual(read_json(line)["error"]["kind"], "invalid-input")
+
+    def test_that_are_no_lists(self):
+        self.write("list", random.Random(12).randbytes(20_000))
+        self.write("y.off", (DATA.parent / "examples" / "surfaces" / "knotted-y.off").read_bytes())
+        for verb in ("info", "solve", "identify"):
+            self.assert_refused(verb, "--batch", "list", says="a binary file and no list")
+            self.assert_refused(verb, "--batch", "y.off", says="a mesh (OFF) and no list")
 
     def test_of_a_hundred_thousand_lines(self):
         known = all_triangulations(2) + all_triangulations(3)
@@ -151,19 +161,18 @@ class Interrupts(ProgramTest):
 
     def test_end_a_long_run_with_what_is_known(self):
         self.write("cover.json", samples.as_json(samples.tripus_cover(20_000)))
-        history = self.folder / "run.csv"
+        os.mkfifo(self.folder / "run.csv")  # through a pipe the rows come as they are made
         process = self.start("solve", "cover.json", "--json", "--initial", "5", "--method",
                              "flow:curvature/euler", "--history", "run.csv")
-        while process.poll() is None and not (
-                history.exists() and history.read_text(encoding="ascii").count("\n") > 3):
-            time.sleep(0.01)
-        process.send_signal(signal.SIGINT)
+        with open(self.folder / "run.csv", encoding="ascii") as history:
+            rows = [history.readline() for _ in range(4)]
+            process.send_signal(signal.SIGINT)
+            rows += history.readlines()
         out, _ = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 1)
         answer = read_json(out.decode())
         self.assertEqual(answer["outcome"], "unresolved")
-        self.assertEqual(history.read_text(encoding="ascii").count("\n"),
-                         answer["iterations"] + 2)
+        self.assertEqual(len(rows), answer["iterations"] + 2)
 
     def test_end_a_program_that_waits_for_its_input(self):
         for arguments in (["solve", "-"], ["solve", "--batch", "-"], ["info", "-"],
@@ -172,7 +181,8 @@ class Interrupts(ProgramTest):
                 process = self.start(*arguments, stdin=subprocess.PIPE)
                 time.sleep(0.3)
                 process.send_signal(signal.SIGINT)
-                self.assertEqual(process.wait(timeout=20), -signal.SIGINT)
+                self.assertEqual(process.wait(timeout=20), 1)
+                self.assertIn(b"interrupted", process.stderr.read())
 
 
 class FullDisks(ProgramTest):

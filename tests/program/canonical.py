@@ -86,8 +86,9 @@ class Census(ProgramTest):
         journal = self.folder / "j"
         self.run_program("census", "--from", list_file, "--journal", str(journal), "--tsv", "-")
         lines = journal.read_text().splitlines(keepends=True)
-        self.assertEqual(len(lines), 240)
-        journal.write_text("".join(lines[:100]) + lines[100][:20])
+        self.assertEqual(len(lines), 1 + 240)
+        self.assertIn("budget 20", lines[0])
+        journal.write_text("".join(lines[:101]) + lines[101][:20])
         again = self.run_program("census", "--from", list_file, "--journal", str(journal),
                                  "--tsv", "-", "--threads", "1")
         self.assertEqual(again.text, whole)

@@ -135,7 +135,8 @@ class Dialects(ProgramTest):
         self.assertIn("must end with one of .off, .obj, .ply, .stl", result.err)
 
     def test_one_message_for_unknown_files(self):
-        for content in (b"\x01\x02\xff\xfe raw", b"two words\n", b"<html></html>"):
+        for content in (b"\x01\x02\xff\xfe raw", b"two words\n", b"2750\n 0.37 1.35\n 0.6 1.5\n",
+                        b"<html></html>"):
             name = self.write("unknown.bin", content)
             messages = set()
             for verb in ("info", "solve", "mesh", "simplify", "canonize"):
@@ -148,6 +149,40 @@ class Dialects(ProgramTest):
                           "VTK legacy", "Gmsh mesh", "TetGen .node and .ele"):
                 self.assertIn(words, message)
             self.assertNotIn("\\x", message)
+
+    FOREIGN = (
+        (b"glTF\x02\0\0\0", "a binary glTF file", "assimp export"),
+        (b'{"asset": {"version": "2.0"}, "accessors": []}', "a glTF file", "assimp export"),
+        (b"PK\x03\x04\x14\0", "a zip archive, as 3MF files are", ""),
+        (b'<?xml version="1.0"?>\n<COLLADA xmlns="x" version="1.4.1"/>', "a COLLADA file", "assimp"),
+        (b'<?xml version="1.0"?>\n<X3D version="3.0"/>', "an X3D file", "assimp export"),
+        (b'<?xml version="1.0"?>\r\n<amf unit="millimeter"/>', "an AMF file", "assimp export"),
+        (b"#VRML V2.0 utf8\n", "a VRML file", ""),
+        (b"MM\x0c\0\0\0\x02\0\x06\0\0\0", "a 3DS file", "assimp export"),
+        (b"  0\nSECTION\n  2\nENTITIES\n  0\nEOF\n", "a DXF file", "assimp export"),
+        (b"999\nby hand\n0\nSECTION\n", "a DXF file", "assimp export"),
+        (b"xof 0303txt 0032\n", "a DirectX file", "assimp export"),
+        (b"Kaydara FBX Binary  \0", "an FBX file", "assimp export"),
+        (b"BLENDER-v300", "a Blender file", ""),
+        (b"OCTM\x05\0\0\0", "an OpenCTM file", ""),
+        (b"ISO-10303-21;\nHEADER;\n", "a STEP file", ""),
+        (b"\x01\0\0\0\x02\0\0\0", "a binary Medit mesh", "meshio convert"),
+        (b"\0\0\0\x01\0\0\0\x03", "a binary Medit mesh", "meshio convert"),
+        (b"*Heading\n model\n*NODE\n", "an Abaqus mesh", "meshio convert"),
+        (b"\x89HDF\r\n\x1a\n", "an HDF5 file", "meshio convert"),
+        (b"CDF\x02\0\0\0\0", "a NetCDF file", "meshio convert"),
+        (b"# by NETGEN\n\nmesh3d\ndimension\n3\n", "a Netgen mesh", "meshio convert"),
+        (b"surfacemesh\n4\n", "a surface mesh of Netgen", ""),
+        (b"$NOD\n4\n", "a Gmsh mesh of the version 1", ""),
+    )
+
+    def test_meshes_of_other_formats_are_named(self):
+        for content, name, converter in self.FOREIGN:
+            with self.subTest(name):
+                path = self.write("x.bin", content)
+                for verb in ("mesh", "solve"):
+                    self.assert_refused(verb, path, says=f"it is {name}")
+                    self.assertIn(converter, self.run_program(verb, path).err)
 
 
 class Triangulations(ProgramTest):
@@ -167,6 +202,16 @@ class Triangulations(ProgramTest):
                 self.assertEqual([a["input"] for a in answers],
                                  [f"{name}#{label}", f"{name}#second"])
                 self.assertEqual(answers[0]["isosig"], TRIPUS)
+                result = self.run_program("census", "--from", name, "--tsv", "-")
+                self.assertEqual(result.status, 0, result.err)
+                self.assertIn("6.4519902708350", result.text)
+                self.assertIn("\tdLQ", result.text)
+                result = self.run_program("view", "--gallery", name, "-o", "index.html")
+                self.assertEqual(result.text.count("page written to"), 2, result.err)
+
+    def test_files_that_are_not_there_are_no_signatures(self):
+        for name in ("graph.json", "surface.v2.off"):
+            self.assert_refused("solve", name, says="there is no file")
 
     def test_free_form_snappea(self):
         name = self.write("free.tri", (DIALECTS / "snappea-free-form.tri").read_bytes())

@@ -36,7 +36,7 @@ class EmbedJson(ProgramTest):
         self.assertEqual(list(answer), list(solved) + ["tetrahedra", "face_pairings", "holonomy",
                                                        "cells", "cells_end"])
         self.assertEqual(list(answer["tetrahedra"][0]), ["vertices", "faces"])
-        self.assertEqual(list(answer["cells"][0]), ["tetrahedron", "isometry", "depth", "parent"])
+        self.assertEqual(list(answer["cells"][0]), ["tetrahedron", "isometry", "word", "depth", "parent"])
         self.assertEqual(answer["cells"][0]["isometry"], IDENTITY)
         self.assertIsNone(answer["cells"][0]["parent"])
         self.assertEqual([cell["tetrahedron"] for cell in answer["cells"]], [0, 1])
@@ -188,7 +188,7 @@ class EmbedRefusals(ProgramTest):
             self.assert_refused("embed", TRIPUS, option, "", says=".svg", kind="usage")
         self.assert_refused("embed", TRIPUS, "--circles", "x.obj", says=".svg", kind="usage")
         self.assert_refused("embed", TRIPUS, "-o", "x.svg", "--circles", "./x.svg",
-                            says="another name")
+                            says="name two files")
         self.assert_refused("embed", TRIPUS, "-o", "no/such/x.obj", says="No such file")
         self.assert_refused("embed", TRIPUS, "--circles", "no/such/x.svg", says="No such file")
         self.assert_refused("embed", TRIPUS, "-o", "x.obj", "--tessellation", "1e-30",

@@ -128,6 +128,44 @@ class OrthospectrumText(ProgramTest):
         self.assertEqual(len(plot.findall("{*}path")), 1)
 
 
+class OrthospectrumProofs(ProgramTest):
+    def test_proved_lengths(self):
+        answer = self.json_answer("orthospectrum", TRIPUS, "--length", "5", "--prove")
+        self.assertIs(answer["proved"], True)
+        for arc in answer["arcs"]:
+            lower, upper = arc["proved_length"]
+            self.assertLessEqual(lower, upper)
+            self.assertAlmostEqual(lower, arc["length"], delta=1e-12)
+            self.assertLess(upper - lower, 1e-13)
+        result = self.run_program("orthospectrum", TRIPUS, "--length", "5", "--prove", "--tsv",
+                                  "arcs.tsv")
+        self.assertEqual(result.text.count("proved to within"), len(answer["arcs"]))
+        self.assertIn("not that there are no others", result.text)
+        lines = (self.folder / "arcs.tsv").read_text().splitlines()
+        self.assertTrue(lines[0].endswith("\tproved_from\tproved_to"))
+        self.assertEqual(len(lines), 1 + answer["arc_count"])
+        for line in lines[1:]:
+            cells = line.split("\t")
+            self.assertLessEqual(float(cells[-2]), float(cells[-1]))
+
+
+class OrthospectrumCusps(ProgramTest):
+    CUSPED = "dLQacccjjkg"  # genus 2 and a torus
+
+    def test_arcs_and_picture(self):
+        answer = self.json_answer("orthospectrum", self.CUSPED, "--length", "8", "--summary")
+        self.assertAlmostEqual(answer["volume"]["from_area"], 7.79763688,
+                               delta=answer["volume"]["from_area_uncertainty"])
+        self.assertAlmostEqual(answer["area"]["exact"], 4 * math.pi, delta=1e-12)
+        result = self.run_program("orthospectrum", self.CUSPED, "--length", "6", "--picture",
+                                  "spots.svg")
+        self.assertEqual((result.status, result.err), (0, ""))
+        text = (self.folder / "spots.svg").read_text()
+        self.assertIn("genus 2", text)
+        self.assertNotIn("genus 1", text)
+        self.assertNotIn("nan", text)
+
+
 class OrthospectrumRefusals(ProgramTest):
     def expect_refused(self, *arguments, says, status=2):
         result = self.run_program("orthospectrum", *arguments)
@@ -149,7 +187,9 @@ class OrthospectrumRefusals(ProgramTest):
         self.expect_refused(TRIPUS, "--length", "18", says="--force")
 
     def test_inputs_without_geodesic_boundary(self):
-        self.expect_refused("cPcbbbiht", says="cusp")
+        self.expect_refused("cPcbbbiht", says="without geodesic boundary")
+        self.expect_refused("bkaaid", says="Klein bottle")
+        self.expect_refused("bkaagj", says="closed")
 
     def test_no_metric(self):
         self.expect_refused(WITHOUT_METRIC, says="without a metric there are no arcs", status=1)

@@ -1,4 +1,4 @@
-"""The README's tour: every command in it runs and prints what it shows."""
+"""The README's tour and the tutorials: every command in them runs and prints what it shows."""
 
 import re
 import shlex
@@ -6,14 +6,15 @@ from pathlib import Path
 
 from support import DATA, ProgramTest
 
-README = Path(__file__).resolve().parents[2] / "README.md"
+ROOT = Path(__file__).resolve().parents[2]
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs" / "tutorials").glob("*.md"))]
 NUMBER = re.compile(r"[-+]?\d+\.\d+(?:e[-+]?\d+)?|[-+]?\d+e[-+]?\d+")
 
 
-def commands():
-    """(command, the lines shown under it) for each "$ tripus ..." of the README."""
+def commands(page):
+    """(command, the lines shown under it) for each "$ tripus ..." of a page."""
     found = []
-    for line in README.read_text(encoding="utf-8").splitlines():
+    for line in page.read_text(encoding="utf-8").splitlines():
         if line.startswith("    $ "):
             found.append((line[6:], []))
         elif found and found[-1][1] is not None:
@@ -42,19 +43,29 @@ class Tour(ProgramTest):
     def test_is_what_the_program_prints(self):
         (self.folder / "data").symlink_to(DATA)
         (self.folder / "examples").symlink_to(DATA.parent / "examples")
-        run = commands()
-        self.assertGreater(len(run), 8)
-        for command, shown in run:
-            with self.subTest(command):
-                words = shlex.split(command)[1:]
-                target = None
-                if ">" in words:
-                    target = words[words.index(">") + 1]
-                    words = words[:words.index(">")]
-                result = self.run_program(*words)
-                self.assertIn(result.status, (0, 1), result.err)
-                self.assertEqual(result.err, "")
-                if target:
-                    self.write(target, result.out)
-                elif shown:
-                    self.assert_shown(shown, result.lines)
+        for page in PAGES:
+            run = commands(page)
+            self.assertGreater(len(run), 4, page.name)
+            for command, shown in run:
+                with self.subTest(command, page=page.name):
+                    self.assert_runs(command, shown)
+
+    def test_every_page_is_in_the_index(self):
+        index = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
+        for page in [*(ROOT / "docs").glob("*.md"), *(ROOT / "docs" / "tutorials").glob("*.md")]:
+            if page.name != "index.md":
+                self.assertIn(f"({page.relative_to(ROOT / 'docs')})", index)
+
+    def assert_runs(self, command, shown):
+        words = shlex.split(command, comments=True)[1:]
+        target = None
+        if ">" in words:
+            target = words[words.index(">") + 1]
+            words = words[:words.index(">")]
+        result = self.run_program(*words)
+        self.assertIn(result.status, (0, 1), result.err)
+        self.assertEqual(result.err, "")
+        if target:
+            self.write(target, result.out)
+        elif shown:
+            self.assert_shown(shown, result.lines)

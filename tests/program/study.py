@@ -118,7 +118,7 @@ class Study(ProgramTest):
     def test_other_options_do_not_mix_with_what_is_there(self):
         self.json_answer("study", "paper", TRIPUS, "-o", "out")
         self.assert_refused("study", "paper", TRIPUS, "-o", "out", "--seed", "2",
-                            says="holds another study")
+                            says="is of other inputs, options or version")
 
     def test_refuses_what_it_cannot_study(self):
         self.assert_refused("study", "weather", "-o", "out",

@@ -280,7 +280,7 @@ class Gallery(ProgramTest):
         self.write("list.html", TRIPUS + "\n")
         (self.folder / "alias.html").symlink_to("list.html")
         for index in ("list.html", "./list.html", "alias.html"):
-            self.assert_refused("view", "--gallery", "list.html", "-o", index, says="list itself")
+            self.assert_refused("view", "--gallery", "list.html", "-o", index, says="which is read")
         self.assertEqual((self.folder / "list.html").read_text(), TRIPUS + "\n")
         self.write("index.html", "precious")
         self.assert_refused("view", "--gallery", "none", "-o", "index.html", says="none")

@@ -25,5 +25,21 @@ TEST(CanonicalCompareArcs, EqualArcsNeverProveThatManifoldsAreEqual) {
   EXPECT_EQ(comparison.decided_by, "decomposition");
 }
 
+/// Cyclic covers with seven sheets of t4g3.1539 and t4g3.1596: volume, boundary and first homology
+/// agree. Canonical decompositions, the other route, say the same.
+TEST(CanonicalCompareArcs, DifferentArcsDecide) {
+  const topology::Triangulation first(topology::decode_isosig(
+      "CvvLvLLvALPwLAQQQQQkgkoplmnpsyvywurBAxvtzBvzAzxABdlsprjfdtmeatnwbknwbfvvjgwcws"));
+  const topology::Triangulation second(topology::decode_isosig(
+      "CLvvLvvPMLQAPvAQQQMkbiroomlssrlpwvyyzwAxAvvzxzBBBlaliitdiuudldaimaahedaieiappa"));
+  const Comparison comparison = compare(first, second);
+  EXPECT_EQ(comparison.verdict, Verdict::kDifferent);
+  EXPECT_EQ(comparison.decided_by, "orthospectrum");
+  const CanonizeAnswer a = canonize(first), b = canonize(second);
+  ASSERT_TRUE(a.manifold && b.manifold);
+  EXPECT_NEAR(a.manifold->report.volume, b.manifold->report.volume, 1e-9);
+  EXPECT_NE(a.manifold->signature.unoriented, b.manifold->signature.unoriented);
+}
+
 }  // namespace
 }  // namespace tripus::canonical

@@ -60,11 +60,12 @@ CensusLine line_of(const std::string& triangulation, const std::string& signatur
 
 TEST(CensusNames, BelongToOneManifold) {
   const CensusEntry& shipped = shipped_census().manifolds.at(100);
-  const std::string other = "a signature that is not there";
+  const std::string other = "a signature that is not there, with a sign-";
   const Census census = make_census({line_of("eLMkbcdddheipi", other),
                                      line_of(shipped.triangulations.back(), shipped.signature)});
   ASSERT_EQ(census.manifolds.size(), 2u);
   EXPECT_EQ(census.find(shipped.signature)->name, shipped.name);
+  EXPECT_EQ(census.find(shipped.signature + "-")->name, shipped.name);
   // The name claims nothing, and is an input.
   EXPECT_EQ(census.find(other)->name, other);
   for (const CensusEntry& entry : census.manifolds) {

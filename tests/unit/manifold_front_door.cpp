@@ -135,6 +135,21 @@ TEST(FrontDoor, RefusesWhatIsNoManifold) {
 }
 
 /// A file at its name is the old one or the new one, whole.
+TEST(FrontDoor, KeepsWhatItWasMadeFrom) {
+  topology::NamedGluings given = load_input("cPcbbbihq-");
+  given.name = "mirror";
+  const Manifold M(given, "from elsewhere");
+  EXPECT_EQ(M.name(), "mirror");
+  EXPECT_EQ(M.input(), "from elsewhere");
+  EXPECT_EQ(M.label(), "from elsewhere");
+  EXPECT_TRUE(M.is_orientation_known());
+  EXPECT_EQ(M.oriented_signature(), "cPcbbbihq-");
+  EXPECT_FALSE(load("cPcbbbihq").is_orientation_known());
+  EXPECT_EQ(load("cPcbbbihq").oriented_signature(), std::nullopt);
+  given.cone_angles.assign(1, 1.0);
+  EXPECT_THROW(Manifold(given, "labelled"), Unsupported);
+}
+
 TEST(OutputFile, IsWholeOrNotThere) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "tripus-output-file";
   std::filesystem::remove_all(folder);

@@ -144,7 +144,7 @@ TEST(MeshingTetrahedralize, KeepsItsPromisesInsideACoarseBoundary) {
   TetrahedralizeOptions tiny;
   tiny.max_volume = 1e-300;
   tiny.memory_limit = 1 << 28;
-  EXPECT_THROW(tetrahedralize(require_valid(simplex), tiny), Unsupported);
+  EXPECT_THROW(tetrahedralize(require_valid(simplex), tiny), InvalidInput);
 }
 
 TEST(MeshingTetrahedra, OrderOfCornersIsMended) {

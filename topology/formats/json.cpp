@@ -1,10 +1,14 @@
 #include "topology/formats/json.hpp"
 
+#include <cstdint>
+#include <optional>
+
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
 #include "topology/detail/text.hpp"
 #include "topology/triangulation.hpp"
+#include "topology/work_size.hpp"
 
 namespace tripus::topology {
 namespace {
@@ -78,9 +82,116 @@ std::vector<ConeAngle> read_cone_orders(const json& list, const Gluings& gluings
   return angles;
 }
 
+/// Reads {"name": ..., "gluings": [...]} as it comes, without a document in memory: that takes a
+/// kilobyte a tetrahedron, and its destructor, which must not fail, asks for memory too. What is not
+/// as it should be, and labels, are left to the reader of documents, who says what is wrong.
+class PlainReader : public nlohmann::json_sax<json> {
+ public:
+  NamedGluings take() {
+    result_.gluings.resize(sides_ / 4);
+    return std::move(result_);
+  }
+  bool has_gluings() const { return done_; }
+
+  bool key(string_t& name) override {
+    if (depth_ == 1) key_ = name;
+    return key_ != "cone_orders" && !(done_ && key_ == "gluings");
+  }
+  bool start_object(std::size_t) override { return !in_table() && open(); }
+  bool end_object() override { return close(); }
+  bool start_array(std::size_t) override {
+    if (!open()) return false;
+    if (!in_table()) return true;
+    if (depth_ == kRow) return sides_ % 4 == 0;
+    if (depth_ == kFace) entries_ = 0;
+    return depth_ <= kFace;
+  }
+  bool end_array() override {
+    if (in_table() && depth_ == kFace && (entries_ != 2 || !add_side(false))) return false;
+    if (in_table() && depth_ == kRow && sides_ != row_begins_ + 4) return false;
+    if (in_table() && depth_ == kRow) row_begins_ = sides_;
+    if (in_table() && depth_ == kTable) done_ = true;
+    return close();
+  }
+  bool null() override { return !in_table() || (depth_ == kRow && add_side(true)); }
+  bool number_unsigned(number_unsigned_t value) override {
+    if (!in_table()) return depth_ > 1 || key_ != "name";
+    other_ = value;
+    return depth_ == kFace && entries_++ == 0 && value < kMaxTetrahedra;
+  }
+  bool string(string_t& value) override {
+    if (!in_table()) {
+      if (depth_ == 1 && key_ == "name") result_.name = value;
+      return true;
+    }
+    perm_ = detail::parse_perm(value);
+    return depth_ == kFace && entries_++ == 1 && perm_;
+  }
+  bool boolean(bool) override { return outside(); }
+  bool number_integer(number_integer_t) override { return outside(); }
+  bool number_float(number_float_t, const string_t&) override { return outside(); }
+  bool binary(binary_t&) override { return false; }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+    return false;
+  }
+
+ private:
+  /// Depths of the table, of the row of a tetrahedron and of a face.
+  static constexpr int kTable = 2, kRow = 3, kFace = 4;
+
+  bool in_table() const { return key_ == "gluings" && depth_ >= 1; }
+  bool outside() const { return !in_table() && (depth_ > 1 || key_ != "name"); }
+  bool open() {
+    ++depth_;
+    return depth_ <= kDeepest && (depth_ > 1 || !in_table());
+  }
+  bool close() {
+    --depth_;
+    if (depth_ == 1) key_.clear();
+    return true;
+  }
+  bool add_side(bool open) {
+    const std::size_t t = sides_ / 4;
+    if (t >= kMaxTetrahedra) return false;
+    if (t == result_.gluings.tetrahedron_count()) {
+      note_work_size(t + 1);
+      result_.gluings.resize(t + 1 + t / 2);
+    }
+    if (!open)
+      result_.gluings.set_one_side(t, static_cast<int>(sides_ % 4),
+                                   static_cast<TetrahedronIndex>(other_), *perm_);
+    ++sides_;
+    return true;
+  }
+
+  NamedGluings result_;
+  std::string key_;  // at the top level
+  int depth_ = 0;
+  bool done_ = false;
+  std::size_t sides_ = 0, row_begins_ = 0;
+  int entries_ = 0;  // of a face
+  std::uint64_t other_ = 0;
+  std::optional<Perm4> perm_;
+};
+
+std::optional<NamedGluings> read_plain(std::string_view text) {
+  PlainReader reader;
+  if (!json::sax_parse(text.begin(), text.end(), &reader) || !reader.has_gluings())
+    return std::nullopt;
+  NamedGluings result = reader.take();
+  const std::size_t count = result.gluings.tetrahedron_count();
+  for (std::size_t t = 0; t < count; ++t)
+    for (int f = 0; f < 4; ++f)
+      if (!result.gluings.is_open(t, f) && result.gluings.neighbour(t, f) >= count)
+        return std::nullopt;
+  require_consistent(result.gluings, OpenFaces::kAllowed);
+  return result;
+}
+
 }  // namespace
 
 NamedGluings read_json(std::string_view text) {
+  if (auto plain = read_plain(text)) return *std::move(plain);
   const json document = parse(text);
   const auto table = document.is_object() ? document.find("gluings") : document.end();
   if (!document.is_object() || table == document.end() || !table->is_array())

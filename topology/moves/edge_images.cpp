@@ -57,8 +57,7 @@ std::vector<std::uint32_t> edge_images(const Triangulation& before, const Move& 
   for (const TetrahedronIndex t : change.removed) number[t] = kNoTetrahedron;
   for (std::size_t t = 0; t < number.size(); ++t) {
     if (number[t] == kNoTetrahedron) continue;
-    for (int e = 0; e < 6; ++e)
-      images[before.edge_class(t, e)] = after.edge_class(number[t], e);
+    for (int e = 0; e < 6; ++e) images[before.edge_class(t, e)] = after.edge_class(number[t], e);
   }
   // Others by the points of the ball.
   const std::optional<Ball> ball = ball_of(before.gluings(), move);

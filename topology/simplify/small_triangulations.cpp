@@ -10,12 +10,13 @@
 namespace tripus::topology {
 
 std::vector<Gluings> small_triangulations(const Gluings& closed, std::size_t seeds,
-                                          const std::atomic<bool>* stop_requested) {
+                                          const std::atomic<bool>* stop_requested, double effort) {
   const Gluings start = oriented(closed);
   std::vector<std::string> found;
   for (std::size_t seed = 0; seed < seeds; ++seed) {
     SimplifyOptions options;
     options.seed = seed;
+    options.effort = effort;
     options.stop_requested = stop_requested;
     const Simplified simplified = simplify(start, options);
     if (simplified.stopped) return {};

@@ -51,6 +51,9 @@ function dump(page) {
     };
     out.identities = picture(true);
     out.colours = picture(false);
+    // hover=0.5:0.5,0.2:0.7: what is said of these places, x and y from the upper left corner.
+    out.hover = (page.wishes.get('hover') ?? '').split(',').filter(Boolean)
+        .map((place) => page.hover.at(...place.split(':').map(Number)));
     const frames = Number(page.wishes.get('frames') ?? 0);
     const begin = performance.now();
     for (let i = 0; i < frames; ++i) {

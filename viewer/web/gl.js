@@ -109,6 +109,15 @@ class Graphics {
     return pixels;
   }
 
+  /// One pixel of it, counted from the lower left corner.
+  readAt(x, y) {
+    const {gl, target} = this;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
+    const pixel = new Uint8Array(4);
+    gl.readPixels(x, y, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    return pixel;
+  }
+
   /// Waits until everything is drawn.
   finish() {
     const {gl, target} = this;

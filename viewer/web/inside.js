@@ -35,14 +35,48 @@ class InsideView {
     return numbers;
   }
 
-  draw(state, camera, width, height) {
-    const gl = this.graphics.gl;
-    const {at, program} = this.program;
-    const aspect = width / height;
+  /// Tangents of half the angles of view, across and upwards.
+  tangent(aspect) {
     const narrow = 0.72;
     const tangent = aspect >= 1 ? [narrow * aspect, narrow] : [narrow, narrow / aspect];
     // A wide picture would stretch its sides: beyond a right angle across, no wider.
     const shrink = Math.min(1, 1.25 / Math.max(...tangent));
+    return tangent.map((x) => x * shrink);
+  }
+
+  /// Follows the line of sight at a place of the picture (x, y from 0 to 1, from the upper left)
+  /// through so many faces: the tetrahedra on the way, and the [tetrahedron, face] crossed.
+  follow(camera, x, y, {width, height}, crossings) {
+    const tangent = this.tangent(width / height);
+    const ray = [(2 * x - 1) * tangent[0], (1 - 2 * y) * tangent[1], 1, 0];
+    const unit = Lorentz.scale(ray, 1 / Math.hypot(...ray));
+    let [point, direction, from] =
+        [Lorentz.column(camera.frame, 3), Lorentz.apply(camera.frame, unit), -1];
+    const path = [camera.tetrahedron], letters = [];
+    for (let i = 0; i < crossings; ++i) {
+      const t = path.at(-1);
+      let [face, least] = [-1, Infinity];
+      this.manifold.tetrahedra[t].faces.forEach((normal, f) => {
+        const [a, b] = [Lorentz.dot(normal, point), Lorentz.dot(normal, direction)];
+        if (f !== from && b > 0 && -a / b < least) [face, least] = [f, -a / b];
+      });
+      if (face < 0 || least >= 1) break;
+      const along = Math.atanh(Math.max(0, least));
+      const [c, s] = [Math.cosh(along), Math.sinh(along)];
+      [point, direction] = [Lorentz.combine(c, point, s, direction),
+                            Lorentz.combine(s, point, c, direction)]
+          .map((v) => Lorentz.apply(this.manifold.crossing[t][face], v));
+      letters.push([t, face]);
+      from = this.manifold.gluedFace[t][face];
+      path.push(this.manifold.neighbour[t][face]);
+    }
+    return {path, letters};
+  }
+
+  draw(state, camera, width, height) {
+    const gl = this.graphics.gl;
+    const {at, program} = this.program;
+    const tangent = this.tangent(width / height);
     gl.useProgram(program);
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D, this.texture);
@@ -50,9 +84,9 @@ class InsideView {
     gl.uniform1i(at('uPerRow'), kTetrahedraPerRow);
     gl.uniform1i(at('uStart'), camera.tetrahedron);
     gl.uniformMatrix4fv(at('uFrame'), true, camera.frame);
-    gl.uniform2f(at('uTangent'), tangent[0] * shrink, tangent[1] * shrink);
+    gl.uniform2fv(at('uTangent'), tangent);
     gl.uniform2f(at('uSize'), width, height);
-    gl.uniform1f(at('uPixel'), 2 * tangent[1] * shrink / height);
+    gl.uniform1f(at('uPixel'), 2 * tangent[1] / height);
     gl.uniform1i(at('uMaxCrossings'), state.crossings);
     gl.uniform1f(at('uTube'), Math.sinh(state.tube) ** 2);
     gl.uniform1f(at('uFog'), 1 / state.sight);

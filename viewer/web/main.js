@@ -46,6 +46,7 @@ class Page {
     connectPanel(this.state, (name) => this.changed(name));
     for (const id of ['reset', 'save']) element(id).addEventListener('click', () => this.act(id));
     this.controls = new Controls(this.canvas, this);
+    this.hover = new Hover(this);
     this.canvas.addEventListener('webglcontextlost', (e) => {
       e.preventDefault();
       this.graphics = null;
@@ -163,8 +164,28 @@ class Page {
       return;
     }
     showState(state, Math.min(state.cells, this.views.outside.cover.cells.length));
-    element('status').textContent =
-        state.view === 'inside' ? `in tetrahedron ${this.walker.tetrahedron}` : '';
+    this.showStatus();
+  }
+
+  /// Where one is, and what the pointer rests on.
+  showStatus() {
+    const here = this.state.view === 'inside' ? [`in tetrahedron ${this.walker.tetrahedron}`] : [];
+    if (this.hover.text) here.push(this.hover.text);
+    element('status').textContent = here.join('; seen: ');
+  }
+
+  /// The four bytes of common.glsl's kIdentities at a place of the picture, x and y from 0 to 1.
+  identityAt(x, y) {
+    const {canvas, graphics, state} = this;
+    const {width, height} = canvas;
+    const before = state.identities;
+    state.identities = true;
+    graphics.begin(width, height);
+    this.views[state.view].draw(state, state.view === 'inside' ? this.walker : this.orbit, width,
+                                height, 1);
+    state.identities = before;
+    return graphics.readAt(Math.min(width - 1, Math.floor(x * width)),
+                           Math.max(0, height - 1 - Math.floor(y * height)));
   }
 }
 

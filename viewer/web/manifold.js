@@ -80,7 +80,7 @@ class UniversalCover {
     this.found = [];  // everything discovered; cells are those that have had their turn
     this.known = new Set();
     this.queue = new Heap((p, q) => this.found[p].isometry[15] - this.found[q].isometry[15] || p - q);
-    this.discover(root, Lorentz.identity, 0, null);
+    this.discover(root, Lorentz.identity, 0, null, null);
   }
 
   /// The first `count` cells; fewer only if that many cannot be told apart in doubles.
@@ -93,18 +93,19 @@ class UniversalCover {
         const image =
             Lorentz.multiply(cell.isometry, this.manifold.pairing[cell.tetrahedron][f]);
         this.discover(this.manifold.neighbour[cell.tetrahedron][f], Lorentz.orthonormalise(image),
-                      cell.depth + 1, number);
+                      cell.depth + 1, number, f);
       }
     }
     return this.cells.slice(0, count);
   }
 
-  discover(tetrahedron, isometry, depth, parent) {
+  /// `face` of the parent was crossed.
+  discover(tetrahedron, isometry, depth, parent, face) {
     const centre = Lorentz.column(isometry, 3);
     if (!(centre[3] < UniversalCover.kLargestTime)) return;
     if (this.keys(tetrahedron, centre).some((key) => this.known.has(key))) return;
     this.known.add(this.keys(tetrahedron, centre, 0)[0]);
-    this.found.push({tetrahedron, isometry, depth, parent});
+    this.found.push({tetrahedron, isometry, depth, parent, face});
     this.queue.push(this.found.length - 1);
   }
 

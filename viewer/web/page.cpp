@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/version.hpp"
+#include "topology/covers/presentation.hpp"
 #include "viewer/web/detail/assets.hpp"
 
 namespace tripus::viewer {
@@ -63,6 +64,13 @@ void append_topology(Text& out, const topology::Triangulation& m) {
   };
   table("edge_classes", m.edge_classes(), 6);
   table("vertex_classes", m.vertex_classes(), 4);
+  append_key(out, "face_letters");
+  const std::vector<topology::Letter> crossed = topology::fundamental_group(m).face_letters;
+  append_list(out, count, [&](std::size_t t) {
+    append_list(out, 4, [&](std::size_t f) {
+      fmt::format_to(std::back_inserter(out), "{}", crossed[4 * t + f]);
+    });
+  });
   append_key(out, "gluings");
   append_list(out, count, [&](std::size_t t) {
     append_list(out, 4, [&](std::size_t f) {

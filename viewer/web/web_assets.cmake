@@ -5,7 +5,7 @@ set(TRIPUS_WEB_SHADERS
   outside_ground.frag.glsl inside.frag.glsl)
 set(TRIPUS_WEB_SCRIPTS
   lorentz.js manifold.js palette.js gl.js outside.js cameras.js inside.js panel.js controls.js
-  dump.js main.js)
+  hover.js dump.js main.js)
 set(TRIPUS_WEB_TEXTS page.html style.css gallery.html gallery.css)
 
 set(TRIPUS_WEB_ENTRIES "")

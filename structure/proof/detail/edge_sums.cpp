@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
-#include <thread>
 
+#include "base/threads.hpp"
 #include "geometry/enclosure.hpp"
 
 namespace tripus::structure::detail {
@@ -98,11 +98,7 @@ struct EnclosingPass {
         for (std::size_t c = next++; c < end; c = next++)
           compute(c * kTetrahedraOfChunk, wave[c - begin]);
       };
-      {
-        std::vector<std::jthread> others;
-        for (std::size_t k = 1; k < threads; ++k) others.emplace_back(work);
-        work();
-      }
+      run_on_threads(threads, work);
       for (std::size_t c = begin; c < end; ++c) add(c * kTetrahedraOfChunk, wave[c - begin]);
     }
   }

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "canonical/census.hpp"
+
+namespace tripus::canonical::detail {
+
+/// Volumes with 15 digits, as a table shows them, or with all there are.
+enum class VolumeDigits { kShown, kAll };
+
+/// The lines of a table: manifolds, then what is unresolved.
+std::vector<std::string> census_lines(const Census& census, VolumeDigits digits);
+
+/// Their checksums, eight hexadecimal digits each, parted by spaces.
+std::string checksums_of(const std::vector<std::string>& lines);
+
+/// The first line that has not its checksum; the number of lines if there are more or fewer of
+/// them than checksums; nothing if all is as it was written.
+std::optional<std::size_t> first_damaged(const std::vector<std::string>& lines,
+                                         std::string_view checksums);
+
+}  // namespace tripus::canonical::detail

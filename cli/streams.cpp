@@ -1,0 +1,39 @@
+#include "cli/streams.hpp"
+
+#include <csignal>
+#include <cstdlib>
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "cli/exit_status.hpp"
+
+namespace tripus::cli {
+
+void secure_standard_streams() {
+  for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
+    if (::fcntl(stream, F_GETFD) != -1) continue;
+    // The lowest free number is this one.
+    const int got = ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    if (got != stream) std::_Exit(kInternalFailure);
+  }
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+void limit_blas_threads(char** argv) {
+  constexpr const char* kThreads = "OPENBLAS_NUM_THREADS";
+  if (std::getenv(kThreads) != nullptr) return;
+  rlimit space{};
+  if (::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY) {
+    ::setenv(kThreads, "1", 0);
+    ::execv("/proc/self/exe", argv);  // where there is no such file, as if nothing had been
+    return;
+  }
+  using SetThreads = void (*)(int);
+  if (void* found = ::dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))
+    reinterpret_cast<SetThreads>(found)(1);
+}
+
+}  // namespace tripus::cli

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include <nanobind/nanobind.h>
+
+#include "python/src/running.hpp"
+#include "structure/report.hpp"
+#include "structure/solve.hpp"
+
+/// The extension tripus._core: plain functions and two classes. What users see, with names,
+/// documentation and types, is Python (python/tripus); nothing is computed in either.
+namespace tripus::python {
+
+void bind_errors(nb::module_& module);
+void bind_manifold(nb::module_& module);
+void bind_metric(nb::module_& module);
+void bind_canonical(nb::module_& module);
+void bind_files(nb::module_& module);
+void bind_solve_many(nb::module_& module);
+void bind_studies(nb::module_& module);
+void bind_views(nb::module_& module);
+
+/// Names and paths may be any bytes; Python decodes them as it does file names.
+inline std::string as_string(const nb::bytes& bytes) { return {bytes.c_str(), bytes.size()}; }
+inline nb::bytes as_bytes(const std::string& text) { return nb::bytes(text.data(), text.size()); }
+
+/// A report as a dict; arrays are copies.
+nb::dict as_dict(const structure::Report& report);
+
+}  // namespace tripus::python

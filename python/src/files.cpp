@@ -1,0 +1,149 @@
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <tripus/tripus.hpp>
+
+#include "base/output_file.hpp"
+#include "manifold/prepared.hpp"
+#include "meshing/formats/read_graph.hpp"
+#include "meshing/manifold.hpp"
+#include "meshing/tube/tube_surface.hpp"
+#include "python/src/arrays.hpp"
+#include "python/src/bindings.hpp"
+#include "topology/formats/json.hpp"
+#include "topology/formats/orb.hpp"
+#include "topology/formats/regina.hpp"
+#include "topology/formats/snappea.hpp"
+
+namespace tripus::python {
+namespace {
+
+using PointArray = nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+using IndexArray = nb::ndarray<const std::uint32_t, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+
+/// The triangulation that a text holds, as `load` gives that of a file. What another program wrote
+/// for us, such as peripheral curves, is left out without a note.
+Manifold from_text(const nb::bytes& given, bool notes, const Limits& limits) {
+  const std::string text = as_string(given);
+  return run(limits, [&](const Context& context) {
+    topology::NamedGluings loaded = topology::read_triangulation(text);
+    if (!notes) loaded.notes.clear();
+    const StopFlag stop(context);
+    make_ideal(loaded, topology::FiniteVertices::kKeep, stop.get());
+    for (const std::string& note : loaded.notes) context.note(note);
+    return Manifold(std::move(loaded));
+  });
+}
+
+struct TextFormat {
+  std::string_view name;
+  std::string (*write)(const topology::NamedGluings&);
+};
+constexpr TextFormat kTextFormats[] = {{"json", topology::write_json},
+                                       {"regina", topology::write_regina_xml},
+                                       {"regina-table", topology::write_regina_table},
+                                       {"snappea", topology::write_snappea},
+                                       {"orb", topology::write_orb}};
+
+nb::bytes to_text(const Manifold& manifold, const std::string& format) {
+  for (const TextFormat& each : kTextFormats)
+    if (format == each.name)
+      return as_bytes(each.write({manifold.name(), manifold.triangulation().gluings()}));
+  throw InvalidInput("there is no format " + quoted(format) +
+                     "; json, regina, regina-table, snappea and orb there are");
+}
+
+meshing::MeshFile mesh_of(const PointArray& points, const IndexArray& cells) {
+  if (points.shape(1) != 3) throw InvalidInput("points are an array [n x 3]");
+  std::vector<meshing::Point> places(points.shape(0));
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) places[i][k] = points.data()[3 * i + k];
+  const std::size_t corners = cells.shape(1);
+  if (corners != 3 && corners != 4)
+    throw InvalidInput("cells are an array [n x 3] of triangles or [n x 4] of tetrahedra");
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (cells.data()[i] >= places.size())
+      throw InvalidInput("cell " + std::to_string(i / corners) + " has point " +
+                         std::to_string(cells.data()[i]) + "; there are " +
+                         std::to_string(places.size()) + ", counted from 0");
+  const auto copy_to = [&](auto& to) {
+    to.resize(cells.shape(0));
+    for (std::size_t i = 0; i < to.size(); ++i)
+      std::copy_n(cells.data() + corners * i, corners, to[i].begin());
+  };
+  if (corners == 3) {
+    meshing::SurfaceFile file;
+    file.mesh.points = std::move(places);
+    copy_to(file.mesh.triangles);
+    return file;
+  }
+  meshing::TetrahedralFile file;
+  file.mesh.points = std::move(places);
+  copy_to(file.mesh.tetrahedra);
+  return file;
+}
+
+/// The solid of a surface or of a tetrahedral mesh; also the tetrahedra at each stage.
+nb::tuple from_mesh(const PointArray& points, const IndexArray& cells, const nb::bytes& name,
+                    std::uint64_t seed, const Limits& limits) {
+  const meshing::MeshFile file = mesh_of(points, cells);
+  const std::string called = as_string(name);
+  meshing::Manifold solid = run(limits, [&](const Context& context) {
+    const StopFlag stop(context);
+    meshing::ManifoldOptions options;
+    options.seed = seed;
+    options.progress = context.progress;
+    options.stop_requested = stop.get();
+    meshing::Manifold made = meshing::manifold_of(file, options);
+    for (const std::string& note : made.notes) context.note(note);
+    return made;
+  });
+  nb::dict stages;
+  for (std::size_t s = 0; s < meshing::kStageCount; ++s)
+    stages[nb::str(std::string(meshing::stage_name(meshing::Stage(s))).c_str())] =
+        solid.tetrahedra[s];
+  return nb::make_tuple(Manifold(topology::NamedGluings{called, std::move(solid.gluings)}), stages);
+}
+
+/// The surface of the tube around a graph in space: points and triangles.
+nb::tuple tube_around(const nb::bytes& drawing, const Limits& limits) {
+  const std::string text = as_string(drawing);
+  const meshing::SurfaceMesh surface = run(limits, [&](const Context& context) {
+    const StopFlag stop(context);
+    meshing::TubeOptions options;
+    options.progress = [&](std::string_view activity) { context.report(activity); };
+    options.stop_requested = stop.get();
+    return meshing::tube_surface(meshing::read_graph(text), options);
+  });
+  std::vector<double> points;
+  for (const auto& p : surface.points) points.insert(points.end(), p.begin(), p.end());
+  std::vector<std::uint32_t> triangles;
+  for (const auto& t : surface.triangles) triangles.insert(triangles.end(), t.begin(), t.end());
+  return nb::make_tuple(owned(std::move(points), {surface.points.size(), 3}),
+                        owned(std::move(triangles), {surface.triangles.size(), 3}));
+}
+
+}  // namespace
+
+void bind_files(nb::module_& module) {
+  module.def("from_text", from_text);
+  module.def("to_text", to_text);
+  module.def("tube_around", tube_around);
+  module.def("from_mesh", from_mesh);
+  module.def("renamed", [](const Manifold& manifold, const nb::bytes& name) {
+    topology::NamedGluings given{as_string(name), manifold.triangulation().gluings()};
+    given.orientation_known = manifold.is_orientation_known();
+    return Manifold(std::move(given), manifold.input());
+  });
+  module.def("write_file", [](const nb::bytes& path, const nb::bytes& text) {
+    write_file(as_string(path), {text.c_str(), text.size()});
+  });
+  module.def("read_batch_file", [](const nb::bytes& path) {
+    nb::list lines;
+    for (const auto& line : quickly([&] { return read_batch_file(as_string(path)); }))
+      lines.append(as_bytes(line.text));
+    return lines;
+  });
+}
+
+}  // namespace tripus::python

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <thread>
+
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+#include <tripus/tripus.hpp>
+
+#include "manifold/labels.hpp"
+#include "manifold/prepared.hpp"
+#include "python/src/arrays.hpp"
+#include "python/src/bindings.hpp"
+#include "structure/proof/proof.hpp"
+
+namespace tripus::python {
+namespace {
+
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+/// One answer; the error of an input that is refused goes into its message.
+struct Row {
+  std::string outcome = "unresolved";
+  std::string message = "not reached before the time limit";
+  std::size_t tetrahedra = 0;
+  double volume = kNoNumber;
+  double max_curvature = kNoNumber;
+  double seconds = 0;
+  double lower = kNoNumber, upper = kNoNumber;
+  std::int64_t iterations = 0;
+  bool done = false;
+};
+
+/// An INPUT as text, or a manifold that is there already.
+struct Question {
+  std::string input;
+  std::optional<Manifold> manifold;
+};
+
+void fill(Row& row, const topology::Triangulation& triangulation, const structure::Report& report,
+          bool prove, const Context& context) {
+  row.outcome = structure::to_string(report.outcome);
+  row.message = report.message;
+  row.tetrahedra = triangulation.tetrahedron_count();
+  if (report.outcome == structure::Outcome::kGeometric) row.volume = report.volume;
+  row.max_curvature = report.max_curvature;
+  row.seconds = report.seconds;
+  row.iterations = report.iterations;
+  if (!prove || report.outcome != structure::Outcome::kGeometric) return;
+  const structure::Proof proof = structure::prove(triangulation, report.edge_lengths, {}, context);
+  if (!proof.proved) {
+    row.message = proof.reason;
+    return;
+  }
+  row.lower = proof.volume.lower;
+  row.upper = proof.volume.upper;
+}
+
+/// As a line of `tripus solve --batch`, labels included.
+void answer_text(Row& row, const std::string& input, bool prove, const Context& context) {
+  const auto [plain, labels] = split_labels(input);
+  topology::NamedGluings loaded = load_labelled_input(plain, Balls::kRefused, context);
+  const StopFlag stop(context);
+  if (labels.empty() && loaded.cone_angles.empty())
+    make_ideal(loaded, topology::FiniteVertices::kRemove, stop.get());
+  const topology::Triangulation triangulation(std::move(loaded.gluings));
+  structure::SolveOptions options;
+  options.cone_angles = std::move(loaded.cone_angles);
+  if (!labels.empty())
+    LabelAssignment(options.cone_angles, triangulation.edge_count())
+        .assign("the label", labels, "EDGE=ORDER, such as 0=3", topology::parse_cone_order);
+  options.stop_requested = stop.get();
+  options.time_limit = context.seconds_left();
+  const bool provable = prove && topology::all_full(options.cone_angles);
+  fill(row, triangulation, structure::solve(triangulation, options), provable, context);
+}
+
+Row answer(const Question& question, bool prove, const Context& context) {
+  Row row;
+  row.done = true;
+  try {
+    if (question.manifold) {
+      fill(row, question.manifold->triangulation(), question.manifold->verdict(context), prove,
+           context);
+    } else {
+      answer_text(row, question.input, prove, context);
+    }
+  } catch (const Error& error) {
+    row.outcome = "error";
+    row.message = error.what();
+  }
+  return row;
+}
+
+/// Answers in the order of the questions, by so many threads.
+std::vector<Row> answers(const std::vector<Question>& questions, bool prove,
+                         const Context& context) {
+  std::vector<Row> rows(questions.size());
+  const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+  const auto threads = unsigned(std::min<std::size_t>(
+      context.threads == 0 ? cores : context.threads, std::max<std::size_t>(1, questions.size())));
+  std::atomic<std::size_t> next{0}, done{0};
+  Context each = context;
+  each.threads = 1;
+  each.progress = {};
+  each.note = {};
+  const auto work = [&](bool tells) {
+    for (std::size_t i = next++; i < questions.size(); i = next++) {
+      if (context.stop_requested() || context.expired()) return;
+      rows[i] = answer(questions[i], prove, each);
+      if (++done; tells && done % 64 < threads) context.report("solve", done);
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (unsigned i = 1; i < threads; ++i) others.emplace_back(work, false);
+    work(true);
+  }
+  context.report("solve", done);
+  return rows;
+}
+
+template <class Get>
+auto column(const std::vector<Row>& rows, Get&& get) {
+  using Value = std::decay_t<std::invoke_result_t<Get&, const Row&>>;
+  std::vector<Value> values;
+  values.reserve(rows.size());
+  for (const Row& row : rows) values.push_back(get(row));
+  return values;
+}
+
+nb::dict solve_many(const nb::list& inputs, bool prove, const Limits& limits) {
+  std::vector<Question> questions;
+  questions.reserve(inputs.size());
+  for (const nb::handle each : inputs) {
+    if (nb::isinstance<Manifold>(each)) {
+      questions.push_back({{}, nb::cast<Manifold>(each)});
+    } else {
+      questions.push_back({as_string(nb::cast<nb::bytes>(each)), {}});
+    }
+  }
+  const std::vector<Row> rows =
+      run(limits, [&](const Context& context) { return answers(questions, prove, context); });
+  nb::dict d;
+  d["outcome"] = column(rows, [](const Row& r) { return r.outcome; });
+  d["volume"] = owned(column(rows, [](const Row& r) { return r.volume; }));
+  d["tetrahedra"] = owned(column(rows, [](const Row& r) { return std::int64_t(r.tetrahedra); }));
+  d["max_curvature"] = owned(column(rows, [](const Row& r) { return r.max_curvature; }));
+  d["iterations"] = owned(column(rows, [](const Row& r) { return r.iterations; }));
+  d["seconds"] = owned(column(rows, [](const Row& r) { return r.seconds; }));
+  if (prove) {
+    d["volume_lower"] = owned(column(rows, [](const Row& r) { return r.lower; }));
+    d["volume_upper"] = owned(column(rows, [](const Row& r) { return r.upper; }));
+  }
+  nb::list messages;
+  for (const Row& row : rows) messages.append(as_bytes(row.message));
+  d["message"] = messages;
+  return d;
+}
+
+}  // namespace
+
+void bind_solve_many(nb::module_& module) { module.def("solve_many", solve_many); }
+
+}  // namespace tripus::python

@@ -1,0 +1,238 @@
+"""The metric that a triangulation carries, and its cells in hyperbolic space."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any
+
+from tripus import _core
+from tripus._limits import Progress, limits
+from tripus.answers import Orthospectrum
+from tripus.frames import html_table
+from tripus.verdicts import Verdict, Volume
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+    from tripus.manifold import Manifold
+else:
+    from tripus._lazy import numpy as np
+
+
+class Metric:
+    """The complete hyperbolic metric with totally geodesic boundary (curvature -1).
+
+    Arrays are read-only views into the library's memory: no copies.
+
+    >>> import tripus
+    >>> metric = tripus.Manifold("cPcbbbihq").metric
+    >>> metric.edge_lengths.round(9).tolist(), metric.dihedral_angles.shape
+    ([0.596133895], (2, 6))
+    """
+
+    __slots__ = ("_core", "_manifold")
+
+    def __init__(self, core: _core.Metric, manifold: Manifold) -> None:
+        self._core = core
+        self._manifold = manifold
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _metric_of, (self._manifold,)
+
+    @property
+    def manifold(self) -> Manifold:
+        """The manifold whose metric it is."""
+        return self._manifold
+
+    @property
+    def volume(self) -> Volume:
+        """Hyperbolic volume; `volume.error` is a proved bound on what it is off."""
+        return Volume(self._core.volume(), self)
+
+    @property
+    def edge_lengths(self) -> npt.NDArray[np.float64]:
+        """[E] lengths of the edge classes between the truncating planes, > 0; at cusps from the
+        horospheres of area sqrt(3)/2."""
+        return self._core.edge_lengths()
+
+    @property
+    def dihedral_angles(self) -> npt.NDArray[np.float64]:
+        """[T x 6] radians, in (0, pi), at the edges 01 02 03 12 13 23."""
+        return self._core.dihedral_angles()
+
+    @property
+    def max_curvature(self) -> float:
+        """max |K|, radians: how far the angles around an edge are from 2 pi at most."""
+        return self._core.max_curvature()
+
+    def verdict(self) -> Verdict:
+        """How it was found."""
+        return Verdict(self._core.report())
+
+    def boundary(self) -> list[dict[str, Any]]:
+        """[V] kind, Euler characteristic and area of each boundary component and cusp."""
+        return self.verdict().vertices
+
+    def embedding(self) -> dict[str, npt.NDArray[np.float64]]:
+        """The tetrahedra in the hyperboloid model, x^2 + y^2 + z^2 - t^2, time last.
+
+        vertices       [T x 4 x 4]     unit spacelike, poles of the truncating planes
+        faces          [T x 4 x 4]     outward unit normals of the faces
+        face_pairings  [T x 4 x 4 x 4] the isometry that carries the neighbour across each face,
+                                       from its frame to its place beside the tetrahedron
+
+        Unsupported at cusps and finite vertices.
+        """
+        vertices, faces, pairings = self._core.embedding()
+        return {"vertices": vertices, "faces": faces, "face_pairings": pairings}
+
+    def holonomy(self) -> dict[str, Any]:
+        """Generators of the fundamental group as isometries, in the frame of tetrahedron 0.
+
+        The generators are those of `fundamental_group(simplify_presentation=False)`.
+
+        isometries  [g x 4 x 4]  in O+(3,1)
+        moebius     [g x 2 x 2]  complex, determinant 1, up to sign; of the conjugate where
+        reverses    [g]          says so
+        defect, bound, holds     how far relators are from the identity, and whether double
+                                 precision holds the representation
+        """
+        names = ("isometries", "moebius", "reverses", "rounding", "defect", "bound", "holds")
+        return dict(zip(names, self._core.holonomy()))
+
+    def orthospectrum(
+        self,
+        *,
+        length: float | None = None,
+        count: int | None = None,
+        most_arcs: float = 1e8,
+        time_limit: float | None = None,
+        threads: int = 0,
+        progress: Progress = None,
+    ) -> Orthospectrum:
+        """All arcs orthogonal to the boundary up to a length, or the shortest `count`."""
+        from tripus._errors import InvalidInput
+
+        if (length is None) == (count is None):
+            raise InvalidInput("give one of length= and count=")
+        return Orthospectrum(
+            self._core.orthospectrum(
+                length or 0.0, count or 0, most_arcs, limits(time_limit, threads, progress)
+            )
+        )
+
+    def universal_cover(
+        self,
+        cells: int = 20,
+        *,
+        depth: int | None = None,
+        radius: float | None = None,
+        root: int = 0,
+        time_limit: float | None = None,
+        progress: Progress = None,
+    ) -> CellComplex:
+        """The nearest cells of the universal cover, at most so many, so deep, so far away."""
+        core = self._core.universal_cover(
+            cells, depth, radius, root, limits(time_limit, 0, progress)
+        )
+        return CellComplex(core, self, (cells, depth, radius, root))
+
+    def fundamental_domain(self) -> CellComplex:
+        """Each tetrahedron once."""
+        return CellComplex(self._core.fundamental_domain(), self, None)
+
+    def __repr__(self) -> str:
+        return f"<Metric of {self._manifold}: volume {self.volume}, max|K| {self.max_curvature:.2g}>"
+
+    def _repr_html_(self) -> str:
+        lengths = self.edge_lengths
+        return html_table(
+            {
+                "metric of": str(self._manifold),
+                "volume": f"{float(self.volume):.13g}",
+                "edges": f"{len(lengths)}, {lengths.min():.6g} to {lengths.max():.6g} long",
+                "max|K|": f"{self.max_curvature:.3g}",
+            }
+        )
+
+
+def _metric_of(manifold: Manifold) -> Metric:
+    return manifold.metric
+
+
+def _cells_of(metric: Metric, asked: Any) -> CellComplex:
+    if asked is None:
+        return metric.fundamental_domain()
+    cells, depth, radius, root = asked
+    return metric.universal_cover(cells, depth=depth, radius=radius, root=root)
+
+
+class CellComplex:
+    """Cells of the universal cover, nearest to the first tetrahedron first.
+
+    >>> import tripus
+    >>> cells = tripus.Manifold("cPcbbbihq").metric.universal_cover(10)
+    >>> cells, int(cells.depths.max()), cells.isometries.shape
+    (<CellComplex: 10 cells>, 2, (10, 4, 4))
+    >>> points, triangles = cells.mesh("klein")[:2]
+    >>> bool((points**2).sum(axis=1).max() < 1)
+    True
+    """
+
+    def __init__(self, core: _core.CellComplex, metric: Metric, asked: Any) -> None:
+        self._core = core
+        self._metric = metric
+        self._asked = asked
+        self.tetrahedra, self.depths, self.parents, self.isometries, self.end = core.cells()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _cells_of, (self._metric, self._asked)
+
+    def __len__(self) -> int:
+        return self._core.size()
+
+    def mesh(
+        self, model: str = "ball", error: float = 1e-2, *, time_limit: float | None = None
+    ) -> tuple[npt.NDArray[Any], npt.NDArray[Any], npt.NDArray[Any], npt.NDArray[Any]]:
+        """The cells as closed surfaces: points [P x 3], triangles [F x 3], cell and side [F].
+
+        model is "ball" (Poincare), "klein" or "upper"; error is how far the triangles may lie from
+        the surfaces that they stand for. Sides 0 to 3 are faces, 4 to 7 truncations.
+        """
+        return self._core.mesh(model, error, limits(time_limit))
+
+    def write(
+        self, path: str | os.PathLike[str], model: str = "ball", error: float = 1e-2
+    ) -> int:
+        """Writes .obj, .ply, .vtk, .off, ...; the number of cells written. Whole or not at all."""
+        return self._core.write(os.fsencode(path), model, error, limits())
+
+    def to_pyvista(self, model: str = "ball", error: float = 1e-2) -> Any:
+        """A pyvista.PolyData with the arrays cell, tetrahedron and side."""
+        import pyvista
+
+        points, triangles, cells, sides = self.mesh(model, error)
+        surface = pyvista.PolyData.from_regular_faces(points, triangles)
+        surface.cell_data["cell"] = cells
+        surface.cell_data["tetrahedron"] = self.tetrahedra[cells]
+        surface.cell_data["side"] = sides
+        return surface
+
+    def to_trimesh(self, model: str = "ball", error: float = 1e-2) -> Any:
+        """A trimesh.Trimesh, with nothing merged."""
+        import trimesh
+
+        points, triangles, _, _ = self.mesh(model, error)
+        return trimesh.Trimesh(points, triangles, process=False)
+
+    def to_meshio(self, model: str = "ball", error: float = 1e-2) -> Any:
+        """A meshio.Mesh with cell data."""
+        import meshio
+
+        points, triangles, cells, sides = self.mesh(model, error)
+        data = {"cell": [cells], "tetrahedron": [self.tetrahedra[cells]], "side": [sides]}
+        return meshio.Mesh(points, [("triangle", triangles)], cell_data=data)
+
+    def __repr__(self) -> str:
+        return f"<CellComplex: {len(self)} cells>"

@@ -1,0 +1,91 @@
+"""What manifolds are made from."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from tripus import _core, interop
+from tripus._core import Manifold as CoreManifold
+from tripus._errors import InvalidInput
+from tripus._limits import NO_LIMITS, Progress, limits
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+else:
+    from tripus._lazy import numpy as np
+
+
+def surface_of_drawing(
+    drawing: Any, *, time_limit: float | None = None, progress: Progress = None
+) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]:
+    """Points and triangles of the surface around a drawing; see Manifold.from_drawing."""
+    if isinstance(drawing, (str, os.PathLike)):
+        with open(drawing, "rb") as file:
+            text = file.read()
+    elif isinstance(drawing, Mapping):
+        text = json.dumps(dict(drawing)).encode()
+    else:
+        lines = [np.asarray(line, dtype=float) for line in drawing]
+        if not lines or any(line.ndim != 2 or line.shape[1] != 3 for line in lines):
+            raise InvalidInput("a drawing is a list of polylines, each an array [n x 3]")
+        text = "\n\n".join(
+            "\n".join(" ".join(map(repr, p)) for p in line.tolist()) for line in lines
+        ).encode()
+    points, triangles = _core.tube_around(text, limits(time_limit, 0, progress))
+    return points, triangles
+
+
+def load_text(source: str, time_limit: float | None, progress: Progress) -> CoreManifold:
+    if source.startswith(("% Triangulation", "% orb", "<?xml", '{"')) or "\n" in source:
+        return _core.from_text(source.encode("utf-8", "surrogateescape"), True, NO_LIMITS)
+    try:
+        return _core.load(os.fsencode(source), limits(time_limit, 0, progress))
+    except InvalidInput:
+        mesh = interop.read_by_meshio(source) if os.path.isfile(source) else None
+        if mesh is None:
+            raise
+    points, cells = mesh
+    core: CoreManifold
+    core, _ = _core.from_mesh(
+        points, cells, os.fsencode(source), 0, limits(time_limit, 0, progress)
+    )
+    return core
+
+
+def load_thing(source: Any, time_limit: float | None, progress: Progress) -> CoreManifold:
+    if isinstance(source, (str, os.PathLike)):
+        return load_text(os.fsdecode(os.fspath(source)), time_limit, progress)
+    package = interop.package_of(source)
+    if package in ("snappy", "SnapPy", "SnapPyHP", "spherogram"):
+        return interop.from_snappy(source)
+    if package == "regina":
+        return interop.from_regina(source)
+    if package in interop.MESH_PACKAGES:
+        points, cells = interop.mesh_arrays(source)
+        core: CoreManifold
+        core, _ = _core.from_mesh(points, cells, b"", 0, limits(time_limit, 0, progress))
+        return core
+    if isinstance(source, dict) and "gluings" in source:
+        return interop.from_table(source["gluings"], str(source.get("name", "")))
+    if isinstance(source, tuple) and len(source) == 2:
+        neighbours, images = (np.asarray(a) for a in source)
+        if neighbours.ndim == 2 and images.ndim == 3:
+            if neighbours.size and (neighbours.min() < 0 or neighbours.max() > 0xFFFFFFFE):
+                raise InvalidInput("neighbours are numbers of tetrahedra, from 0")
+            return _core.from_arrays(
+                np.ascontiguousarray(neighbours, dtype=np.uint32),
+                np.ascontiguousarray(images, dtype=np.uint8),
+                b"",
+                b"",
+                True,
+            )
+    if isinstance(source, list):
+        return interop.from_table(source)
+    raise InvalidInput(
+        f"a manifold cannot be made from a {type(source).__name__}: give a signature, the name of "
+        "a file, a gluing table, or a triangulation or mesh of another package"
+    )

@@ -1,0 +1,98 @@
+// What the pointer rests on, in words: tetrahedron, face, edges, and the word of the cell in the
+// generators of the fundamental group: what one crosses on the way there from tetrahedron 0.
+class Hover {
+  constructor(page) {
+    this.page = page;
+    this.timer = 0;
+    this.text = '';
+    const {canvas} = page;
+    canvas.addEventListener('pointermove', (e) => {
+      this.clear();
+      if (e.buttons !== 0 || e.pointerType === 'touch') return;
+      const box = canvas.getBoundingClientRect();
+      const [x, y] = [(e.clientX - box.left) / box.width, (e.clientY - box.top) / box.height];
+      this.timer = setTimeout(() => this.show(this.at(x, y)), 120);
+    });
+    for (const type of ['pointerleave', 'pointerdown', 'wheel', 'keydown'])
+      canvas.addEventListener(type, () => this.clear(), {passive: true});
+  }
+
+  clear() {
+    clearTimeout(this.timer);
+    this.show('');
+  }
+
+  show(text) {
+    if (text === this.text) return;
+    this.text = text;
+    this.page.showStatus();
+  }
+
+  /// What is seen at a place of the picture, x and y from 0 to 1, from the upper left corner.
+  at(x, y) {
+    const {page} = this;
+    if (!page.graphics) return '';
+    const pixel = page.identityAt(x, y);
+    return page.state.view === 'inside' ? this.inside(pixel, x, y) : this.outside(pixel);
+  }
+
+  outside([low, high, surface]) {
+    if (surface === 0) return '';
+    const {cells} = this.page.views.outside.cover;
+    const number = low + 256 * high;
+    if (number >= cells.length) return '';
+    const letters = [];
+    for (let cell = cells[number]; cell.parent !== null; cell = cells[cell.parent])
+      letters.unshift(this.letter(cells[cell.parent].tetrahedron, cell.face));
+    const t = cells[number].tetrahedron;
+    return `${surface > 4 ? this.truncation(t, surface - 5) : this.face(t, surface - 1)}; ` +
+        `word ${this.word(letters)}`;
+  }
+
+  inside([kind, tetrahedron, number, rest], x, y) {
+    if (kind === 0) return '';
+    const {page} = this;
+    const {path, letters} = page.views.inside.follow(page.walker, x, y, page.canvas, 255 - rest);
+    const t = path.at(-1);
+    if ((t & 255) !== tetrahedron) return '';
+    const what = kind === 1 ? this.truncation(t, number) : this.edge(t, number);
+    return `${what}; ${255 - rest} faces away; word ${this.word(letters.map(
+        ([from, f]) => this.letter(from, f)))}`;
+  }
+
+  letter(t, f) { return this.page.data.face_letters[t][f]; }
+
+  face(t, f) {
+    const {manifold} = this.page;
+    const edges = kEdgeEnds.flatMap(
+        (ends, e) => (ends.includes(f) ? [] : [manifold.edgeClass[t][e]]));
+    return `tetrahedron ${t}, face ${f}, glued to face ${manifold.gluedFace[t][f]} of tetrahedron ` +
+        `${manifold.neighbour[t][f]}; edges ${edges.join(', ')}`;
+  }
+
+  truncation(t, v) {
+    return `tetrahedron ${t}, truncation ${v} of boundary component ` +
+        `${this.page.manifold.vertexClass[t][v]}`;
+  }
+
+  edge(t, e) {
+    return `tetrahedron ${t}, edge ${kEdgeEnds[e].join('')} of class ` +
+        `${this.page.manifold.edgeClass[t][e]}`;
+  }
+
+  /// a, b, ... and A, B, ... for inverses; x1, X1, ... where there are more than 26 generators.
+  word(letters) {
+    const reduced = [];
+    for (const letter of letters) {
+      if (letter === 0) continue;
+      if (reduced.at(-1) === -letter) reduced.pop();
+      else reduced.push(letter);
+    }
+    const many = this.page.data.face_letters.flat().some((letter) => Math.abs(letter) > 26);
+    const name = (letter) => {
+      const text = many ? `x${Math.abs(letter)}` : String.fromCharCode(96 + Math.abs(letter));
+      return letter > 0 ? text : text.toUpperCase();
+    };
+    return reduced.map(name).join(many ? '*' : '') || '1';
+  }
+}

@@ -1,13 +1,12 @@
-#include <memory>
 #include <new>
 
 #include <fmt/format.h>
 #include <sqlite3.h>
 
 #include "base/error.hpp"
-#include "base/output_file.hpp"
 #include "base/version.hpp"
 #include "canonical/census.hpp"
+#include "canonical/database_file.hpp"
 #include "canonical/detail/census_lines.hpp"
 
 namespace tripus::canonical {
@@ -146,11 +145,7 @@ void write_database(const Census& census, const std::string& path) {
   database.run(kSchema);
   fill(database, census);
   database.run("COMMIT;");
-  sqlite3_int64 size = 0;
-  const std::unique_ptr<unsigned char, void (*)(void*)> bytes(
-      sqlite3_serialize(database.handle(), "main", &size, 0), sqlite3_free);
-  if (!bytes) throw std::bad_alloc();
-  write_file(path, {reinterpret_cast<const char*>(bytes.get()), static_cast<std::size_t>(size)});
+  write_database_file(database.handle(), path);
 }
 
 Census read_database(const std::string& path) {

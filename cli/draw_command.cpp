@@ -9,6 +9,7 @@
 #include "cli/exit_status.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "cli/output_names.hpp"
 #include "drawing/drawing.hpp"
 #include "manifold/load_diagram.hpp"
 
@@ -35,6 +36,8 @@ struct DrawCommand {
 };
 
 int run(const DrawCommand& command) {
+  if (command.output != "-") declare_output("-o", command.output);
+  require_not_written(command.diagram);
   const topology::NamedDiagram loaded = load_diagram(command.diagram);
   std::optional<OutputFile> file;
   if (command.output != "-") file.emplace(command.output);

@@ -60,7 +60,7 @@ void declare_output(const std::string& option, const std::string& path) {
   const std::lock_guard lock(names().mutex);
   for (const Declared& other : names().all) {
     if (other.target == file.target())
-      throw InvalidInput(fmt::format("{} and {} both write {}; name two files", other.option,
+      throw InvalidInput(fmt::format("{} and {} would both write {}; give one of them another name", other.option,
                                      option, quoted(path)));
   }
   names().all.push_back({option, path, file.target(), {}});

@@ -10,6 +10,7 @@
 #include "cli/exit_status.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
+#include "cli/output_names.hpp"
 #include "cli/progress.hpp"
 #include "drawing/drawing.hpp"
 #include "manifold/diagram_table.hpp"
@@ -145,21 +146,26 @@ std::vector<DiagramRow> chosen_rows(std::vector<DiagramRow> rows,
   return chosen;
 }
 
-void write_file(const std::string& path, const std::string& content) {
-  if (path == "-") return write_output(content);
-  OutputFile file(path);
-  file.open() << content;
-  file.close();
+void write_content(const std::string& path, const std::string& content) {
+  path == "-" ? write_output(content) : write_file(path, content);
+}
+
+/// Before the work, not after it.
+void declare_outputs(const TableCommand& command) {
+  for (const auto& [option, path] :
+       {std::pair("--tsv", command.tsv), std::pair("--database", command.database),
+        std::pair("--page", command.page)})
+    if (!path.empty() && path != "-") declare_output(option, path);
 }
 
 int run(const TableCommand& command) {
   const std::vector<DiagramTable> tables = tables_of(command.table);
-  catch_interrupts();
+  declare_outputs(command);
   const std::vector<DiagramRow> rows = chosen_rows(
       command.compute ? computed(tables, command.quiet) : shipped(tables), command.names);
-  if (!command.tsv.empty()) write_file(command.tsv, to_tsv(rows));
+  if (!command.tsv.empty()) write_content(command.tsv, to_tsv(rows));
   if (!command.database.empty()) write_diagram_database(rows, command.database);
-  if (!command.page.empty()) write_file(command.page, page_of(command.table, rows));
+  if (!command.page.empty()) write_content(command.page, page_of(command.table, rows));
   if (command.json)
     write_output(as_json(rows));
   else if (command.tsv.empty() && command.database.empty() && command.page.empty())

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include <sqlite3.h>
 
 #include "base/error.hpp"
 #include "canonical/canonize.hpp"
+#include "canonical/database_file.hpp"
 #include "structure/proof/prove_report.hpp"
 #include "structure/retriangulate.hpp"
 #include "structure/solve.hpp"
@@ -248,11 +250,12 @@ void write_diagram_database(const std::vector<DiagramRow>& rows, const std::stri
         literal(fmt::format("{}", fmt::join(row.same_as, ","))));
   sql += "COMMIT;";
   sqlite3* handle = nullptr;
-  int code = sqlite3_open(path.c_str(), &handle);
+  int code = sqlite3_open(":memory:", &handle);
+  const std::unique_ptr<sqlite3, int (*)(sqlite3*)> closing(handle, sqlite3_close);
   if (code == SQLITE_OK) code = sqlite3_exec(handle, sql.c_str(), nullptr, nullptr, nullptr);
   const std::string why = handle != nullptr ? sqlite3_errmsg(handle) : sqlite3_errstr(code);
-  sqlite3_close(handle);
   if (code != SQLITE_OK) throw InvalidInput(fmt::format("the database {}: {}", quoted(path), why));
+  canonical::write_database_file(handle, path);
 }
 
 }  // namespace tripus

@@ -333,7 +333,7 @@ TetrahedralMesh tetrahedralize(const Region& region, const TetrahedralizeOptions
     text << "no tetrahedron larger than " << options.max_volume << ": that is more than "
          << volume(region) / options.max_volume << " tetrahedra, and memory is granted for " << most
          << "; allow larger ones";
-    throw InvalidInput(text.str());
+    throw Unsupported(text.str());
   }
   Filler filler(region, options);
   TetrahedralMesh mesh = filler.fill();

@@ -250,7 +250,8 @@ class Trials:
         environment = dict(os.environ, TRIPUS_TETGEN=str(HERE / "fake_mesher.py"),
                            FAKE_MESHER_SEED=str(chance.randrange(1 << 30)),
                            FAKE_MESHER_FOR=self.program)
-        status, _, err = self.run(verb.arguments, folder, env=environment)
+        # Without its mesher a surface can take long.
+        status, _, err = self.run((*verb.arguments, "--time-limit", "15"), folder, env=environment)
         text = (folder / "out.vtk").read_text(errors="replace")
         if "inf" in text.lower() or "nan" in text.lower():
             raise Broken("silent: a point that is not finite in the mesh")
@@ -289,7 +290,9 @@ def main():
     with tempfile.TemporaryDirectory(prefix="tripus-faults-") as workshop:
         trials = Trials(os.path.abspath(options.program), Path(workshop))
         seed = options.seed
-        while sum(count.values()) < options.trials:
+        ended = []
+        signal.signal(signal.SIGINT, lambda *_: ended.append(True))
+        while sum(count.values()) < options.trials and not ended:
             chance = random.Random(seed)
             kind = kinds[seed % len(kinds)]
             verb = chance.choice([verb for verb in verbs if APPLIES[kind](verb)])

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "base/tolerances.hpp"
 #include "structure/solve.hpp"
 #include "topology/isosig.hpp"
 #include "topology/simplify/small_triangulations.hpp"
@@ -26,7 +27,8 @@ TEST(NearlyFlat, CarryTheMetricOfTheirManifold) {
     ASSERT_FALSE(small.empty());
     const Report other = solve(topology::Triangulation(small.front()));
     ASSERT_EQ(other.outcome, Outcome::kGeometric);
-    EXPECT_NEAR(report.volume, other.volume, 1e-12 * other.volume);
+    // Where doubles just reach max|K| = 1e-12, long edges make that 1e-11 of the volume.
+    EXPECT_NEAR(report.volume, other.volume, tolerance::kVolumeAgreement * other.volume);
   }
 }
 

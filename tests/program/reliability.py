@@ -34,7 +34,7 @@ class Outputs(ProgramTest):
                           ("solve", TRIPUS, "-o", "out.json", "--history", "out.json")):
             result = self.run_program(*arguments)
             self.assertEqual(result.status, 2)
-            self.assertIn("both write", result.err)
+            self.assertIn("would both write", result.err)
 
     def test_of_a_bad_input_stay(self):
         self.write("out", "old")

@@ -62,7 +62,8 @@ class Manifold:
 
     source  an isomorphism signature, with or without a sign for the orientation; the name of a
             file (gluing table, Regina, SnapPea, Orb, surface, tetrahedral mesh), FILE#LABEL for one
-            of several triangulations in it; a name of the census; a gluing table as lists, or as
+            of several triangulations in it; a planar diagram ("PD: V[1,3,4] X[5,9,6,10] ..."); a
+            name of the tables of knots and graphs or of the census; a gluing table as lists, or as
             arrays (neighbours [T x 4], images [T x 4 x 4]); a triangulation of SnapPy or Regina; a
             mesh of meshio, trimesh or PyVista.
     name    what to call it, instead of the name in the source.

@@ -40,6 +40,8 @@ def surface_of_drawing(
 
 
 def load_text(source: str, time_limit: float | None, progress: Progress) -> CoreManifold:
+    if source.lstrip().startswith("PD"):
+        source = " ".join(source.split())  # a planar diagram, perhaps on several lines
     if source.startswith(("% Triangulation", "% orb", "<?xml", '{"')) or "\n" in source:
         return _core.from_text(source.encode("utf-8", "surrogateescape"), True, NO_LIMITS)
     try:

@@ -255,12 +255,16 @@ class EmbedRefusals(ProgramTest):
                              for word in line.split()[1:]), points)
 
     def test_interruption_writes_what_is_there(self):
-        process = subprocess.Popen(
-            self.command("embed", TRIPUS, "--cells", "2000000", "-o", "x.json"), cwd=self.folder,
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        time.sleep(0.4)
-        process.send_signal(signal.SIGINT)
-        out, _ = process.communicate(timeout=120)
+        for wait in (0.4, 1, 2, 4, 8):  # until it has begun to grow
+            process = subprocess.Popen(
+                self.command("embed", TRIPUS, "--cells", "2000000", "-o", "x.json"),
+                cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            time.sleep(wait)
+            process.send_signal(signal.SIGINT)
+            out, _ = process.communicate(timeout=120)
+            if (self.folder / "x.json").exists():
+                break
+            self.assertEqual(process.returncode, 1)
         answer = read_json((self.folder / "x.json").read_text())
         if process.returncode == 1:
             self.assertEqual(answer["cells_end"], "interrupted")

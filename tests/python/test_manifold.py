@@ -95,6 +95,10 @@ def test_sources(M, tmp_path):
     assert tripus.Manifold(str(file)) == M
     assert str(tripus.Manifold(file, name="other")) == "other"
     assert tripus.Manifold("t2g2.8") == M
+    for diagram in ("4_1", "PD: X[4,2,5,1] X[8,6,1,5] X[6,3,7,4] X[2,7,3,8]",
+                    "PD: X[4,2,5,1] X[8,6,1,5]\n  X[6,3,7,4] X[2,7,3,8]\n"):
+        assert tripus.Manifold(diagram) == tripus.Manifold("cPcbbbiht")
+    assert tripus.Manifold("5_1 theta") == M
     for format in ("json", "regina", "regina-table", "snappea", "orb"):
         assert tripus.Manifold.from_text(M.to_text(format)) == M
         assert tripus.Manifold(M.to_text(format)) == M, "the text of a file is a source, as in SnapPy"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "topology/diagrams/exterior.hpp"
+#include "topology/simplify/simplify_keeping.hpp"
 #include "topology/triangulation.hpp"
 
 namespace tripus::topology {
@@ -14,19 +15,20 @@ constexpr std::size_t kSmall = 400;
 constexpr std::uint64_t kSeeds = 8;
 constexpr double kShort = 0.1;
 
-Gluings smallest(const Gluings& gluings, const SimplifyOptions& options) {
-  if (gluings.tetrahedron_count() > kSmall) return simplify(gluings, options).gluings;
+SimplifiedKeeping smallest(const Gluings& gluings, const std::vector<EdgePlace>& kept,
+                           const SimplifyOptions& options) {
+  if (gluings.tetrahedron_count() > kSmall) return simplify_keeping(gluings, kept, options);
   SimplifyOptions brief = options;
   brief.effort *= kShort;
-  Simplified best = simplify(gluings, brief);
-  for (std::uint64_t seed = 1; seed < kSeeds && !best.stopped; ++seed) {
+  SimplifiedKeeping best = simplify_keeping(gluings, kept, brief);
+  for (std::uint64_t seed = 1; seed < kSeeds && !best.result.stopped; ++seed) {
     brief.seed = options.seed + seed;
-    Simplified other = simplify(gluings, brief);
-    if (other.finite_vertices_left <= best.finite_vertices_left &&
-        other.tetrahedron_count() < best.tetrahedron_count())
+    SimplifiedKeeping other = simplify_keeping(gluings, kept, brief);
+    if (other.result.finite_vertices_left <= best.result.finite_vertices_left &&
+        other.result.tetrahedron_count() < best.result.tetrahedron_count())
       best = std::move(other);
   }
-  return std::move(best.gluings);
+  return best;
 }
 
 /// "arcs 21 and 22 form a piece of their own, ..." of the smallest piece.
@@ -58,16 +60,22 @@ NamedGluings small_exterior(const NamedDiagram& diagram, const SimplifyOptions& 
   result.notes = diagram.notes;
   result.orientation_known = diagram.orientation_known;
   if (made.pieces > 1) result.notes.push_back(pieces_note(diagram.diagram));
-  if (kept.empty()) {
-    result.gluings = smallest(made.gluings, options);
-    return result;
+  // A cone angle of 2 pi is none: the strand is filled in again and need not be an edge.
+  std::vector<EdgePlace> edges;
+  std::vector<ConeAngle> angles;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (diagram.labels[i].angle.is_full()) continue;
+    edges.push_back({made.kept[i].tetrahedron, made.kept[i].edge});
+    angles.push_back(diagram.labels[i].angle);
   }
-  result.gluings = made.gluings;
+  SimplifiedKeeping small = smallest(made.gluings, edges, options);
+  result.gluings = std::move(small.result.gluings);
+  if (edges.empty()) return result;
   const Triangulation triangulation(result.gluings);
   result.cone_angles.resize(triangulation.edge_count());
-  for (std::size_t i = 0; i < kept.size(); ++i)
-    result.cone_angles[triangulation.edge_class(made.kept[i].tetrahedron, made.kept[i].edge)] =
-        diagram.labels[i].angle;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    result.cone_angles[triangulation.edge_class(small.kept[i].tetrahedron, small.kept[i].edge)] =
+        angles[i];
   return result;
 }
 

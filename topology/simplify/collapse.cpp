@@ -91,6 +91,7 @@ CollapseRefusal EdgeCollapse::refusal(TetrahedronIndex t, int edge) {
   if (!m.is_finite(one) && !m.is_finite(two)) return CollapseRefusal::kNoFiniteEnd;
 
   const Label collapsed = m.edge(t, edge);
+  if (m.kept(collapsed) != 0) return CollapseRefusal::kNoFiniteEnd;
   corners_.clear();
   EdgeWalk walk = start;
   for (std::uint32_t i = m.valence(collapsed); i > 0; --i) {
@@ -100,7 +101,7 @@ CollapseRefusal EdgeCollapse::refusal(TetrahedronIndex t, int edge) {
     corners_.push_back(walk);
     walk.step(m.gluings());
   }
-  if (has_edge_cycle()) return CollapseRefusal::kEdgeCycle;
+  if (has_edge_cycle() || merges_kept()) return CollapseRefusal::kEdgeCycle;
   if (has_face_cycle()) return CollapseRefusal::kFaceCycle;
   return CollapseRefusal::kNone;
 }
@@ -129,6 +130,17 @@ bool EdgeCollapse::has_edge_cycle() {
   }
   for (const Node& met : nodes_) node_of_edge_[met.label] = 0;
   return cycle;
+}
+
+/// Whether two kept edges would become one.
+bool EdgeCollapse::merges_kept() {
+  bool found = false;
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i)
+    if (m_->kept(nodes_[i].label) != 0)
+      for (std::uint32_t j = 0; j < i; ++j)
+        found =
+            found || (m_->kept(nodes_[j].label) != 0 && edge_sets_.root(i) == edge_sets_.root(j));
+  return found;
 }
 
 // With tetrahedra as nodes and their common faces as arcs: the same cycles.

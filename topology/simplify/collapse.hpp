@@ -76,6 +76,7 @@ class EdgeCollapse {
   };
 
   bool has_edge_cycle();
+  bool merges_kept();
   bool has_face_cycle();
   std::uint32_t node(TetrahedronIndex t, int e);
   void collapse();

@@ -28,9 +28,44 @@ std::size_t pair(const detail::Points& points, int e) {
 
 }  // namespace
 
+// A 2-0 at an edge lays the two edges opposite to it upon each other, a 2-1 two edges of the
+// neighbour; a vertex that goes must be one that no kept edge meets.
+bool MutableTriangulation::hurts_kept(const Move& move) const {
+  const TetrahedronIndex t = move.tetrahedron;
+  switch (move.kind) {
+    case MoveKind::kThreeTwo:
+    case MoveKind::kFourFour:
+      return kept(edge(t, move.place)) != 0;
+    case MoveKind::kTwoZeroEdge: {
+      auto walk = EdgeWalk::start(t, move.place);
+      const int opposite = 5 - move.place;
+      walk.step(gluings_);
+      return kept(edge(t, move.place)) != 0 ||
+             (kept(edge(t, opposite)) != 0 && kept(edge(walk.t, 5 - walk.edge())) != 0);
+    }
+    case MoveKind::kTwoOne: {
+      const auto at = EdgeWalk::start(t, move.place);
+      const int a = move.choice == 0 ? at.a : at.b;
+      const TetrahedronIndex other = gluings_.neighbour(at.t, a);
+      const Perm4 p = gluings_.gluing(at.t, a);
+      const auto far = [&](int end) {
+        return kEdgeNumber[static_cast<std::size_t>(p(a))][static_cast<std::size_t>(p(end))];
+      };
+      return kept(edge(t, move.place)) != 0 ||
+             (kept(edge(other, far(at.c))) != 0 && kept(edge(other, far(at.d))) != 0);
+    }
+    case MoveKind::kTwoZeroVertex:
+    case MoveKind::kFourOne:
+      return !is_finite(vertex(t, move.place));
+    default:
+      return false;
+  }
+}
+
 MoveRefusal MutableTriangulation::refusal(const Move& move) const {
   if (move.tetrahedron >= slot_count() || !is_live(move.tetrahedron))
     return MoveRefusal::kNoSuchPlace;
+  if (!kept_.empty() && hurts_kept(move)) return MoveRefusal::kNoSuchPlace;
   if (move.kind == MoveKind::kTwoZeroEdge) {
     const MoveRefusal met = detail::refuse_pillow(gluings_, move);
     if (met != MoveRefusal::kNone) return met;

@@ -13,7 +13,8 @@
 
 namespace tripus::topology {
 
-MutableTriangulation::MutableTriangulation(const Triangulation& triangulation)
+MutableTriangulation::MutableTriangulation(const Triangulation& triangulation,
+                                           std::span<const EdgePlace> kept)
     : gluings_(triangulation.gluings()),
       edges_(triangulation.edge_classes().begin(), triangulation.edge_classes().end()),
       vertices_(triangulation.vertex_classes().begin(), triangulation.vertex_classes().end()),
@@ -27,6 +28,23 @@ MutableTriangulation::MutableTriangulation(const Triangulation& triangulation)
     finite_[v] = triangulation.link(v).euler_characteristic == 2;
     finite_vertex_count_ += finite_[v];
   }
+  if (kept.empty()) return;
+  kept_.assign(valences_.size(), 0);
+  kept_count_ = kept.size();
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const auto [t, e] = kept[i];
+    kept_[edge(t, e)] = static_cast<std::uint32_t>(i + 1);
+    for (const int end : kEdgeEnds[static_cast<std::size_t>(e)]) {
+      std::uint8_t& finite = finite_[vertex(t, end)];
+      finite_vertex_count_ -= finite;
+      finite = 0;
+    }
+  }
+}
+
+void MutableTriangulation::set_kept(Label edge, std::uint32_t number) {
+  record(Field::kKept, edge, kept_[edge]);
+  kept_[edge] = number;
 }
 
 void MutableTriangulation::set_side(TetrahedronIndex t, int f, TetrahedronIndex other, Perm4 p) {
@@ -81,6 +99,7 @@ MutableTriangulation::Label MutableTriangulation::take_edge() {
   if (free_edges_.empty()) {
     free_edges_.push_back(static_cast<Label>(valences_.size()));
     valences_.push_back(0);
+    if (!kept_.empty()) kept_.push_back(0);
   }
   const Label label = free_edges_.back();
   free_edges_.pop_back();
@@ -135,6 +154,10 @@ void MutableTriangulation::relabel_edge(TetrahedronIndex t, int e, Label to) {
   } while (edge(walk.t, walk.edge()) == from);
   set_valence(to, valence(to) + valence(from));
   set_valence(from, 0);
+  if (kept(from) != 0) {
+    set_kept(to, kept(from));
+    set_kept(from, 0);
+  }
   free_edge(from);
 }
 
@@ -192,6 +215,9 @@ void MutableTriangulation::undo_trial() {
         finite_vertex_count_ -= finite_[written.index];
         finite_[written.index] = static_cast<std::uint8_t>(written.old);
         break;
+      case Field::kKept:
+        kept_[written.index] = written.old;
+        break;
       case Field::kTakeTetrahedron:
         free_tetrahedra_.push_back(written.index);
         break;
@@ -225,6 +251,18 @@ Gluings MutableTriangulation::compacted() const {
     for (int f = 0; f < 4 && is_live(t); ++f)
       result.set_one_side(number[t], f, number[gluings_.neighbour(t, f)], gluings_.gluing(t, f));
   return result;
+}
+
+std::vector<EdgePlace> MutableTriangulation::compacted_kept() const {
+  std::vector<EdgePlace> places(kept_count_);
+  TetrahedronIndex number = 0;
+  for (TetrahedronIndex t = 0; t < slot_count(); ++t) {
+    if (!is_live(t)) continue;
+    for (int e = 0; e < 6; ++e)
+      if (kept(edge(t, e)) != 0) places[kept(edge(t, e)) - 1] = {number, e};
+    ++number;
+  }
+  return places;
 }
 
 }  // namespace tripus::topology

@@ -10,6 +10,12 @@
 
 namespace tripus::topology {
 
+/// An edge of a tetrahedron, for an edge class.
+struct EdgePlace {
+  TetrahedronIndex tetrahedron = 0;
+  int edge = 0;
+};
+
 /// A closed-up triangulation that moves change in place and whose edge and vertex classes keep
 /// their labels: every move updates labels, valences and degrees around it and nothing else, in
 /// time O(1), or O(valence) where edges are merged. This is what makes long runs of moves linear.
@@ -17,12 +23,17 @@ namespace tripus::topology {
 /// Tetrahedra live in slots; a removed one leaves its slot empty for another, so numbers stay what
 /// they are. About 70 bytes a slot.
 ///
+/// Edges may be *kept*: no move or collapse takes them away or lays two of them upon each other,
+/// and their ends count as vertices that are not finite. So a knotted graph of edges stays what it
+/// is.
+///
 /// A *trial* keeps a record of what moves write, until it is kept or undone exactly.
 class MutableTriangulation {
  public:
   using Label = std::uint32_t;
 
-  explicit MutableTriangulation(const Triangulation& triangulation);
+  explicit MutableTriangulation(const Triangulation& triangulation,
+                                std::span<const EdgePlace> kept = {});
 
   /// Empty slots have four open faces.
   const Gluings& gluings() const { return gluings_; }
@@ -41,6 +52,8 @@ class MutableTriangulation {
   std::uint32_t valence(Label edge) const { return valences_[edge]; }
   /// Tetrahedron corners at the vertex: triangles of its link. 0 if the label is free.
   std::uint32_t degree(Label vertex) const { return degrees_[vertex]; }
+  /// 0, or one more than the number of the kept edge in the list that was given.
+  std::uint32_t kept(Label edge) const { return kept_.empty() ? 0 : kept_[edge]; }
   bool is_finite(Label vertex) const { return finite_[vertex] != 0; }
   std::size_t finite_vertex_count() const { return finite_vertex_count_; }
   std::size_t vertex_count() const { return vertex_labels() - free_vertices_.size(); }
@@ -67,6 +80,8 @@ class MutableTriangulation {
 
   /// The table without the empty slots, in the order of the slots.
   Gluings compacted() const;
+  /// The kept edges in that table, in the order in which they were given.
+  std::vector<EdgePlace> compacted_kept() const;
 
  private:
   friend class EdgeCollapse;
@@ -78,6 +93,7 @@ class MutableTriangulation {
     kValence,
     kDegree,
     kFinite,
+    kKept,
     kTakeTetrahedron,
     kFreeTetrahedron,
     kTakeEdge,
@@ -104,6 +120,9 @@ class MutableTriangulation {
   void set_vertex(TetrahedronIndex t, int v, Label label);
   void set_valence(Label edge, std::uint32_t valence);
   void set_degree(Label vertex, std::uint32_t degree);
+  void set_kept(Label edge, std::uint32_t number);
+  /// Whether a move that is legal otherwise would take a kept edge away, or merge two.
+  bool hurts_kept(const Move& move) const;
   TetrahedronIndex take_tetrahedron();
   void free_tetrahedron(TetrahedronIndex t);
   Label take_edge();
@@ -128,6 +147,8 @@ class MutableTriangulation {
   std::vector<std::uint32_t> valences_;
   std::vector<std::uint32_t> degrees_;
   std::vector<std::uint8_t> finite_;
+  std::vector<std::uint32_t> kept_;  // by edge label; empty if no edge is kept
+  std::size_t kept_count_ = 0;
   std::vector<TetrahedronIndex> free_tetrahedra_;
   std::vector<Label> free_edges_;
   std::vector<Label> free_vertices_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "topology/simplify/locality.hpp"
 #include "topology/simplify/reducer.hpp"
 #include "topology/simplify/search.hpp"
+#include "topology/simplify/simplify_keeping.hpp"
 
 namespace tripus::topology {
 namespace {
@@ -30,7 +32,11 @@ constexpr int kMostDepth = 8;
 constexpr unsigned kStepsBetweenLooks = 1024;
 
 /// Components in which every vertex is finite; one must stay in each.
-std::size_t closed_components(const Triangulation& triangulation) {
+std::size_t closed_components(const Triangulation& triangulation, std::span<const EdgePlace> kept) {
+  std::set<std::uint32_t> ends;  // of kept edges, which are not finite
+  for (const auto& [t, e] : kept)
+    for (const int end : kEdgeEnds[static_cast<std::size_t>(e)])
+      ends.insert(triangulation.vertex_class(t, end));
   const std::size_t count = triangulation.tetrahedron_count();
   std::vector<bool> seen(count, false);
   std::vector<std::uint32_t> stack;
@@ -44,8 +50,9 @@ std::size_t closed_components(const Triangulation& triangulation) {
       const std::uint32_t t = stack.back();
       stack.pop_back();
       for (int v = 0; v < 4; ++v) {
-        finite = finite &&
-                 triangulation.link(triangulation.vertex_class(t, v)).euler_characteristic == 2;
+        const std::uint32_t vertex = triangulation.vertex_class(t, v);
+        finite = finite && triangulation.link(vertex).euler_characteristic == 2 &&
+                 (ends.empty() || ends.count(vertex) == 0);
         const std::uint32_t other = triangulation.gluings().neighbour(t, v);
         if (seen[other]) continue;
         seen[other] = true;
@@ -59,9 +66,9 @@ std::size_t closed_components(const Triangulation& triangulation) {
 
 /// With the tetrahedra in another order where that is better for the caches; but what is wrong is
 /// named by the caller's numbers.
-Triangulation skeleton_of(const Gluings& closed) {
+Triangulation skeleton_of(const Gluings& closed, bool in_their_order) {
   require_consistent(closed, OpenFaces::kRefused);
-  if (is_scattered(closed)) {
+  if (!in_their_order && is_scattered(closed)) {
     try {
       return Triangulation(breadth_first(closed));
     } catch (const InvalidInput&) {
@@ -72,17 +79,30 @@ Triangulation skeleton_of(const Gluings& closed) {
 
 class Simplifier {
  public:
-  Simplifier(const Gluings& closed, const SimplifyOptions& options) : options_(&options) {
-    const Triangulation triangulation = skeleton_of(closed);
+  Simplifier(const Gluings& closed, const SimplifyOptions& options,
+             std::span<const EdgePlace> kept = {})
+      : options_(&options), kept_(kept.begin(), kept.end()) {
+    const Triangulation triangulation = skeleton_of(closed, !kept.empty());
+    require_different(triangulation);
     result_.given = triangulation.tetrahedron_count();
     component_count_ = triangulation.component_count();
-    finite_to_keep_ = closed_components(triangulation);
+    finite_to_keep_ = closed_components(triangulation, kept_);
     start(triangulation);
   }
 
   Simplified run();
+  const std::vector<EdgePlace>& kept() const { return kept_; }
 
  private:
+  void require_different(const Triangulation& triangulation) const {
+    std::set<std::uint32_t> classes;
+    for (const auto& [t, e] : kept_)
+      if (t >= triangulation.tetrahedron_count() || e < 0 || e > 5 ||
+          !classes.insert(triangulation.edge_class(t, e)).second)
+        throw InvalidInput("edge " + std::to_string(e) + " of tetrahedron " + std::to_string(t) +
+                           " is to be kept, but does not exist or is of a class kept already");
+  }
+
   /// Before and after every run of moves; true if the caller wants to stop.
   bool looks_stopped(std::string_view stage) {
     if (++steps_ % kStepsBetweenLooks != 1) return result_.stopped;
@@ -94,7 +114,7 @@ class Simplifier {
   std::size_t finite_vertices_to_go() const { return m_->finite_vertex_count() - finite_to_keep_; }
 
   void start(const Triangulation& triangulation) {
-    m_.emplace(triangulation);
+    m_.emplace(triangulation, kept_);
     reducer_.emplace(*m_);
   }
   void run_queue(std::string_view stage) {
@@ -105,6 +125,7 @@ class Simplifier {
   bool is_least() const;
 
   const SimplifyOptions* options_;
+  std::vector<EdgePlace> kept_;  // in m_ as it was at the last start
   Simplified result_;
   std::size_t component_count_ = 0;
   std::size_t finite_to_keep_ = 0;
@@ -161,22 +182,38 @@ Simplified Simplifier::run() {
   reducer_->clear();
   result_.reduced = m_->tetrahedron_count();
   if (!result_.stopped && (options_->effort > 0 || finite_vertices_to_go() > 0)) {
-    start(Triangulation(m_->compacted()));  // close together in memory again
+    const Triangulation compact(m_->compacted());  // close together in memory again
+    kept_ = m_->compacted_kept();
+    start(compact);
     search();
   }
   result_.gluings = m_->compacted();
+  kept_ = m_->compacted_kept();
   result_.finite_vertices_left = finite_vertices_to_go();
   if (options_->progress) options_->progress("done", m_->tetrahedron_count());
   return std::move(result_);
 }
 
-}  // namespace
-
-Simplified simplify(const Gluings& closed, const SimplifyOptions& options) {
+void require_effort(const SimplifyOptions& options) {
   if (!std::isfinite(options.effort) || options.effort < 0)
     throw InvalidInput("the effort of a simplification is " + std::to_string(options.effort) +
                        "; it must be 0 or more");
+}
+
+}  // namespace
+
+Simplified simplify(const Gluings& closed, const SimplifyOptions& options) {
+  require_effort(options);
   return Simplifier(closed, options).run();
+}
+
+SimplifiedKeeping simplify_keeping(const Gluings& closed, std::span<const EdgePlace> kept,
+                                   const SimplifyOptions& options) {
+  require_effort(options);
+  Simplifier simplifier(closed, options, kept);
+  SimplifiedKeeping all{simplifier.run(), {}};
+  all.kept = simplifier.kept();
+  return all;
 }
 
 }  // namespace tripus::topology

@@ -269,8 +269,8 @@ topology::NamedGluings load(const std::string& input, Wanted wanted,
 void refuse_labels(const topology::NamedGluings& loaded, const std::string& input) {
   if (!topology::all_full(loaded.cone_angles))
     throw Unsupported(source_of(input) +
-                      " has singular edges (cone angles other than 2 pi), which only info, solve "
-                      "and check know so far");
+                      " has singular edges (cone angles other than 2 pi), which only info, solve, "
+                      "check, canonize, compare and identify know so far");
 }
 
 void tell_notes(const topology::NamedGluings& loaded, const std::string& input,

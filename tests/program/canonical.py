@@ -177,7 +177,7 @@ class Census(ProgramTest):
         self.assertEqual(len([line for line in result.lines if line.startswith("t2g2")]), 3)
         self.assertIn("list: line 4: ", result.err)
         self.assertIn("1 refused", result.err)
-        for text in ("nonsense!\nno.json\n", "# nothing\n", "cPcbbbiht\n"):
+        for text in ("nonsense!\nno.json\n", "# nothing\n", "bkaagj\n"):
             self.write("list", text)
             result = self.run_program("census", "--from", "list", "--tsv", "x.tsv")
             self.assertEqual((result.status, result.out), (2, b""), text)

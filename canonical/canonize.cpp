@@ -121,9 +121,7 @@ class Canonizer {
   }
 
  private:
-  bool stopped() const {
-    return solve_.stop_requested != nullptr && solve_.stop_requested->load();
-  }
+  bool stopped() const { return solve_.stop_requested != nullptr && solve_.stop_requested->load(); }
 
   std::optional<CanonicalManifold> canonical_of(const Metric& metric) const {
     ProtoCanonicalOptions proto = options_.proto_canonical;
@@ -154,8 +152,8 @@ class Canonizer {
 
   /// Another triangulation of the manifold that carries the metric.
   std::optional<Metric> by_moves(const Triangulation& triangulation, Report start) {
-    structure::Retriangulation found = structure::retriangulate(
-        triangulation, std::move(start), solve_, options_.retriangulation);
+    structure::Retriangulation found =
+        structure::retriangulate(triangulation, std::move(start), solve_, options_.retriangulation);
     if (found.report.outcome != Outcome::kGeometric) {
       answer_.message = found.report.message;
       answer_.advice = found.report.advice;

@@ -39,7 +39,8 @@ std::string holder_of(int file) {
 
 /// Whether the name still leads to the open file: another process may have removed it meanwhile.
 bool is_at(int file, const std::string& path) {
-  struct stat open {}, named {};
+  struct stat open {
+  }, named{};
   return ::fstat(file, &open) == 0 && ::stat(path.c_str(), &named) == 0 &&
          open.st_ino == named.st_ino && open.st_dev == named.st_dev;
 }
@@ -162,11 +163,13 @@ void Journal::read(const std::string& text, const std::string& header) {
     throw InvalidInput(name + ": line 1 is not the first of such a journal (\"" + begin +
                        " ...\"); name another file, or remove it to begin anew");
   if (end == std::string::npos || !unseal(text.substr(0, end), line))
-    throw InvalidInput(name + ": line 1, which says what it is of, is damaged; remove the file to "
+    throw InvalidInput(name +
+                       ": line 1, which says what it is of, is damaged; remove the file to "
                        "begin anew");
   if (line != header)
-    throw InvalidInput(name + " is of other inputs, options or version: it says " + quoted(line, 400) + ", this run is " +
-                       quoted(header, 400) + "; name another file, or remove it to begin anew");
+    throw InvalidInput(name + " is of other inputs, options or version: it says " +
+                       quoted(line, 400) + ", this run is " + quoted(header, 400) +
+                       "; name another file, or remove it to begin anew");
   std::vector<std::size_t> damaged;
   std::size_t number = 2, at = end + 1;
   for (std::size_t stop; (stop = text.find('\n', at)) != std::string::npos; at = stop + 1) {
@@ -182,8 +185,7 @@ void Journal::read(const std::string& text, const std::string& header) {
     throw InvalidInput(
         name + ", line " + std::to_string(damaged.front()) + " is damaged" +
         (one ? "" : ", and " + std::to_string(damaged.size() - 1) + " more") + "; the other " +
-        std::to_string(lines_.size()) + " lines are whole (" +
-        std::to_string(damaged.front() - 2) +
+        std::to_string(lines_.size()) + " lines are whole (" + std::to_string(damaged.front() - 2) +
         " before it): remove what is damaged, and the same command goes on with them");
   }
   if (at != text.size()) file_.cut(at);

@@ -326,8 +326,7 @@ void add_query_options(CLI::App& verb, CensusCommand& command) {
       ->option_text("GENERA");
   verb.add_option("--homology", command.query.homology, "only this H1, such as 2Z+Z_3")
       ->option_text("GROUP");
-  verb.add_option("--cells", command.query.cells,
-                  "only these cells, such as \"1 octahedron\"")
+  verb.add_option("--cells", command.query.cells, "only these cells, such as \"1 octahedron\"")
       ->option_text("CELLS");
   verb.add_option("--tetrahedra", command.query.tetrahedra, "only manifolds of N tetrahedra")
       ->option_text("N")

@@ -306,9 +306,9 @@ int run(const CoverCommand& command) {
   for (std::size_t i = sink.first(); i < inputs.size(); ++i) {
     const std::string& input = inputs[i].text;
     const auto interrupted = [&] {
-      return fmt::format("tripus: interrupted after {}{}\n",
-                         counted(sink.count(), "cover", "covers"),
-                         batch ? fmt::format(", of the first {} of {} inputs", i, inputs.size()) : "");
+      return fmt::format(
+          "tripus: interrupted after {}{}\n", counted(sink.count(), "cover", "covers"),
+          batch ? fmt::format(", of the first {} of {} inputs", i, inputs.size()) : "");
     };
     set_last_words(interrupted());
     topology::begin_work();

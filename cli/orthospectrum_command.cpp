@@ -209,9 +209,9 @@ void add_orthospectrum(CLI::App& program, Command& chosen) {
       kInputHelp + "\n" + kExitStatusHelp);
   verb->final_callback([command, &chosen] {
     chosen = [command] {
-      for (const auto& [option, path] : {std::pair("--tsv", command->table),
-                                         std::pair("--picture", command->picture),
-                                         std::pair("--plot", command->plot)})
+      for (const auto& [option, path] :
+           {std::pair("--tsv", command->table), std::pair("--picture", command->picture),
+            std::pair("--plot", command->plot)})
         if (!path.empty()) declare_output(option, path);
       return answer_inputs(command->common,
                            [&](const std::string& input) { return spectrum_one(*command, input); });

@@ -39,7 +39,8 @@ fs::path whole(const std::string& path) {
 
 /// Whether the file `target` is what standard input reads.
 bool is_standard_input(const std::string& target) {
-  struct stat in {}, out {};
+  struct stat in {
+  }, out{};
   return ::fstat(STDIN_FILENO, &in) == 0 && ::stat(target.c_str(), &out) == 0 &&
          S_ISREG(in.st_mode) && in.st_ino == out.st_ino && in.st_dev == out.st_dev;
 }
@@ -60,8 +61,8 @@ void declare_output(const std::string& option, const std::string& path) {
   const std::lock_guard lock(names().mutex);
   for (const Declared& other : names().all) {
     if (other.target == file.target())
-      throw InvalidInput(fmt::format("{} and {} would both write {}; give one of them another name", other.option,
-                                     option, quoted(path)));
+      throw InvalidInput(fmt::format("{} and {} would both write {}; give one of them another name",
+                                     other.option, option, quoted(path)));
   }
   names().all.push_back({option, path, file.target(), {}});
 }
@@ -77,9 +78,9 @@ void require_not_written(const std::string& input) {
   const std::lock_guard lock(names().mutex);
   for (const Declared& declared : names().all) {
     if (!writes(declared, input) && !writes(declared, input.substr(0, input.rfind('#')))) continue;
-    throw InvalidInput(
-        fmt::format("{} {} would write over {}, which is read; name another file", declared.option,
-                    quoted(declared.given), input == "-" ? "standard input" : quoted(input)));
+    throw InvalidInput(fmt::format("{} {} would write over {}, which is read; name another file",
+                                   declared.option, quoted(declared.given),
+                                   input == "-" ? "standard input" : quoted(input)));
   }
 }
 

@@ -28,7 +28,8 @@ void limit_blas_threads(char** argv) {
   rlimit space{};
   const bool limited = ::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY;
 #ifdef M_ARENA_MAX
-  // Each thread reserves 128 MB for its heap; without them every allocation is a call of the system.
+  // Each thread reserves 128 MB for its heap; without them every allocation is a call of the
+  // system.
   if (limited) ::mallopt(M_ARENA_MAX, 1);
 #endif
   if (std::getenv(kThreads) != nullptr) return;

@@ -110,9 +110,9 @@ int run(StudyCommandOptions command) {
       command.threads == 0 ? std::max(1u, std::thread::hardware_concurrency()) : command.threads;
   options.stop_requested = &interrupt_requested();
   const auto interrupted = [](std::size_t done, std::size_t total) {
-    return fmt::format("tripus: interrupted: {}; the same command goes on from there\n",
-                       total == 0 ? "before any item was begun"
-                                  : fmt::format("{} of {} items done", done, total));
+    return fmt::format(
+        "tripus: interrupted: {}; the same command goes on from there\n",
+        total == 0 ? "before any item was begun" : fmt::format("{} of {} items done", done, total));
   };
   set_last_words(interrupted(0, 0));
   options.on_progress = [&](std::size_t done, std::size_t total) {

@@ -88,8 +88,7 @@ class Grower {
       queue_.pop();
       const auto number = static_cast<std::uint32_t>(cover.cells.size());
       cover.cells.push_back(
-          {next.tetrahedron, geometry::to_matrix(next.place), next.depth, next.parent,
-           next.face});
+          {next.tetrahedron, geometry::to_matrix(next.place), next.depth, next.parent, next.face});
       expand(next, number);
     }
     if (out_of_precision_) cover.end = CoverEnd::kPrecision;

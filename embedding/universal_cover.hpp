@@ -21,7 +21,7 @@ struct Cell {
   Matrix4 isometry;               ///< from the frame of that tetrahedron to that of the root
   std::uint32_t depth = 0;        ///< faces crossed on the way from the root along the parents
   std::uint32_t parent =
-      kNoCell;  ///< the cell beside it from which it was reached; kNoCell: the root
+      kNoCell;            ///< the cell beside it from which it was reached; kNoCell: the root
   std::uint8_t face = 0;  ///< of the parent, across which it lies
 };
 

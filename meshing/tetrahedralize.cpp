@@ -128,8 +128,8 @@ bool make_positive(TetrahedralMesh& mesh) {
   return true;
 }
 
-/// What is wrong with the points inside, where the boundary is as it should be: tetrahedra that were
-/// turned to be positive fill a region once only if they fill its volume.
+/// What is wrong with the points inside, where the boundary is as it should be: tetrahedra that
+/// were turned to be positive fill a region once only if they fill its volume.
 std::string inside_fault(const TetrahedralMesh& mesh, const Region& region) {
   constexpr double kVolumeTolerance = 1e-6;  // rounding makes 1e-9 of thin ones
   Point low = region.surface.points.front(), high = low;
@@ -167,8 +167,9 @@ void drop_unused_points(TetrahedralMesh& mesh, std::size_t of_surface) {
 /// A program of ours that crashes is no fault of the surface, whatever drove it there.
 [[noreturn]] void fail(const std::string& problem, bool mesher_failed) {
   if (mesher_failed)
-    throw IoError(problem + "; if it does so on every surface, install it again, or name another "
-                            "with TRIPUS_TETGEN; else remesh this one more evenly");
+    throw IoError(problem +
+                  "; if it does so on every surface, install it again, or name another "
+                  "with TRIPUS_TETGEN; else remesh this one more evenly");
   throw Unsupported(problem +
                     ", a fault of its own that very thin or very crowded parts can cause; remesh "
                     "the surface more evenly, or give a tetrahedral mesh");

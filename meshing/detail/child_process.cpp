@@ -29,8 +29,8 @@ constexpr int kPatientTries = 50;
 constexpr std::size_t kLastWords = 200;
 
 /// The child between fork and exec, where only what signal handlers may do is allowed: nothing of
-/// ours but the socket, signals as at birth, and no life after its parent's. What goes wrong is told
-/// through `failure`, which closes when the program starts.
+/// ours but the socket, signals as at birth, and no life after its parent's. What goes wrong is
+/// told through `failure`, which closes when the program starts.
 [[noreturn]] void become(const char* program, char* const* arguments, int socket, int errors,
                          int failure, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -174,7 +174,8 @@ std::string ChildProcess::ending() {
   while (!last_words_.empty() && last_words_.back() <= ' ') last_words_.pop_back();
   const std::string words =
       last_words_.empty() ? "" : ", its last words " + quoted(last_words_, kLastWords);
-  if (WIFSIGNALED(status_)) return "was ended by signal " + std::to_string(WTERMSIG(status_)) + words;
+  if (WIFSIGNALED(status_))
+    return "was ended by signal " + std::to_string(WTERMSIG(status_)) + words;
   return "ended with status " + std::to_string(WEXITSTATUS(status_)) + words;
 }
 

@@ -15,8 +15,9 @@
 #include "topology/requirements.hpp"
 
 // Newton's method for the extended co-volume, which is convex and C1: flat tetrahedra have constant
-// angles. Where some become flat or cease to be, the derivative has the root of a distance in it, so
-// that steps are cut until the slope along them falls; once all keep their kinds it is quadratic.
+// angles. Where some become flat or cease to be, the derivative has the root of a distance in it,
+// so that steps are cut until the slope along them falls; once all keep their kinds it is
+// quadratic.
 
 namespace tripus::structure::detail {
 namespace {
@@ -33,10 +34,10 @@ constexpr double kConverged = 1e-40;
 constexpr double kShift = 1e-24;
 
 struct Point {
-  std::vector<Arb> x;                        // [E] exact
-  std::vector<std::array<Arb, 6>> angles;    // [T]
-  std::vector<bool> flat;                    // [T]
-  std::vector<Arb> curvature;                // [E]
+  std::vector<Arb> x;                      // [E] exact
+  std::vector<std::array<Arb, 6>> angles;  // [T]
+  std::vector<bool> flat;                  // [T]
+  std::vector<Arb> curvature;              // [E]
   double max_curvature = 0;
 };
 
@@ -92,8 +93,8 @@ class PreciseRun {
       if (auto found = precise_tetrahedron(l, false)) {
         p.angles[t] = std::move(found->angles);
       } else if (const auto kind = proved_flat(l)) {
-        const auto straight = static_cast<std::size_t>(*kind) -
-                              static_cast<std::size_t>(TetrahedronKind::kFlat01_23);
+        const auto straight =
+            static_cast<std::size_t>(*kind) - static_cast<std::size_t>(TetrahedronKind::kFlat01_23);
         p.flat[t] = true;
         p.angles[t][straight] = p.angles[t][5 - straight] = pi;
       } else {
@@ -120,8 +121,8 @@ class PreciseRun {
       if (!jacobian) return false;
       for (int i = 0; i < 6; ++i)
         for (int j = 0; j < 6; ++j) {
-          const auto q = static_cast<std::size_t>(
-              geometry::packed_index(std::min(i, j), std::max(i, j)));
+          const auto q =
+              static_cast<std::size_t>(geometry::packed_index(std::min(i, j), std::max(i, j)));
           arb_ptr entry =
               hessian.at(triangulation_.edge_class(t, i), triangulation_.edge_class(t, j));
           arb_add(entry, entry, (*jacobian)[q].get(), Precision::bits());
@@ -239,7 +240,8 @@ std::optional<Report> precise_minimiser(const Triangulation& triangulation,
     found.advice = Advice::kNone;
     found.message = fmt::format(
         "This triangulation carries the hyperbolic metric with geodesic boundary; its volume is "
-        "{:.12g}. Some tetrahedra are so nearly flat that it was found with {} bits; at the lengths "
+        "{:.12g}. Some tetrahedra are so nearly flat that it was found with {} bits; at the "
+        "lengths "
         "rounded to doubles edge curvatures are larger.",
         found.volume, kBits);
   } else {

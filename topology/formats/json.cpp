@@ -83,8 +83,8 @@ std::vector<ConeAngle> read_cone_orders(const json& list, const Gluings& gluings
 }
 
 /// Reads {"name": ..., "gluings": [...]} as it comes, without a document in memory: that takes a
-/// kilobyte a tetrahedron, and its destructor, which must not fail, asks for memory too. What is not
-/// as it should be, and labels, are left to the reader of documents, who says what is wrong.
+/// kilobyte a tetrahedron, and its destructor, which must not fail, asks for memory too. What is
+/// not as it should be, and labels, are left to the reader of documents, who says what is wrong.
 class PlainReader : public nlohmann::json_sax<json> {
  public:
   NamedGluings take() {

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "topology/isosig.hpp"
+#include "topology/labelled_isosig.hpp"
 #include "topology/orientation.hpp"
 #include "topology/requirements.hpp"
 
@@ -22,7 +23,7 @@ double volume_error(const Triangulation& triangulation, const Report& report) {
   for (std::size_t e = 0; e < report.edge_lengths.size(); ++e) {
     const double rounding =
         8 * std::numeric_limits<double>::epsilon() * static_cast<double>(triangulation.valence(e));
-    sum += report.edge_lengths[e] * (report.max_curvature + rounding);
+    sum += std::fabs(report.edge_lengths[e]) * (report.max_curvature + rounding);
   }
   return sum / 2 + 64 * std::numeric_limits<double>::epsilon() *
                        static_cast<double>(triangulation.tetrahedron_count());
@@ -30,12 +31,26 @@ double volume_error(const Triangulation& triangulation, const Report& report) {
 
 }  // namespace
 
+void require_canonizable(const Triangulation& triangulation,
+                         std::span<const topology::ConeAngle> cone_angles) {
+  topology::require_solvable(triangulation, cone_angles);
+  const auto links = topology::orbifold_links(triangulation, cone_angles);
+  for (std::size_t v = 0; v < links.size(); ++v) {
+    if (links[v].kind != topology::VertexKind::kFinite) continue;
+    throw Unsupported(topology::link_place(triangulation, v) +
+                      " is a sphere, so this is a finite vertex, and the canonical decomposition "
+                      "needs geodesic boundary or cusps; simplify first to remove it, if the "
+                      "manifold is not closed");
+  }
+}
+
 std::optional<CanonicalManifold> canonize_metric(const Triangulation& triangulation,
                                                  const Report& report,
                                                  const ProtoCanonicalOptions& options) {
   ProtoCanonical proto = proto_canonical(triangulation, report, options);
   if (!proto.found) return std::nullopt;
-  Decomposition decomposition(proto.triangulation.gluings(), proto.faces);
+  if (edge_inside_cell(proto.triangulation, proto.faces, proto.cone_angles)) return std::nullopt;
+  Decomposition decomposition(proto.triangulation.gluings(), proto.faces, proto.cone_angles);
   CanonicalOrder order = canonical_order(decomposition);
   IsometryGroup isometries =
       isometry_group(decomposition, order, proto.triangulation.vertex_count());
@@ -45,6 +60,7 @@ std::optional<CanonicalManifold> canonize_metric(const Triangulation& triangulat
   const double error = volume_error(proto.triangulation, proto.report);
   return CanonicalManifold{.triangulation = std::move(proto.triangulation),
                            .report = std::move(proto.report),
+                           .cone_angles = std::move(proto.cone_angles),
                            .volume_error = error,
                            .faces = std::move(proto.faces),
                            .simplified = {},
@@ -69,7 +85,8 @@ std::vector<double> cell_edge_lengths(const CanonicalManifold& manifold) {
                  FaceKind::kTrue;
       }
     }
-    if (sides >= 2 * 3) lengths.push_back(manifold.report.edge_lengths[e]);
+    const bool labelled = !manifold.cone_angles.empty() && !manifold.cone_angles[e].is_full();
+    if (labelled || sides >= 2 * 3) lengths.push_back(manifold.report.edge_lengths[e]);
   }
   std::ranges::sort(lengths);
   return lengths;
@@ -80,12 +97,17 @@ namespace {
 constexpr const char* kNotCanonical =
     "The metric was found, but no triangulation that subdivides the canonical decomposition.";
 
+constexpr const char* kSingularEdgeInside =
+    "The metric was found, but no triangulation that subdivides the canonical decomposition and "
+    "has the singular edges in its faces; they may go through the inside of cells.";
+
 /// A triangulation that carries the metric, and how it was reached.
 struct Metric {
   Triangulation triangulation;
   Report report;
   std::string simplified;
   std::vector<topology::Move> path;
+  std::vector<topology::ConeAngle> cone_angles;
 };
 
 class Canonizer {
@@ -110,7 +132,8 @@ class Canonizer {
       if (metric && !metric->simplified.empty()) answer_.manifold = canonical_of(*metric);
     }
     if (!answer_.manifold) {
-      answer_.message = kNotCanonical;
+      answer_.message =
+          topology::all_full(options_.solve.cone_angles) ? kNotCanonical : kSingularEdgeInside;
       return std::move(answer_);
     }
     answer_.manifold->simplified = std::move(metric->simplified);
@@ -121,12 +144,11 @@ class Canonizer {
   }
 
  private:
-  bool stopped() const {
-    return solve_.stop_requested != nullptr && solve_.stop_requested->load();
-  }
+  bool stopped() const { return solve_.stop_requested != nullptr && solve_.stop_requested->load(); }
 
   std::optional<CanonicalManifold> canonical_of(const Metric& metric) const {
     ProtoCanonicalOptions proto = options_.proto_canonical;
+    proto.cone_angles = metric.cone_angles;
     if (proto.stop_requested == nullptr) proto.stop_requested = solve_.stop_requested;
     try {
       return canonize_metric(metric.triangulation, metric.report, proto);
@@ -138,13 +160,17 @@ class Canonizer {
   }
 
   std::optional<Metric> find_metric() {
-    topology::require_geodesic_boundary(input_);
+    require_canonizable(input_, solve_.cone_angles);
     const Gluings gluings = topology::oriented(input_.gluings());
     // Vertices and edges keep their numbers only if the labels did not change.
-    Triangulation triangulation = gluings == input_.gluings() ? input_ : Triangulation(gluings);
+    const bool same = gluings == input_.gluings();
+    Triangulation triangulation = same ? input_ : Triangulation(gluings);
+    if (!same)
+      solve_.cone_angles =
+          topology::oriented_edges(input_, options_.solve.cone_angles, triangulation);
     answer_.report = structure::solve(triangulation, solve_);
     if (answer_.report.outcome == Outcome::kGeometric)
-      return Metric{std::move(triangulation), answer_.report, {}, {}};
+      return Metric{std::move(triangulation), answer_.report, {}, {}, solve_.cone_angles};
     if (!options_.retriangulate) {
       answer_.message = answer_.report.message;
       return std::nullopt;
@@ -154,15 +180,15 @@ class Canonizer {
 
   /// Another triangulation of the manifold that carries the metric.
   std::optional<Metric> by_moves(const Triangulation& triangulation, Report start) {
-    structure::Retriangulation found = structure::retriangulate(
-        triangulation, std::move(start), solve_, options_.retriangulation);
+    structure::Retriangulation found =
+        structure::retriangulate(triangulation, std::move(start), solve_, options_.retriangulation);
     if (found.report.outcome != Outcome::kGeometric) {
       answer_.message = found.report.message;
       answer_.advice = found.report.advice;
       return std::nullopt;
     }
     return Metric{Triangulation(std::move(found.gluings)), std::move(found.report),
-                  std::move(found.simplified), std::move(found.path)};
+                  std::move(found.simplified), std::move(found.path), std::move(found.cone_angles)};
   }
 
   CanonizeAnswer without_metric() {

@@ -22,12 +22,14 @@ struct CanonizeOptions {
   ProtoCanonicalOptions proto_canonical;
 };
 
-/// A hyperbolic manifold with geodesic boundary, known up to isometry.
+/// A hyperbolic manifold with geodesic boundary, cusps or both, or an orbifold whose singular edges
+/// are edges of its triangulation, known up to isometry.
 struct CanonicalManifold {
-  topology::Triangulation triangulation;  ///< subdivides the canonical decomposition
-  structure::Report report;               ///< the metric on it
-  double volume_error = 0;                ///< estimate of what the volume may be off
-  FaceKinds faces;                        ///< with the margins of every decision
+  topology::Triangulation triangulation;              ///< subdivides the canonical decomposition
+  structure::Report report;                           ///< the metric on it
+  std::vector<topology::ConeAngle> cone_angles = {};  ///< [E] of it; empty for 2 pi everywhere
+  double volume_error = 0;                            ///< estimate of what the volume may be off
+  FaceKinds faces;                                    ///< with the margins of every decision
   /// Where the path starts: the input, made `oriented`; or a simplification of it, as
   /// decode_isosig(simplified) gives it.
   std::string simplified;            ///< empty: the input
@@ -48,8 +50,15 @@ struct CanonizeAnswer {
   structure::Advice advice = structure::Advice::kNone;  ///< where nothing was found
 };
 
-/// The canonical (Kojima) decomposition with everything that follows from it.
-/// Throws InvalidInput for triangulations that structure::solve refuses.
+/// Checks that there can be a canonical decomposition: what topology::require_solvable checks, and
+/// that no vertex is finite. Throws InvalidInput as that does, Unsupported for a finite vertex.
+void require_canonizable(const topology::Triangulation& triangulation,
+                         std::span<const topology::ConeAngle> cone_angles = {});
+
+/// The canonical decomposition with everything that follows from it: Kojima's if there is geodesic
+/// boundary, with cusps that are small enough; Epstein's and Penner's, with cusps of one volume, if
+/// there are cusps only. The cone angles are those of the options: then isometries keep them.
+/// Throws what `require_canonizable` does.
 CanonizeAnswer canonize(const topology::Triangulation& triangulation,
                         const CanonizeOptions& options = {});
 

@@ -24,7 +24,8 @@ constexpr std::string_view kUnresolved = "# unresolved ";
 
 /// The same of the line with the checksums of all others, in their order.
 constexpr std::string_view kChecksums = "# checksums of the lines: ";
-constexpr std::string_view kTitle = "# Hyperbolic manifolds with geodesic boundary, by tripus census: ";
+constexpr std::string_view kTitle =
+    "# Hyperbolic manifolds with geodesic boundary, by tripus census: ";
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
@@ -184,7 +185,8 @@ struct Claims {
       }
     }
     if (counts && !checksums && !ends_with_line_end)
-      throw InvalidInput(fmt::format("line {} of the census, its last, is cut off", numbers.back()));
+      throw InvalidInput(
+          fmt::format("line {} of the census, its last, is cut off", numbers.back()));
     if (counts && *counts != counts_of(census))
       throw InvalidInput(fmt::format("line 1 of the census says {} and there are {}",
                                      quoted(*counts, 100), quoted(counts_of(census), 100)));

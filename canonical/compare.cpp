@@ -13,7 +13,6 @@
 #include "orthospectrum/spectrum.hpp"
 #include "topology/homology.hpp"
 #include "topology/moves/common_triangulation.hpp"
-#include "topology/requirements.hpp"
 #include "topology/simplify/small_triangulations.hpp"
 
 namespace tripus::canonical {
@@ -30,6 +29,8 @@ std::vector<std::string> boundary_components(const Triangulation& triangulation)
     result.push_back(
         link.orientable
             ? fmt::format("genus {}{}", link.genus(), link.genus() == 1 ? " (a cusp)" : "")
+        : link.euler_characteristic == 0
+            ? "a Klein bottle (a cusp)"
             : fmt::format("non-orientable of Euler characteristic {}", link.euler_characteristic));
   }
   std::ranges::sort(result);
@@ -82,6 +83,14 @@ std::string_view how_oriented(const Comparison& result, bool is_orientable) {
   return result.keeps_orientation ? ", keeping the given orientations" : ", as mirror images";
 }
 
+/// Whether the boundary is geodesic, without cusps: then there are arcs to be compared.
+bool is_geodesic(const Triangulation& triangulation) {
+  for (std::size_t v = 0; v < triangulation.vertex_count(); ++v)
+    if (!triangulation.link(v).orientable || triangulation.link(v).euler_characteristic >= 0)
+      return false;
+  return true;
+}
+
 /// Beyond so many tetrahedra a canonical decomposition takes longer than two metrics and their
 /// shortest arcs, as each of its moves solves the whole triangulation again.
 constexpr std::size_t kSlowToCanonize = 24;
@@ -128,7 +137,7 @@ void compare_manifolds(Comparison& result) {
     return;
   }
   result.decided_by = "decomposition";
-  if (a.order.code != b.order.code) {
+  if (a.order.code != b.order.code || a.order.cone_angles != b.order.cone_angles) {
     result.verdict = Verdict::kDifferent;
     result.message =
         a.cells == b.cells
@@ -192,34 +201,46 @@ std::string_view to_string(Verdict verdict) {
 
 Comparison compare(const Triangulation& first, const Triangulation& second,
                    const CanonizeOptions& options, Orientations orientations) {
+  return compare({first, {}}, {second, {}}, options, orientations);
+}
+
+Comparison compare(const Labelled& one, const Labelled& other, const CanonizeOptions& options,
+                   Orientations orientations) {
+  const Triangulation &first = one.triangulation, &second = other.triangulation;
+  const bool plain = topology::all_full(one.cone_angles) && topology::all_full(other.cone_angles);
   if (auto decided = compare_topology(first, second)) return *decided;
   try {
-    topology::require_geodesic_boundary(first);
-    topology::require_geodesic_boundary(second);
+    require_canonizable(first, one.cone_angles);
+    require_canonizable(second, other.cone_angles);
   } catch (const InvalidInput&) {
     Comparison result;
     result.orientations_known = orientations == Orientations::kKnown;
-    compare_triangulations(result, first, second, options);
+    if (plain) compare_triangulations(result, first, second, options);
     if (result.verdict == Verdict::kHomeomorphic) return result;
     throw;
   }
-  if (std::max(first.tetrahedron_count(), second.tetrahedron_count()) > kSlowToCanonize)
+  const bool has_arcs = plain && is_geodesic(first) && is_geodesic(second);
+  if (has_arcs && std::max(first.tetrahedron_count(), second.tetrahedron_count()) > kSlowToCanonize)
     if (auto decided = compare_arcs(first, second, options.solve)) return *decided;
   Comparison result;
   result.orientations_known =
       orientations == Orientations::kKnown || !first.is_orientable() || !second.is_orientable();
-  CanonizeOptions without_evidence = options;
-  without_evidence.solve.evidence = false;
-  CanonizeAnswer a = canonize(first, without_evidence), b = canonize(second, without_evidence);
+  CanonizeOptions of_one = options;
+  of_one.solve.evidence = false;
+  CanonizeOptions of_other = of_one;
+  of_one.solve.cone_angles = one.cone_angles;
+  of_other.solve.cone_angles = other.cone_angles;
+  CanonizeAnswer a = canonize(first, of_one), b = canonize(second, of_other);
   result.first = std::move(a.manifold);
   result.second = std::move(b.manifold);
   if (result.first && result.second) {
     compare_manifolds(result);
     return result;
   }
-  compare_triangulations(result, first, second, options);
+  if (plain) compare_triangulations(result, first, second, options);
   if (result.verdict == Verdict::kHomeomorphic) return result;
-  if (auto decided = compare_arcs(first, second, options.solve)) return *decided;
+  if (has_arcs)
+    if (auto decided = compare_arcs(first, second, options.solve)) return *decided;
   result.message = fmt::format("Unresolved: no canonical decomposition of the {}. {}",
                                result.first    ? "second"
                                : result.second ? "first"

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "canonical/canonize.hpp"
 
@@ -35,14 +36,25 @@ struct Comparison {
 /// nothing about them; an isometry of chiral manifolds then may keep or reverse them.
 enum class Orientations { kKnown, kNotKnown };
 
+/// A triangulation and the cone angles [E] of its edge classes; empty for 2 pi everywhere.
+struct Labelled {
+  const topology::Triangulation& triangulation;
+  std::vector<topology::ConeAngle> cone_angles;
+};
+
 /// Invariants are compared from the cheapest on: the boundary components (what is not a sphere
 /// among the vertex links), orientability, first homology, for large triangulations the shortest
 /// orthogonal arcs, volume, canonical decomposition. Where that of one or both was not found, a
 /// triangulation is looked for that moves reach from both. "Different" by volume or by
 /// decomposition and "homeomorphic" by decomposition rest on floating-point metrics and on tilt
-/// signs with the margins of FaceKinds. Throws InvalidInput for triangulations that
-/// structure::solve refuses, unless the boundary, orientability or homology decides.
+/// signs with the margins of FaceKinds. Throws what `require_canonizable` does, unless the
+/// boundary, orientability or homology decides.
 Comparison compare(const topology::Triangulation& first, const topology::Triangulation& second,
+                   const CanonizeOptions& options = {},
+                   Orientations orientations = Orientations::kKnown);
+/// The same for orbifolds: "homeomorphic" then means that singular edges go to singular edges with
+/// the same cone angles. Only what is left of the invariants then is compared.
+Comparison compare(const Labelled& first, const Labelled& second,
                    const CanonizeOptions& options = {},
                    Orientations orientations = Orientations::kKnown);
 

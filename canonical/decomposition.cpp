@@ -31,14 +31,40 @@ struct Place {
   std::size_t index() const { return 24 * t + static_cast<std::size_t>(p.rank()); }
 };
 
+/// True faces around an edge class: 0 inside a cell, 2 inside a polygon, more elsewhere. Two convex
+/// cells around an edge have angles pi, both; one cell cannot have angle 2 pi there.
+std::size_t count_true_faces(const Triangulation& triangulation, const FaceKinds& faces,
+                             std::size_t edge) {
+  std::size_t sides = 0;  // each face around the edge is met from both
+  for (const auto& corner : triangulation.corners(edge)) {
+    const auto ends = topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())];
+    for (int f = 0; f < 4; ++f) {
+      sides += f != ends[0] && f != ends[1] &&
+               faces.kind[corner.tetrahedron()][static_cast<std::size_t>(f)] == FaceKind::kTrue;
+    }
+  }
+  return sides / 2;
+}
+
 }  // namespace
+
+std::optional<std::size_t> edge_inside_cell(const Triangulation& triangulation,
+                                            const FaceKinds& faces,
+                                            std::span<const topology::ConeAngle> cone_angles) {
+  for (std::size_t e = 0; e < cone_angles.size(); ++e)
+    if (!cone_angles[e].is_full() && count_true_faces(triangulation, faces, e) == 0) return e;
+  return std::nullopt;
+}
 
 /// Walks on the flags of the triangulation.
 class FlagBuilder {
  public:
-  FlagBuilder(const Gluings& gluings, const FaceKinds& faces)
-      : triangulation_(gluings), faces_(faces) {
-    count_true_faces();
+  FlagBuilder(const Gluings& gluings, const FaceKinds& faces,
+              std::span<const topology::ConeAngle> cone_angles)
+      : triangulation_(gluings), faces_(faces), cone_angles_(cone_angles) {
+    if (const auto edge = edge_inside_cell(triangulation_, faces, cone_angles))
+      throw InvalidInput(fmt::format("edge class {}, with a cone angle, is inside a cell", *edge));
+    find_inner_edges();
   }
 
   void build(Decomposition& result) {
@@ -53,6 +79,7 @@ class FlagBuilder {
       result.step_[2][flag] = number(next_face(here));
       result.step_[3][flag] = number(across(here));
     }
+    if (!topology::all_full(cone_angles_)) label(result);
     orient(result);
     number_orbits(result, {0, 1, 2}, result.cell_);
     number_orbits(result, {1, 2}, result.vertex_);
@@ -84,29 +111,35 @@ class FlagBuilder {
   /// Around the vertex, inside the polygon, to its other edge there.
   Place next_edge(Place place) const {
     place = swapped(place, 1);
-    while (true_faces_[edge_class(place)] == 2) place = swapped(next_face(place), 1);
+    while (inner_[edge_class(place)]) place = swapped(next_face(place), 1);
     return place;
   }
 
-  /// True faces around each edge class: 0 inside a cell, 2 inside a polygon, more elsewhere. Two
-  /// convex cells around an edge have angles pi, both; one cell cannot have angle 2 pi there.
-  void count_true_faces() {
-    true_faces_.assign(triangulation_.edge_count(), 0);
-    for (std::size_t e = 0; e < triangulation_.edge_count(); ++e) {
-      for (const auto& corner : triangulation_.corners(e)) {
-        const auto ends = topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())];
-        // Each face around the edge is met from both sides.
-        for (int f = 0; f < 4; ++f) {
-          true_faces_[e] +=
-              f != ends[0] && f != ends[1] &&
-              faces_.kind[corner.tetrahedron()][static_cast<std::size_t>(f)] == FaceKind::kTrue;
-        }
-      }
-      true_faces_[e] /= 2;
-      if (true_faces_[e] == 1) {
+  /// Those inside cells and polygons.
+  void find_inner_edges() {
+    inner_.resize(triangulation_.edge_count());
+    for (std::size_t e = 0; e < inner_.size(); ++e) {
+      if (!cone_angles_.empty() && !cone_angles_[e].is_full()) continue;
+      const std::size_t count = count_true_faces(triangulation_, faces_, e);
+      inner_[e] = count <= 2;
+      if (count == 1) {
         throw InternalError(
             fmt::format("edge class {} has one true face around it: a tilt has the wrong sign", e));
       }
+    }
+  }
+
+  void label(Decomposition& result) const {
+    const auto descending = [](const topology::ConeAngle& a, const topology::ConeAngle& b) {
+      return a.radians() > b.radians();
+    };
+    auto& angles = result.cone_angles_;
+    for (const Place& place : places_) angles.push_back(cone_angles_[edge_class(place)]);
+    std::ranges::sort(angles, descending);
+    angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
+    for (const Place& place : places_) {
+      const auto found = std::ranges::find(angles, cone_angles_[edge_class(place)]);
+      result.label_.push_back(static_cast<std::uint32_t>(found - angles.begin()));
     }
   }
 
@@ -115,7 +148,7 @@ class FlagBuilder {
     for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
       for (int rank = 0; rank < 24; ++rank) {
         const Place place{t, Perm4::from_rank(rank)};
-        if (!is_true(place) || true_faces_[edge_class(place)] == 2) continue;
+        if (!is_true(place) || inner_[edge_class(place)]) continue;
         number_[place.index()] = static_cast<FlagIndex>(places_.size());
         places_.push_back(place);
       }
@@ -179,13 +212,15 @@ class FlagBuilder {
 
   Triangulation triangulation_;
   const FaceKinds& faces_;
-  std::vector<std::uint32_t> true_faces_;  // [E]
-  std::vector<Place> places_;              // of each flag
-  std::vector<FlagIndex> number_;          // [24 T]
+  std::span<const topology::ConeAngle> cone_angles_;
+  std::vector<char> inner_;        // [E] not an edge of the decomposition
+  std::vector<Place> places_;      // of each flag
+  std::vector<FlagIndex> number_;  // [24 T]
 };
 
-Decomposition::Decomposition(const Gluings& gluings, const FaceKinds& faces) {
-  FlagBuilder(gluings, faces).build(*this);
+Decomposition::Decomposition(const Gluings& gluings, const FaceKinds& faces,
+                             std::span<const topology::ConeAngle> cone_angles) {
+  FlagBuilder(gluings, faces, cone_angles).build(*this);
 }
 
 namespace {

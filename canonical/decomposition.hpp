@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,9 +26,13 @@ class Decomposition {
  public:
   /// Merges tetrahedra across transparent faces, and triangles of true faces that lie in one plane.
   /// Which do is read off the combinatorics: an edge class with exactly two true faces around it
-  /// lies inside a polygon. Faces must not be concave.
-  /// Throws InternalError if an edge class has exactly one true face: the signs are wrong.
-  Decomposition(const topology::Gluings& gluings, const FaceKinds& faces);
+  /// lies inside a polygon. Faces must not be concave. An edge class whose cone angle is not 2 pi
+  /// stays an edge in any case: it cuts the polygon in which it lies.
+  ///   cone_angles  [E]; empty for 2 pi everywhere
+  /// Throws InternalError if an edge class has exactly one true face: the signs are wrong. Throws
+  /// InvalidInput if `edge_inside_cell` finds one.
+  Decomposition(const topology::Gluings& gluings, const FaceKinds& faces,
+                std::span<const topology::ConeAngle> cone_angles = {});
 
   std::size_t flag_count() const { return vertex_.size(); }
   std::size_t cell_count() const { return cell_start_.size(); }
@@ -41,6 +46,11 @@ class Decomposition {
   /// The vertex class of the triangulation, that is the boundary component, at the flag's vertex.
   std::uint32_t boundary_component(FlagIndex flag) const { return component_[flag]; }
 
+  /// The cone angle of the flag's edge, as a place in `cone_angles`; 0 if there are no labels.
+  std::uint32_t label(FlagIndex flag) const { return label_.empty() ? 0 : label_[flag]; }
+  /// The cone angles that occur, descending; empty if there are no labels.
+  const std::vector<topology::ConeAngle>& cone_angles() const { return cone_angles_; }
+
   bool is_orientable() const { return orientable_; }
   /// False for flags of the orientation that makes tetrahedron 0 with labels 0123 positive. Steps
   /// change it; meaningless if not orientable.
@@ -50,10 +60,18 @@ class Decomposition {
   friend class FlagBuilder;
   std::array<std::vector<FlagIndex>, 4> step_;  // [4][F]
   std::vector<std::uint32_t> cell_, vertex_, component_;
+  std::vector<std::uint32_t> label_;  // [F], or empty
+  std::vector<topology::ConeAngle> cone_angles_;
   std::vector<FlagIndex> cell_start_;
   std::vector<char> negative_;
   bool orientable_ = true;
 };
+
+/// An edge class with a cone angle other than 2 pi that no true face meets: it goes through the
+/// inside of a cell, which then is no polyhedron. Nothing if there is none.
+std::optional<std::size_t> edge_inside_cell(const topology::Triangulation& triangulation,
+                                            const FaceKinds& faces,
+                                            std::span<const topology::ConeAngle> cone_angles);
 
 /// Combinatorial type of one cell.
 struct CellType {

@@ -33,8 +33,10 @@ const CensusEntry* find_simplified(const topology::Triangulation& triangulation,
 
 Identification identify(const topology::Triangulation& triangulation, const Census& census,
                         const CanonizeOptions& options) {
-  if (const auto isosig = topology::isosig(triangulation.gluings(), kWorkLimit)) {
-    if (const CensusEntry* entry = census.find(*isosig))
+  const bool plain = topology::all_full(options.solve.cone_angles);
+  if (plain) {
+    const auto isosig = topology::isosig(triangulation.gluings(), kWorkLimit);
+    if (const CensusEntry* entry = isosig ? census.find(*isosig) : nullptr)
       return {entry, IdentifiedBy::kTriangulation, {}};
   }
   Identification result;
@@ -44,7 +46,7 @@ Identification identify(const topology::Triangulation& triangulation, const Cens
     result.entry = census.find(result.answer->manifold->signature.unoriented);
     return result;
   }
-  if (!options.retriangulate) return result;
+  if (!options.retriangulate || !plain) return result;
   result.entry = find_simplified(triangulation, census, options.solve.stop_requested);
   if (result.entry != nullptr) result.by = IdentifiedBy::kTriangulation;
   return result;

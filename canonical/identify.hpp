@@ -30,8 +30,8 @@ const CensusEntry* find_simplified(const topology::Triangulation& triangulation,
                                    const std::atomic<bool>* stop_requested = nullptr);
 
 /// Looks a manifold up: by its triangulation, by a simplification of that, by its canonical
-/// decomposition. Throws InvalidInput for triangulations that structure::solve refuses and that are
-/// not listed.
+/// decomposition; with cone angles by the last alone. Throws what `require_canonizable` does, if
+/// the triangulation is not listed.
 Identification identify(const topology::Triangulation& triangulation, const Census& census,
                         const CanonizeOptions& options = {});
 

@@ -13,7 +13,9 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 class Orderer {
  public:
   explicit Orderer(const Decomposition& decomposition)
-      : decomposition_(decomposition), number_(decomposition.flag_count(), kNone) {
+      : decomposition_(decomposition),
+        width_(decomposition.cone_angles().empty() ? 4 : 5),
+        number_(decomposition.flag_count(), kNone) {
     queue_.reserve(decomposition.flag_count());
   }
 
@@ -23,18 +25,15 @@ class Orderer {
     queue_.assign(1, start);
     number_[start] = 0;
     bool less = best.code.empty();
-    if (less) best.code.resize(4 * number_.size());
+    if (less) best.code.resize(width_ * number_.size());
     for (std::size_t k = 0; k < queue_.size(); ++k) {
-      for (int i = 0; i < 4; ++i) {
-        const FlagIndex next = decomposition_.step(i, queue_[k]);
-        if (number_[next] == kNone) {
-          number_[next] = static_cast<std::uint32_t>(queue_.size());
-          queue_.push_back(next);
-        }
-        std::uint32_t& entry = best.code[4 * k + static_cast<std::size_t>(i)];
-        if (!less && number_[next] > entry) return 1;
-        if (number_[next] < entry) less = true;
-        if (less) entry = number_[next];
+      for (std::size_t i = 0; i < width_; ++i) {
+        const std::uint32_t value =
+            i < 4 ? place_after(static_cast<int>(i), queue_[k]) : decomposition_.label(queue_[k]);
+        std::uint32_t& entry = best.code[width_ * k + i];
+        if (!less && value > entry) return 1;
+        if (value < entry) less = true;
+        if (less) entry = value;
       }
     }
     return less ? -1 : 0;
@@ -43,7 +42,18 @@ class Orderer {
   const std::vector<FlagIndex>& flags() const { return queue_; }
 
  private:
+  /// The place of the flag that a step leads to, which takes the next one if it has none yet.
+  std::uint32_t place_after(int step, FlagIndex flag) {
+    const FlagIndex next = decomposition_.step(step, flag);
+    if (number_[next] == kNone) {
+      number_[next] = static_cast<std::uint32_t>(queue_.size());
+      queue_.push_back(next);
+    }
+    return number_[next];
+  }
+
   const Decomposition& decomposition_;
+  const std::size_t width_;  // of the code of a flag: four steps, and its label if there are any
   std::vector<std::uint32_t> number_;
   std::vector<FlagIndex> queue_;
 };
@@ -60,10 +70,11 @@ std::vector<FlagIndex> automorphism(const Decomposition& decomposition, const Ca
   std::vector<FlagIndex> image(order.flags.size());
   image[order.flags[0]] = start;
   // Places are first reached from earlier ones.
+  const std::size_t width = order.code.size() / order.flags.size();
   std::uint32_t reached = 1;
   for (std::uint32_t k = 0; k < reached; ++k) {
     for (int i = 0; i < 4; ++i) {
-      if (order.code[std::size_t{4} * k + static_cast<std::size_t>(i)] != reached) continue;
+      if (order.code[width * k + static_cast<std::size_t>(i)] != reached) continue;
       image[order.flags[reached]] = decomposition.step(i, image[order.flags[k]]);
       ++reached;
     }
@@ -119,6 +130,7 @@ CanonicalOrder canonical_order(const Decomposition& decomposition) {
     best.starts.push_back(start);
   }
   best.number = inverse(best.flags);
+  best.cone_angles = decomposition.cone_angles();
   return best;
 }
 

@@ -17,7 +17,9 @@ struct CanonicalOrder {
   std::vector<std::uint32_t> number;  ///< [F] the place of each flag in it
   /// [4 F] the places that the four steps lead to, place by place: equal codes, isomorphic
   /// decompositions. It is the lexicographically least over all flags that an order may begin with.
+  /// With cone angles [5 F]: a fifth number for each place, its flag's label.
   std::vector<std::uint32_t> code;
+  std::vector<topology::ConeAngle> cone_angles;  ///< what the labels mean; empty: there are none
   /// All flags that begin an order with this code; the first is flags[0]. One for each
   /// automorphism: automorphism k carries flags[0] to starts[k].
   std::vector<FlagIndex> starts;

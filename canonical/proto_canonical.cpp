@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <numbers>
 #include <optional>
 #include <queue>
@@ -15,8 +16,11 @@
 
 #include "base/error.hpp"
 #include "base/tolerances.hpp"
+#include "canonical/detail/precise.hpp"
+#include "energies/co_volume.hpp"
 #include "structure/solve.hpp"
-#include "topology/isosig.hpp"
+#include "topology/labelled_isosig.hpp"
+#include "topology/moves/edge_images.hpp"
 
 namespace tripus::canonical {
 namespace {
@@ -26,15 +30,19 @@ using topology::Move;
 using topology::MoveKind;
 using topology::Triangulation;
 
-/// Beyond so many tetrahedra the solver is started from the lengths that are known already. Before
-/// that the default start is as good, and cheaper where there is no metric to be found.
-constexpr std::size_t kWarmStart = 32;
 /// Up to so many tetrahedra the search makes moves everywhere, beyond only around the trouble.
 constexpr std::size_t kSmall = 12;
+/// A tetrahedron with an angle so close to pi is not made on the way: where four vertices lie in
+/// one plane, rounding can make one of volume 0 look true.
+constexpr double kNearlyFlat = 1e-4;
+/// Tetrahedra that the search through triangulations with the metric may add.
+constexpr std::size_t kSpread = 4;
+/// Where there is a metric and its lengths are known, a solution takes a step or none.
+constexpr std::size_t kCheap = 4;
 /// Moves at concave faces, and as many more for each tetrahedron, after which they are taken to go
 /// in circles.
 constexpr std::size_t kMoves = 100, kMovesPerTetrahedron = 20;
-/// Tetrahedra that the search may add.
+/// Tetrahedra that the other search may add.
 constexpr std::size_t kExtra = 2;
 
 /// A triangulation on the way, with the metric or without.
@@ -42,29 +50,68 @@ struct State {
   Triangulation triangulation;
   Report report;
   std::vector<Move> path;
+  std::vector<topology::ConeAngle> cone_angles;  ///< [E]; empty if there are no labels
 };
+
+FaceKinds faces_of(const State& state) {
+  return face_kinds(state.triangulation, state.report.edge_lengths, state.cone_angles);
+}
+
+/// The length of an edge of one tetrahedron from the others and the dihedral angle opposite it;
+/// nothing if there is none. That angle's cosine is a linear function of the Gram entry:
+/// docs/theory.md (10).
+std::optional<double> length_across(const std::array<double, 6>& l, const detail::Diagonal& d,
+                                    int edge, double angle) {
+  const auto [a, b] = topology::kEdgeEnds[static_cast<std::size_t>(edge)];
+  const auto [i, j] = topology::kEdgeEnds[static_cast<std::size_t>(5 - edge)];
+  const auto kind = [&](int v) { return d[static_cast<std::size_t>(v)]; };
+  const auto gram = [&](int v, int w) {
+    const int e = topology::kEdgeNumber[static_cast<std::size_t>(v)][static_cast<std::size_t>(w)];
+    return detail::minus_gram(l[static_cast<std::size_t>(e)], kind(v), kind(w));
+  };
+  const double slope2 = detail::squared_slope(gram(i, j), kind(i), kind(j));
+  // Of the face ij and one more vertex, p of docs/theory.md (7).
+  const auto face = [&](int v) {
+    return kind(v) * slope2 + kind(j) * gram(i, v) * gram(i, v) +
+           kind(i) * gram(j, v) * gram(j, v) + 2 * gram(i, j) * gram(i, v) * gram(j, v);
+  };
+  const double product = kind(j) * gram(i, a) * gram(i, b) + kind(i) * gram(j, a) * gram(j, b) +
+                         gram(i, j) * (gram(i, a) * gram(j, b) + gram(i, b) * gram(j, a));
+  const double entry = (product - std::cos(angle) * std::sqrt(face(a) * face(b))) / slope2;
+  const bool hyperideal = kind(a) != 0 && kind(b) != 0;
+  if (!(entry > (hyperideal ? 1 : 0))) return std::nullopt;
+  if (hyperideal) return std::acosh(entry);
+  return std::log(kind(a) == kind(b) ? entry / 2 : entry);
+}
 
 class Walker {
  public:
   Walker(const Triangulation& triangulation, const Report& report,
          const ProtoCanonicalOptions& options)
-      : options_(options), volume_(report.volume), state_{triangulation, report, {}} {}
+      : options_(options),
+        volume_(report.volume),
+        state_{triangulation, report, {}, options.cone_angles} {}
 
   ProtoCanonical run() {
-    if (!descend()) search();
-    return {std::move(state_.triangulation), std::move(state_.report), std::move(faces_),
-            std::move(state_.path), !faces_.has_concave()};
+    if (!descend() && !spread()) search();
+    const bool found = !faces_.has_concave();
+    return {std::move(state_.triangulation), std::move(state_.report),      std::move(faces_),
+            std::move(state_.path),          std::move(state_.cone_angles), found};
   }
 
  private:
-  /// Moves at concave faces as long as there are any that do; true if no concave face is left.
+  /// Moves at concave faces as long as there are any that do, and lead to something new; true if no
+  /// concave face is left.
   bool descend() {
     // In exact arithmetic every such move lowers the hull, so that none comes back; but moves in
     // one plane can go in circles by rounding, and the search knows where it has been.
     std::size_t left = kMoves + kMovesPerTetrahedron * state_.triangulation.tetrahedron_count();
     while (left-- > 0 && !stopped() && improve()) {
+      if (known_.empty()) continue;
+      if (!known_.insert(key(state_)).second) return false;
+      open_.push_back(state_);
     }
-    faces_ = face_kinds(state_.triangulation, state_.report.edge_lengths);
+    faces_ = faces_of(state_);
     return !faces_.has_concave();
   }
 
@@ -74,14 +121,52 @@ class Walker {
 
   /// Makes one move at a concave face. False if there is no such face, or no such move.
   bool improve() {
-    faces_ = face_kinds(state_.triangulation, state_.report.edge_lengths);
+    faces_ = faces_of(state_);
     if (!faces_.has_concave()) return false;
     for (const Move& move : moves_at_concave_faces()) {
-      auto next = after(state_, move);
-      if (!next || next->report.outcome != structure::Outcome::kGeometric) continue;
-      state_ = std::move(*next);
+      auto next = moved(state_, move);
+      if (!next || !keeps_metric(*next)) continue;
+      solve(*next);
+      if (next->state.report.outcome != structure::Outcome::kGeometric) continue;
+      state_ = std::move(next->state);
       return true;
     }
+    return false;
+  }
+
+  /// Breadth first from where the moves got stuck through triangulations that carry the metric, and
+  /// from each again moves at concave faces until they come to one that is known. Cheap, as there
+  /// is nothing is solved for in vain, so that the budget goes kCheap times as far. Up to kSmall
+  /// tetrahedra.
+  bool spread() {
+    const State stuck = state_;
+    const std::size_t limit = stuck.triangulation.tetrahedron_count() + kSpread;
+    if (limit > kSmall + kSpread) return false;
+    constexpr std::array kKinds{MoveKind::kThreeTwo, MoveKind::kFourFour, MoveKind::kTwoThree};
+    known_.insert(key(stuck));
+    open_.assign(1, stuck);
+    while (!open_.empty() && solves_ < kCheap * options_.budget && !stopped()) {
+      const State here = std::move(open_.front());
+      open_.pop_front();
+      for (const Move& move : topology::all_moves(here.triangulation, kKinds)) {
+        if (solves_ >= kCheap * options_.budget) break;
+        const bool grows = move.kind == MoveKind::kTwoThree;
+        if (here.triangulation.tetrahedron_count() + grows > limit) continue;
+        auto next = moved(here, move);
+        if (!next || !keeps_metric(*next)) continue;
+        if (!known_.insert(key(next->state)).second) continue;
+        solve(*next);
+        if (next->state.report.outcome != structure::Outcome::kGeometric) continue;
+        open_.push_back(next->state);
+        state_ = std::move(next->state);
+        if (descend()) return true;
+      }
+    }
+    known_.clear();
+    open_.clear();
+    solves_ = 0;
+    state_ = stuck;
+    faces_ = faces_of(state_);
     return false;
   }
 
@@ -98,32 +183,38 @@ class Walker {
       open.emplace(state.triangulation.tetrahedron_count(), nodes.size());
       nodes.push_back(std::move(state));
     };
-    known.insert(topology::isosig(stuck.triangulation.gluings()));
+    known.insert(key(stuck));
     add(stuck);
     constexpr std::array kKinds{MoveKind::kThreeTwo, MoveKind::kFourFour, MoveKind::kTwoThree};
-    while (!open.empty() && solves_ < options_.budget && !stopped()) {
-      const State here = nodes[open.top().second];
+    while (!open.empty() && solves_ < kCheap * options_.budget && !stopped()) {
+      const auto [size, number] = open.top();
+      const State here = nodes[number];
       open.pop();
       const std::vector<bool> trouble = trouble_of(here);
       for (const Move& move : topology::all_moves(here.triangulation, kKinds)) {
         const bool grows = move.kind == MoveKind::kTwoThree;
-        if (here.triangulation.tetrahedron_count() + grows > limit) continue;
+        if (size + grows > limit) continue;
         if (!trouble.empty() && !trouble[move.tetrahedron]) continue;
-        if (solves_ >= options_.budget || stopped()) break;
-        auto next = after(here, move);
-        if (!next || !known.insert(topology::isosig(next->triangulation.gluings())).second)
-          continue;
-        if (next->report.outcome == structure::Outcome::kGeometric) {
-          state_ = std::move(*next);
+        if (solves_ >= kCheap * options_.budget || stopped()) break;
+        auto next = moved(here, move);
+        if (!next || !known.insert(key(next->state)).second) continue;
+        const bool was_geometric = here.report.outcome == structure::Outcome::kGeometric;
+        if (!was_geometric || keeps_metric(*next)) solve(*next);
+        if (next->state.report.outcome == structure::Outcome::kGeometric) {
+          state_ = std::move(next->state);
           if (descend()) return;
-          known.insert(topology::isosig(state_.triangulation.gluings()));
-          next = state_;
+          if (!known.insert(key(state_)).second) continue;
+          next->state = state_;
         }
-        add(std::move(*next));
+        add(std::move(next->state));
       }
     }
     state_ = stuck;
-    faces_ = face_kinds(state_.triangulation, state_.report.edge_lengths);
+    faces_ = faces_of(state_);
+  }
+
+  static std::string key(const State& state) {
+    return topology::labelled_isosig(state.triangulation, state.cone_angles);
   }
 
   /// [T] tetrahedra around which the search makes moves; empty for all.
@@ -132,7 +223,7 @@ class Walker {
     if (count <= kSmall) return {};
     std::vector<bool> trouble(count);
     if (state.report.outcome == structure::Outcome::kGeometric) {
-      const FaceKinds faces = face_kinds(state.triangulation, state.report.edge_lengths);
+      const FaceKinds faces = faces_of(state);
       for (std::size_t t = 0; t < count; ++t)
         trouble[t] = std::ranges::find(faces.kind[t], FaceKind::kConcave) != faces.kind[t].end();
     }
@@ -160,7 +251,7 @@ class Walker {
     std::vector<Move> moves;
     for (const Face& face : faces) add_edge_moves(face.t, face.f, 3, moves);
     for (const Face& face : faces)
-      if (is_crossed(face.t, face.f)) moves.push_back(two_three(face.t, face.f));
+      if (is_crossed(state_, face.t, face.f)) moves.push_back(two_three(face.t, face.f));
     for (const Face& face : faces) add_edge_moves(face.t, face.f, 4, moves);
     return moves;
   }
@@ -188,8 +279,8 @@ class Walker {
 
   /// Whether the edge that a 2-3 move makes crosses the inside of the face: exactly when the two
   /// tetrahedra have angles of sum less than pi at each edge of it.
-  bool is_crossed(std::size_t t, int f) const {
-    const auto& gluings = state_.triangulation.gluings();
+  static bool is_crossed(const State& state, std::size_t t, int f) {
+    const auto& gluings = state.triangulation.gluings();
     const std::size_t other = gluings.neighbour(t, f);
     const auto p = gluings.gluing(t, f);
     for (int e = 0; e < 6; ++e) {
@@ -197,7 +288,7 @@ class Walker {
       if (ends[0] == f || ends[1] == f) continue;
       const int image = topology::kEdgeNumber[static_cast<std::size_t>(p(ends[0]))]
                                              [static_cast<std::size_t>(p(ends[1]))];
-      const auto& angles = state_.report.dihedral_angles;
+      const auto& angles = state.report.dihedral_angles;
       if (angles[t][static_cast<std::size_t>(e)] + angles[other][static_cast<std::size_t>(image)] >
           std::numbers::pi - tolerance::kFlatAngleMargin)
         return false;
@@ -205,51 +296,90 @@ class Walker {
     return true;
   }
 
-  /// The state after a move, solved; nothing if it is not legal. Edges of valence 1 and 2, which no
-  /// metric has, are not solved on.
-  std::optional<State> after(const State& from, const Move& move) {
+  /// The state after a move, and where the metric before it was known: the lengths [E] that the
+  /// edges have in it, the new one included. Empty if it has none.
+  struct Moved {
+    State state;
+    std::vector<double> lengths;
+  };
+
+  /// Not solved; nothing if the move is not legal, or takes a labelled edge away.
+  static std::optional<Moved> moved(const State& from, const Move& move) {
     topology::Gluings gluings = from.triangulation.gluings();
     if (!topology::can_apply(gluings, move)) return std::nullopt;
     const topology::MoveChange change = topology::apply(gluings, move);
-    State next{Triangulation(std::move(gluings)), {}, from.path};
-    next.path.push_back(move);
-    for (std::size_t e = 0; e < next.triangulation.edge_count(); ++e)
-      if (next.triangulation.valence(e) < 3) return next;
-    structure::SolveOptions solve;
-    solve.evidence = false;
-    solve.stop_requested = options_.stop_requested;
-    if (next.triangulation.tetrahedron_count() > kWarmStart &&
-        from.report.outcome == structure::Outcome::kGeometric)
-      solve.initial_lengths = carried_over(from, next.triangulation, change);
-    next.report = structure::solve(next.triangulation, solve);
-    ++solves_;
-    if (next.report.outcome == structure::Outcome::kGeometric &&
-        !(std::fabs(next.report.volume - volume_) <= tolerance::kVolumeAgreement * volume_)) {
-      throw InternalError(fmt::format("{} changed the volume from {} to {}",
-                                      topology::to_string(move), volume_, next.report.volume));
+    Moved next{{Triangulation(std::move(gluings)), {}, from.path, {}}, {}};
+    State& state = next.state;
+    state.path.push_back(move);
+    const std::vector<std::uint32_t> images =
+        topology::edge_images(from.triangulation, move, change, state.triangulation);
+    auto labels =
+        topology::carried_labels(from.cone_angles, images, state.triangulation.edge_count());
+    if (!labels) return std::nullopt;
+    state.cone_angles = std::move(*labels);
+    if (from.report.outcome == structure::Outcome::kGeometric) {
+      next.lengths.resize(state.triangulation.edge_count());
+      for (std::size_t e = 0; e < images.size(); ++e)
+        if (images[e] != topology::kNoEdge) next.lengths[images[e]] = from.report.edge_lengths[e];
+      const auto diagonal = topology::new_diagonal(from.triangulation, move, change);
+      if (diagonal && !measure(from, *diagonal, next)) next.lengths.clear();
     }
     return next;
   }
 
-  /// Lengths for the triangulation after a move: edges that were there keep theirs.
-  static std::vector<double> carried_over(const State& from, const Triangulation& next,
-                                          const topology::MoveChange& change) {
-    constexpr auto kNew = topology::kNoTetrahedron;
-    std::vector<topology::TetrahedronIndex> old(next.tetrahedron_count());
-    for (std::size_t t = 0; t < old.size(); ++t)
-      old[t] = static_cast<topology::TetrahedronIndex>(t);
-    for (const auto& renumbered : change.renumbered) old[renumbered.to] = renumbered.from;
-    for (const auto t : change.added) old[t] = kNew;
-    const auto& lengths = from.report.edge_lengths;
-    double mean = 0;
-    for (const double l : lengths) mean += l / static_cast<double>(lengths.size());
-    std::vector<double> result(next.edge_count(), mean);
-    for (std::size_t t = 0; t < old.size(); ++t) {
-      if (old[t] == kNew) continue;
-      for (int e = 0; e < 6; ++e)
-        result[next.edge_class(t, e)] = lengths[from.triangulation.edge_class(old[t], e)];
+  /// Sets the length of the new edge; false if it has none, as its ends are on the wrong sides.
+  static bool measure(const State& from, const topology::NewDiagonal& diagonal, Moved& next) {
+    const State& state = next.state;
+    const std::size_t t = diagonal.tetrahedron;
+    double angle = 0;
+    for (const auto& [tetrahedron, edge] : diagonal.corners)
+      angle += from.report.dihedral_angles[tetrahedron][static_cast<std::size_t>(edge)];
+    std::array<double, 6> l;
+    for (int e = 0; e < 6; ++e)
+      l[static_cast<std::size_t>(e)] = next.lengths[state.triangulation.edge_class(t, e)];
+    const auto diagonals = detail::diagonals(state.triangulation, state.cone_angles);
+    const auto length = length_across(l, diagonals[t], diagonal.edge, angle);
+    if (!length) return false;
+    next.lengths[state.triangulation.edge_class(t, diagonal.edge)] = *length;
+    return true;
+  }
+
+  /// Looks for the metric. Edges of valence 1 and 2 without a label, which no metric has, are not
+  /// solved on.
+  void solve(Moved& next) {
+    State& state = next.state;
+    for (std::size_t e = 0; e < state.triangulation.edge_count(); ++e)
+      if (state.triangulation.valence(e) < 3 && is_full(state, e)) return;
+    structure::SolveOptions solve;
+    solve.evidence = false;
+    solve.stop_requested = options_.stop_requested;
+    solve.cone_angles = state.cone_angles;
+    solve.initial_lengths = next.lengths;
+    state.report = structure::solve(state.triangulation, solve);
+    ++solves_;
+    if (state.report.outcome == structure::Outcome::kGeometric &&
+        !(std::fabs(state.report.volume - volume_) <= tolerance::kVolumeAgreement * volume_)) {
+      throw InternalError(fmt::format("{} changed the volume from {} to {}",
+                                      topology::to_string(state.path.back()), volume_,
+                                      state.report.volume));
     }
-    return result;
+  }
+
+  /// Whether the metric, which was known before the move, is one after it: true tetrahedra.
+  static bool keeps_metric(const Moved& next) {
+    if (next.lengths.empty()) return false;
+    energies::CoVolume energy(next.state.triangulation, next.state.cone_angles);
+    std::vector<double> curvature(next.lengths.size());
+    if (!energy.evaluate(next.lengths, curvature, {}) || energy.flat_count() > 0) return false;
+    for (std::size_t t = 0; t < next.state.triangulation.tetrahedron_count(); ++t)
+      if (std::ranges::max(energy.dihedral_angles(t)) > std::numbers::pi - kNearlyFlat)
+        return false;
+    return std::ranges::all_of(curvature,
+                               [](double K) { return std::fabs(K) < tolerance::kFlatAngleMargin; });
+  }
+
+  static bool is_full(const State& state, std::size_t edge) {
+    return state.cone_angles.empty() || state.cone_angles[edge].is_full();
   }
 
   const ProtoCanonicalOptions options_;
@@ -257,6 +387,9 @@ class Walker {
   State state_;
   FaceKinds faces_;  // of state_
   std::size_t solves_ = 0;
+  /// Triangulations from which moves at concave faces get stuck; empty while there is no search.
+  std::unordered_set<std::string> known_;
+  std::deque<State> open_;  ///< those of them whose neighbours were not looked at so far
 };
 
 }  // namespace

@@ -12,6 +12,8 @@ namespace tripus::canonical {
 
 struct ProtoCanonicalOptions {
   std::size_t budget = 2000;  ///< triangulations to solve on at most where the moves get stuck
+  /// [E] of the metric; empty for 2 pi. No move takes an edge away that has another angle.
+  std::vector<topology::ConeAngle> cone_angles = {};
   const std::atomic<bool>* stop_requested = nullptr;  ///< ends it soon, with nothing found
 };
 
@@ -20,15 +22,16 @@ struct ProtoCanonical {
   topology::Triangulation triangulation;
   structure::Report report;  ///< the metric on it
   FaceKinds faces;
-  std::vector<topology::Move> path;  ///< moves from the start to here
-  bool found = false;                ///< false: the budget ran out, concave faces are left
+  std::vector<topology::Move> path;              ///< moves from the start to here
+  std::vector<topology::ConeAngle> cone_angles;  ///< [E] here; empty for 2 pi
+  bool found = false;  ///< false: the budget ran out, concave faces are left
 };
 
 /// Moves at concave faces until there are none: 3-2 at an edge of the face, else 2-3 at the face,
 /// else 4-4 at an edge of it; what is reached must carry the metric with the same volume. Where no
 /// such move is possible (points in one plane can make that happen), a search through neighbouring
 /// triangulations, with the metric or without, finds the next one with the metric to go on from.
-///   report  of `triangulation`, geometric
+///   report  of `triangulation`, geometric, without finite vertices
 /// Deterministic. Throws InternalError if moves change the volume, which must not happen.
 ProtoCanonical proto_canonical(const topology::Triangulation& triangulation,
                                const structure::Report& report,

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "base/error.hpp"
-#include "topology/isosig.hpp"
+#include "topology/labelled_isosig.hpp"
 
 namespace tripus::canonical {
 namespace {
@@ -62,6 +62,26 @@ class Subdivider {
       cone(cell, apex[cell]);
     }
     return glue();
+  }
+
+  /// Of what `run` made: edges of cells keep their cone angles, all others have 2 pi.
+  std::vector<topology::ConeAngle> cone_angles(const topology::Triangulation& made) const {
+    if (decomposition_.cone_angles().empty()) return {};
+    std::map<Pair, topology::ConeAngle> of_edge;
+    for (const FlagIndex flag : order_.flags)
+      of_edge[in_order(vertex_[flag], vertex_[decomposition_.step(0, flag)])] =
+          decomposition_.cone_angles()[decomposition_.label(flag)];
+    std::vector<topology::ConeAngle> result(made.edge_count());
+    for (std::size_t t = 0; t < tetrahedra_.size(); ++t) {
+      for (int e = 0; e < 6; ++e) {
+        const auto ends = topology::kEdgeEnds[static_cast<std::size_t>(e)];
+        const auto& at = tetrahedra_[t].vertices;
+        const auto found = of_edge.find(
+            in_order(at[static_cast<std::size_t>(ends[0])], at[static_cast<std::size_t>(ends[1])]));
+        if (found != of_edge.end()) result[made.edge_class(t, e)] = found->second;
+      }
+    }
+    return result;
   }
 
  private:
@@ -171,6 +191,9 @@ class Subdivider {
     }
   }
 
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;
+  static Pair in_order(std::uint32_t a, std::uint32_t b) { return std::minmax(a, b); }
+
   using Triangle = std::array<std::uint32_t, 3>;
   struct FacePlace {
     std::uint32_t tetrahedron;
@@ -247,15 +270,25 @@ Gluings subdivision(const Decomposition& decomposition, const CanonicalOrder& or
   return Subdivider(decomposition, order).run();
 }
 
+LabelledSubdivision labelled_subdivision(const Decomposition& decomposition,
+                                         const CanonicalOrder& order) {
+  Subdivider subdivider(decomposition, order);
+  topology::Triangulation triangulation(subdivider.run());
+  auto cone_angles = subdivider.cone_angles(triangulation);
+  return {std::move(triangulation), std::move(cone_angles)};
+}
+
 IsometrySignature isometry_signature(const Decomposition& decomposition,
                                      const CanonicalOrder& order, bool is_amphicheiral) {
-  const auto canonical = topology::canonical_labelling(subdivision(decomposition, order));
-  IsometrySignature result{canonical.signature, canonical.signature};
+  const LabelledSubdivision made = labelled_subdivision(decomposition, order);
+  const auto canonical = topology::labelled_signature(made.triangulation, made.cone_angles);
+  IsometrySignature result{canonical.text, canonical.text};
   if (!decomposition.is_orientable() || is_amphicheiral) return result;
   const auto& images = canonical.isomorphism.tetrahedron_images;
   const auto first = static_cast<std::size_t>(std::ranges::find(images, 0u) - images.begin());
   const bool reversed = canonical.isomorphism.perms[first].is_odd();
-  result.oriented += reversed != decomposition.is_negative(order.flags[0]) ? '-' : '+';
+  const bool mirrored = reversed != decomposition.is_negative(order.flags[0]);
+  result.oriented = topology::with_sign(canonical, mirrored ? '-' : '+');
   return result;
 }
 

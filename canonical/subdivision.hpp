@@ -18,10 +18,19 @@ namespace tripus::canonical {
 /// Source: docs/canonical.md section 4.
 topology::Gluings subdivision(const Decomposition& decomposition, const CanonicalOrder& order);
 
+/// The same with the cone angles [E] of its edge classes; empty if the decomposition has none.
+struct LabelledSubdivision {
+  topology::Triangulation triangulation;
+  std::vector<topology::ConeAngle> cone_angles;
+};
+LabelledSubdivision labelled_subdivision(const Decomposition& decomposition,
+                                         const CanonicalOrder& order);
+
 /// A complete invariant of the manifold that decodes to a triangulation of it.
 struct IsometrySignature {
   /// The isomorphism signature of the subdivision, which is the canonical triangulation itself
   /// where all cells are tetrahedra. Two manifolds are homeomorphic exactly when these are equal.
+  /// With cone angles the labelled one (topology::labelled_isosig).
   std::string unoriented;
   /// The same and a sign: "+" if an isometry that keeps orientations carries the decoded
   /// triangulation, with the labels 0123 of tetrahedron 0 positive, to the manifold, with those of

@@ -33,6 +33,7 @@ std::string as_json(const Subject& subject, const canonical::CanonizeAnswer& ans
   append_header(out, subject.input);
   append_subject(out, subject);
   append_oriented(out, subject);
+  append_cone_orders(out, subject);
   append(out, answer.manifold ? ", \"outcome\": \"geometric\"" : ", \"outcome\": \"unresolved\"");
   if (answer.manifold) {
     append_manifold(out, *answer.manifold);
@@ -73,7 +74,9 @@ std::string as_text(const Subject& subject, const canonical::CanonizeAnswer& ans
 }
 
 Outcome canonize_one(const CanonicalCommand& command, const Subject& subject) {
-  const auto answer = canonical::canonize(subject.triangulation, command.canonize);
+  canonical::CanonizeOptions options = command.canonize;
+  options.solve.cone_angles = subject.cone_angles;
+  const auto answer = canonical::canonize(subject.triangulation, options);
   std::optional<canonical::CanonicalProof> proof;
   if (command.prove && answer.manifold)
     proof = canonical::prove_canonical(*answer.manifold, interruptible());

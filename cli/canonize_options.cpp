@@ -45,8 +45,8 @@ void add_canonical_verb(CLI::App& program, const char* name, const char* descrip
   verb->final_callback([command, answer, &chosen] {
     chosen = [command, answer] {
       return answer_inputs(command->common, [command, answer](const std::string& input) {
-        const Subject subject =
-            load_solvable_subject(input, interruptible(), require_boundary_with_remedy);
+        const Subject subject = load_ideal_subject(input, Balls::kRefused, interruptible(),
+                                                   require_canonizable_with_remedy);
         catch_interrupts();
         return answer(*command, subject);
       });

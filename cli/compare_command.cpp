@@ -103,7 +103,7 @@ std::string as_text(const Comparison& comparison, const canonical::ComparisonPro
 void require_metric(const Subject& subject) {
   const std::string source = subject.input == "-" ? "standard input" : quoted(subject.input);
   try {
-    require_boundary_with_remedy(subject.triangulation);
+    require_canonizable_with_remedy(subject.triangulation, subject.cone_angles);
   } catch (const Unsupported& error) {
     throw Unsupported(source + ": " + error.what());
   } catch (const InvalidInput& error) {
@@ -116,8 +116,8 @@ Comparison compare_subjects(const Subject& first, const Subject& second,
   const bool known = first.orientation_known && second.orientation_known;
   try {
     return canonical::compare(
-        first.triangulation, second.triangulation, options,
-        known ? canonical::Orientations::kKnown : canonical::Orientations::kNotKnown);
+        {first.triangulation, first.cone_angles}, {second.triangulation, second.cone_angles},
+        options, known ? canonical::Orientations::kKnown : canonical::Orientations::kNotKnown);
   } catch (const InvalidInput&) {
     require_metric(first);
     require_metric(second);
@@ -128,8 +128,12 @@ Comparison compare_subjects(const Subject& first, const Subject& second,
 Outcome compare_two(const CompareCommand& command) {
   if (command.common.input == "-" && command.second == "-")
     throw InvalidInput("the two manifolds cannot both come from standard input");
-  const Subject first = load_manifold_subject(command.common.input, interruptible());
-  const Subject second = load_manifold_subject(command.second, interruptible());
+  const auto load = [](const std::string& input) {
+    return load_ideal_subject(input, Balls::kAllowed, interruptible(),
+                              [](const auto&, const auto&) {});
+  };
+  const Subject first = load(command.common.input);
+  const Subject second = load(command.second);
   catch_interrupts();
   canonical::CanonizeOptions options = command.canonize;
   options.solve.stop_requested = &interrupt_requested();

@@ -62,9 +62,11 @@ std::string as_json(const Subject& subject, const Identification& found,
 Outcome identify_one(const IdentifyCommand& command, const Census& census,
                      const std::string& input) {
   const Subject subject =
-      load_solvable_subject(input, interruptible(), require_boundary_with_remedy);
+      load_ideal_subject(input, Balls::kRefused, interruptible(), require_canonizable_with_remedy);
   catch_interrupts();
-  const Identification found = canonical::identify(subject.triangulation, census, command.canonize);
+  canonical::CanonizeOptions options = command.canonize;
+  options.solve.cone_angles = subject.cone_angles;
+  const Identification found = canonical::identify(subject.triangulation, census, options);
   const std::string message = message_of(found, command, census);
   std::string text = fmt::format("{}: {}\n", printable(subject.input), message);
   if (found.entry != nullptr) text += "  " + entry_as_text(*found.entry);

@@ -1,6 +1,7 @@
 #include "cli/remedies.hpp"
 
 #include "base/error.hpp"
+#include "canonical/canonize.hpp"
 #include "topology/requirements.hpp"
 
 namespace tripus::cli {
@@ -37,6 +38,11 @@ void with_remedy(const topology::Triangulation& triangulation, Require&& require
 
 void require_boundary_with_remedy(const topology::Triangulation& triangulation) {
   with_remedy(triangulation, [&] { topology::require_geodesic_boundary(triangulation); });
+}
+
+void require_canonizable_with_remedy(const topology::Triangulation& triangulation,
+                                     std::span<const topology::ConeAngle> cone_angles) {
+  with_remedy(triangulation, [&] { canonical::require_canonizable(triangulation, cone_angles); });
 }
 
 void require_boundary_beside_cusps_with_remedy(const topology::Triangulation& triangulation) {

@@ -15,6 +15,9 @@ void require_boundary_beside_cusps_with_remedy(const topology::Triangulation& tr
 /// The same with topology::require_solvable.
 void require_with_remedy(const topology::Triangulation& triangulation,
                          std::span<const topology::ConeAngle> cone_angles);
+/// The same with canonical::require_canonizable.
+void require_canonizable_with_remedy(const topology::Triangulation& triangulation,
+                                     std::span<const topology::ConeAngle> cone_angles);
 
 /// What to do, by the options of this program; empty for Advice::kNone.
 std::string advice_text(structure::Advice advice);

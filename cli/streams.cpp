@@ -5,6 +5,7 @@
 
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -24,9 +25,14 @@ void secure_standard_streams() {
 
 void limit_blas_threads(char** argv) {
   constexpr const char* kThreads = "OPENBLAS_NUM_THREADS";
-  if (std::getenv(kThreads) != nullptr) return;
   rlimit space{};
-  if (::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY) {
+  const bool limited = ::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY;
+#ifdef M_ARENA_MAX
+  // Each thread reserves 128 MB for its heap; without them every allocation is a call of the system.
+  if (limited) ::mallopt(M_ARENA_MAX, 1);
+#endif
+  if (std::getenv(kThreads) != nullptr) return;
+  if (limited) {
     ::setenv(kThreads, "1", 0);
     ::execv("/proc/self/exe", argv);  // where there is no such file, as if nothing had been
     return;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "manifold/labels.hpp"
+#include "manifold/prepared.hpp"
 #include "topology/isosig.hpp"
 
 namespace tripus {
@@ -52,6 +53,32 @@ Subject load_labelled_subject(const std::string& input, Balls balls, const Conte
   if (!labels.empty())
     LabelAssignment(subject.cone_angles, subject.triangulation.edge_count())
         .assign("the label", labels, "EDGE=ORDER, such as 0=3", topology::parse_cone_order);
+  return subject;
+}
+
+Subject load_ideal_subject(const std::string& input, Balls balls, const Context& context,
+                           const LabelledRequirement& require) {
+  Subject subject = load_labelled_subject(input, balls, context);
+  if (subject.cone_angles.empty()) {
+    const StopFlag stop(context);
+    topology::NamedGluings ideal{.name = subject.name,
+                                 .gluings = subject.triangulation.gluings(),
+                                 .notes = subject.notes,
+                                 .orientation_known = subject.orientation_known};
+    make_ideal(ideal, topology::FiniteVertices::kRemove, stop.get());
+    if (ideal.notes.size() > subject.notes.size()) {
+      if (context.note) context.note(quoted(input) + ": " + ideal.notes.back());
+      subject = make_subject(input, std::move(ideal));
+    }
+  }
+  const std::string source = input == "-" ? "standard input" : quoted(input);
+  try {
+    require(subject.triangulation, subject.cone_angles);
+  } catch (const Unsupported& error) {
+    throw Unsupported(source + ": " + error.what());
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(source + ": " + error.what());
+  }
   return subject;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +48,12 @@ Subject load_manifold_subject(const std::string& input, const Context& context =
 /// The same with the labels, for what knows them: those of the file, or behind the INPUT on a line
 /// of a batch ("eLAkbbcddpuchf 0=7,1=2"). Vertices of every kind.
 Subject load_labelled_subject(const std::string& input, Balls balls, const Context& context = {});
+/// The same with finite vertices removed where nothing is labelled, which the context is told;
+/// `require` is given what is left, and what it throws names the input.
+using LabelledRequirement = std::function<void(const topology::Triangulation& triangulation,
+                                               std::span<const topology::ConeAngle> cone_angles)>;
+Subject load_ideal_subject(const std::string& input, Balls balls, const Context& context,
+                           const LabelledRequirement& require);
 /// The same for gluings that are already there.
 Subject make_subject(std::string input, topology::NamedGluings loaded);
 /// The same for another triangulation of the subject's manifold, with its name and notes; its

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <random>
 #include <unordered_set>
@@ -18,7 +19,8 @@
 #include "base/error.hpp"
 #include "base/tolerances.hpp"
 #include "topology/homology.hpp"
-#include "topology/isosig.hpp"
+#include "topology/labelled_isosig.hpp"
+#include "topology/moves/edge_images.hpp"
 #include "topology/orientation.hpp"
 #include "topology/simplify/small_triangulations.hpp"
 
@@ -54,6 +56,7 @@ struct Node {
   std::vector<bool> trouble;  ///< [T] tetrahedra around which moves are made
   Outcome outcome = Outcome::kUnresolved;
   double volume = 0;
+  std::vector<topology::ConeAngle> cone_angles;  ///< [E]; empty for 2 pi everywhere
 };
 
 using Clock = std::chrono::steady_clock;
@@ -93,17 +96,22 @@ class Search {
         time_limit_(solve_options.time_limit),
         start_(std::move(start)),
         given_(triangulation.gluings()),
-        signature_(topology::isosig(triangulation.gluings())),
+        given_cone_angles_(labels_of(solve_options)),
+        signature_(topology::labelled_isosig(triangulation, given_cone_angles_)),
         homology_(topology::first_homology(triangulation)),
         random_(options.seed),
         limit_(triangulation.tetrahedron_count() + options.extra) {
     known_.insert(signature_);
-    nodes_.push_back({topology::oriented(given_),
+    Gluings turned = topology::oriented(given_);
+    auto labels =
+        topology::oriented_edges(triangulation, given_cone_angles_, Triangulation(turned));
+    nodes_.push_back({std::move(turned),
                       0,
                       {},
                       trouble_of(triangulation, start_),
                       start_.outcome,
-                      start_.volume});
+                      start_.volume,
+                      std::move(labels)});
     open_.push({triangulation.tetrahedron_count(), 0});
   }
 
@@ -118,6 +126,11 @@ class Search {
   }
 
  private:
+  static std::vector<topology::ConeAngle> labels_of(const SolveOptions& options) {
+    if (topology::all_full(options.cone_angles)) return {};
+    return options.cone_angles;
+  }
+
   /// The caller's options for one of many triangulations: without history, without evidence.
   static SolveOptions plain(const SolveOptions& options) {
     SolveOptions result;
@@ -147,8 +160,10 @@ class Search {
   }
 
   /// Solves within what is left of the time.
-  Report solve_in_time(const Triangulation& triangulation) {
+  Report solve_in_time(const Triangulation& triangulation,
+                       const std::vector<topology::ConeAngle>& cone_angles) {
     SolveOptions options = solve_options_;
+    options.cone_angles = cone_angles;
     options.time_limit = std::max(time_left(), std::numeric_limits<double>::min());
     return solve(triangulation, options);
   }
@@ -166,7 +181,7 @@ class Search {
       const auto size = static_cast<std::ptrdiff_t>(here.tetrahedron_count()) +
                         topology::info(move.kind).tetrahedra;
       if (size > static_cast<std::ptrdiff_t>(limit_) || !concerns(node, move)) continue;
-      if (try_move(node, move)) return true;
+      if (try_move(here, node, move)) return true;
     }
     return false;
   }
@@ -175,7 +190,7 @@ class Search {
   /// the metric: it is then the last node.
   bool begin_small() {
     const std::size_t size = given_.tetrahedron_count();
-    if (size <= kFew) return false;
+    if (size <= kFew || !given_cone_angles_.empty()) return false;
     if (try_simplified(1, kQuickly)) return true;
     return size > kSeveral && try_simplified(size > kLongToSimplify ? 1 : kSimplifications, 1.0);
   }
@@ -186,7 +201,7 @@ class Search {
     for (Gluings& gluings : small) {
       limit_ = std::min(limit_, gluings.tetrahedron_count() + options_.extra);
       if (ended()) return false;
-      if (try_table(std::move(gluings), nodes_.size(), {})) return true;
+      if (try_table(Triangulation(std::move(gluings)), {}, nodes_.size(), {})) return true;
     }
     return false;
   }
@@ -196,24 +211,42 @@ class Search {
     return trouble.size() <= kSmall || trouble[move.tetrahedron];
   }
 
-  bool try_move(std::size_t parent, const Move& move) {
-    Gluings gluings = nodes_[parent].gluings;
-    topology::apply(gluings, move);
-    return try_table(std::move(gluings), parent, move);
+  bool try_move(const Triangulation& here, std::size_t parent, const Move& move) {
+    auto moved = after(here, nodes_[parent].cone_angles, move);
+    return moved &&
+           try_table(std::move(moved->triangulation), std::move(moved->cone_angles), parent, move);
   }
 
-  bool try_table(Gluings gluings, std::size_t parent, const Move& move) {
-    if (!known_.insert(topology::isosig(gluings)).second) return false;
-    const Triangulation triangulation(std::move(gluings));
+  struct Moved {
+    Triangulation triangulation;
+    std::vector<topology::ConeAngle> cone_angles;
+  };
+  /// Nothing if the move does not keep the labels.
+  static std::optional<Moved> after(const Triangulation& here,
+                                    const std::vector<topology::ConeAngle>& cone_angles,
+                                    const Move& move) {
+    Gluings gluings = here.gluings();
+    const topology::MoveChange change = topology::apply(gluings, move);
+    Triangulation next(std::move(gluings));
+    if (cone_angles.empty()) return Moved{std::move(next), {}};
+    auto labels = topology::carried_labels(
+        cone_angles, topology::edge_images(here, move, change, next), next.edge_count());
+    if (!labels) return std::nullopt;
+    return Moved{std::move(next), *std::move(labels)};
+  }
+
+  bool try_table(Triangulation triangulation, std::vector<topology::ConeAngle> cone_angles,
+                 std::size_t parent, const Move& move) {
+    if (!known_.insert(topology::labelled_isosig(triangulation, cone_angles)).second) return false;
     if (topology::first_homology(triangulation) != homology_) {
       throw InternalError("a simplification of " + signature_ + ", or the move " +
                           topology::to_string(move) + " on the way, changed the homology");
     }
     ++tried_;
-    report_ = solve_in_time(triangulation);
+    report_ = solve_in_time(triangulation, cone_angles);
     open_.push({triangulation.tetrahedron_count(), nodes_.size()});
     nodes_.push_back({triangulation.gluings(), parent, move, trouble_of(triangulation, report_),
-                      report_.outcome, report_.volume});
+                      report_.outcome, report_.volume, std::move(cone_angles)});
     return report_.outcome == Outcome::kGeometric;
   }
 
@@ -231,6 +264,7 @@ class Search {
     std::reverse(result.volumes.begin(), result.volumes.end());
     result.report = std::move(report_);
     result.gluings = std::move(nodes_.back().gluings);
+    result.cone_angles = std::move(nodes_.back().cone_angles);
     result.tried = tried_;
     result.end = SearchEnd::kFound;
     compare_with_neighbour(result);
@@ -239,7 +273,8 @@ class Search {
 
   static void add_flat_volume(const Node& node, std::vector<OtherVolume>& volumes) {
     if (node.outcome == Outcome::kDegenerate)
-      volumes.push_back({topology::isosig(node.gluings), node.outcome, node.volume});
+      volumes.push_back({topology::labelled_isosig(Triangulation(node.gluings), node.cone_angles),
+                         node.outcome, node.volume});
   }
 
   /// The volume once more, on a neighbour that carries the metric. Not every triangulation has one:
@@ -252,16 +287,18 @@ class Search {
     if (moves.size() > kNeighbours) moves.resize(kNeighbours);
     for (const Move& move : moves) {
       if (ended_by_force()) return;
-      Gluings gluings = result.gluings;
-      topology::apply(gluings, move);
-      const Report report = solve_in_time(Triangulation(gluings));
+      const auto moved = after(found, result.cone_angles, move);
+      if (!moved) continue;
+      const Report report = solve_in_time(moved->triangulation, moved->cone_angles);
       if (report.outcome != Outcome::kGeometric) continue;
-      result.volumes.push_back({topology::isosig(gluings), report.outcome, report.volume});
+      const std::string isosig =
+          topology::labelled_isosig(moved->triangulation, moved->cone_angles);
+      result.volumes.push_back({isosig, report.outcome, report.volume});
       if (!(std::fabs(report.volume - result.report.volume) <=
             tolerance::kVolumeAgreement * result.report.volume)) {
-        throw InternalError(fmt::format("the move {} of {} changed the volume from {} to {}",
-                                        topology::to_string(move), topology::isosig(result.gluings),
-                                        result.report.volume, report.volume));
+        throw InternalError(fmt::format(
+            "the move {} of {} changed the volume from {} to {}", topology::to_string(move),
+            topology::isosig(found.gluings()), result.report.volume, report.volume));
       }
       return;
     }
@@ -281,6 +318,7 @@ class Search {
     result.report.outcome = Outcome::kUnresolved;
     result.report.advice = advice(end_);
     result.gluings = std::move(given_);
+    result.cone_angles = std::move(given_cone_angles_);
     result.path_start = std::move(nodes_.front().gluings);
     result.tried = tried_;
     result.end = end_;
@@ -329,7 +367,8 @@ class Search {
   const Clock::time_point began_ = Clock::now();
   Report start_, report_;
   Gluings given_;
-  const std::string signature_;  ///< of the start
+  std::vector<topology::ConeAngle> given_cone_angles_;  ///< empty for 2 pi everywhere
+  const std::string signature_;                         ///< of the start
   const topology::AbelianGroup homology_;
   std::mt19937_64 random_;
   std::size_t limit_;
@@ -361,10 +400,6 @@ std::string_view to_string(SearchEnd end) {
 Retriangulation retriangulate(const Triangulation& triangulation, Report start,
                               const SolveOptions& solve_options,
                               const RetriangulateOptions& options) {
-  if (!topology::all_full(solve_options.cone_angles))
-    throw Unsupported(
-        "moves that keep cone angles are not known so far: retriangulation is for triangulations "
-        "without labels");
   return Search(triangulation, std::move(start), solve_options, options).run();
 }
 

@@ -41,6 +41,7 @@ struct Retriangulation {
   std::string start;          ///< signature of the start
   Report report;              ///< of `gluings`
   topology::Gluings gluings;  ///< carries the metric if report.outcome is geometric, else the start
+  std::vector<topology::ConeAngle> cone_angles;  ///< [E] of `gluings`; empty for 2 pi everywhere
   /// Where the path starts: the start, made `oriented`; or a simplification of it.
   topology::Gluings path_start;
   /// Of a simplification, the signature that decodes to path_start, with its sign; else empty.
@@ -58,7 +59,9 @@ struct Retriangulation {
 /// of low valence and the support of the certificate (everywhere, if there are few tetrahedra).
 /// Triangulations with few tetrahedra are tried first; none is tried twice. A start with more
 /// than a handful of tetrahedra is simplified first, in several ways, and the search goes on from
-/// there. The orientation is kept.
+/// there. The orientation is kept, and so are cone angles other than 2 pi (`solve_options`): no
+/// move is made that would remove such an edge or merge two, and a start with such edges is not
+/// simplified first.
 ///
 /// `start` is the report of `solve` on the triangulation, not geometric. Where nothing is found the
 /// result has that report, with its evidence, as "unresolved", and says in the message what was

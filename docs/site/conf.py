@@ -67,15 +67,23 @@ def _as_rst(app, what, name, obj, options, lines):
 _CONTENTS = {
     "Tutorials": "tutorials/triangulation tutorials/solid tutorials/same-or-not",
     "Python": "python notebooks/drawing notebooks/metric notebooks/manifold notebooks/many api",
-    "Reference": "meshing formats verdicts proof canonical embedding orthospectrum studies",
-    "Theory": "theory notation architecture",
+    "Reference": "diagrams meshing formats verdicts proof canonical embedding orthospectrum studies",
+    "Theory": "theory notation architecture reliability",
 }
 
 
 def _with_contents(app, docname, source):
     """docs/index.md is for readers of the files; the site wants its contents as well."""
     if docname == "index":
-        for caption, pages in _CONTENTS.items():
+        listed = " ".join(_CONTENTS.values()).split()
+        others = sorted(
+            page.relative_to(ROOT / "docs").with_suffix("").as_posix()
+            for page in (ROOT / "docs").rglob("*.md")
+        )
+        more = " ".join(page for page in others if page not in [*listed, "index"])
+        for caption, pages in {**_CONTENTS, "More": more}.items():
+            if not pages:
+                continue
             lines = "\n".join(pages.split())
             source[0] += f"\n```{{toctree}}\n:caption: {caption}\n:hidden:\n\n{lines}\n```\n"
 

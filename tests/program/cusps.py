@@ -28,10 +28,18 @@ class Cusps(ProgramTest):
         self.assertIn("geodesic surface of genus 2", self.run_program("solve", "dLQacccjjkg").text)
 
     def test_what_does_not_know_them_says_so(self):
-        for verb in ("canonize", "identify", "embed"):
-            self.assert_refused(verb, "cPcbbbiht", says="is a torus", kind="unsupported")
+        self.assert_refused("embed", "cPcbbbiht", says="is a torus", kind="unsupported")
         self.assert_refused("solve", "cPcbbbiht", "--method", "angles:newton",
                             says="works with geodesic boundary only", kind="unsupported")
+
+    def test_canonical_decompositions(self):
+        for signature, order in [("cPcbbbiht", 8), ("cPcbbbdxm", 8), ("bkaaid", 2)]:
+            answer = self.json_answer("canonize", signature)
+            self.assertEqual(answer["outcome"], "geometric")
+            self.assertEqual(answer["isometry_group"]["order"], order)
+        self.assertEqual(self.json_answer("canonize", "dLQacccjjkg")["outcome"], "geometric")
+        different = self.run_program("compare", "cPcbbbiht", "cPcbbbdxm")
+        self.assertEqual(different.status, 1)
 
     def test_a_certificate(self):
         answer = self.run_program("solve", "eLAkbbcddpucaj", "--json")

@@ -206,7 +206,7 @@ class EmbedRefusals(ProgramTest):
             self.assert_refused("embed", TRIPUS, option, "", says=".svg", kind="usage")
         self.assert_refused("embed", TRIPUS, "--circles", "x.obj", says=".svg", kind="usage")
         self.assert_refused("embed", TRIPUS, "-o", "x.svg", "--circles", "./x.svg",
-                            says="name two files")
+                            says="another name")
         self.assert_refused("embed", TRIPUS, "-o", "no/such/x.obj", says="No such file")
         self.assert_refused("embed", TRIPUS, "--circles", "no/such/x.svg", says="No such file")
         self.assert_refused("embed", TRIPUS, "-o", "x.obj", "--tessellation", "1e-30",

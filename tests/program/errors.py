@@ -43,16 +43,13 @@ class Signatures(ProgramTest):
 
 
 class Links(ProgramTest):
-    """Figure-eight knot complement, a 3-sphere, the Gieseking manifold, and others of their kind:
-    what knows geodesic boundary only refuses them, and solve what no metric can have."""
+    """A 3-sphere and others of their kind: what does not know finite vertices refuses them, and solve
+    what no metric can have."""
 
     CASES = [
-        ("cPcbbbiht", "unsupported", "(vertex 0 of tetrahedron 0) is a torus; a metric with cusps can"),
-        ("cPcbbbdxm", "unsupported", "is a torus"),
-        ("bkaagj", "unsupported", "so the manifold is closed; its metric can be solved for"),
-        ("bkaagb", "unsupported", "so the manifold is closed; its metric can be solved for"),
-        ("cMcabbgqs", "unsupported", "so the manifold is closed; its metric can be solved for"),
-        ("bkaaid", "invalid-input", "is a Klein bottle"),
+        ("bkaagj", "unsupported", "this is a finite vertex, and the canonical decomposition"),
+        ("bkaagb", "unsupported", "this is a finite vertex, and the canonical decomposition"),
+        ("cMcabbgqs", "unsupported", "this is a finite vertex, and the canonical decomposition"),
         ("bkaahd", "invalid-input", "its own reverse"),
         ("bkaagd", "invalid-input", "its own reverse"),
     ]

@@ -57,16 +57,22 @@ def test_the_view_is_live(executed, tmp_path):
     chromium = shutil.which("chromium")
     assert chromium, "scripts/setup installs chromium"
     document = tmp_path / "notebook.html"
-    document.write_text(f"<!doctype html><body style='margin:0;background:#fff'>{page}", "utf-8")
+    # The frame is in sight, so that it need not wait until it is.
+    eager = page.replace(' loading="lazy"', "")
+    document.write_text(f"<!doctype html><body style='margin:0;background:#fff'>{eager}", "utf-8")
     picture = tmp_path / "picture.png"
-    subprocess.run(
-        [chromium, "--headless=new", "--no-sandbox", "--use-angle=swiftshader",
-         "--enable-unsafe-swiftshader", f"--user-data-dir={tmp_path / 'profile'}",
-         "--window-size=800,600", "--virtual-time-budget=20000", f"--screenshot={picture}",
-         document.as_uri()],
-        capture_output=True, timeout=120, check=True)
-    pixels = matplotlib_image.imread(picture)[:300, :, :3]
-    colours = len(np.unique((pixels * 15).astype(int).reshape(-1, 3), axis=0))
+    # Time in the page is not that of a busy machine's graphics: it gets more until it has drawn.
+    for budget in (5_000, 20_000, 80_000, 320_000):
+        subprocess.run(
+            [chromium, "--headless=new", "--no-sandbox", "--use-angle=swiftshader",
+             "--enable-unsafe-swiftshader", f"--user-data-dir={tmp_path / 'profile'}",
+             "--window-size=800,600", f"--virtual-time-budget={budget}",
+             f"--screenshot={picture}", document.as_uri()],
+            capture_output=True, timeout=240, check=True)
+        pixels = matplotlib_image.imread(picture)[:300, :, :3]
+        colours = len(np.unique((pixels * 15).astype(int).reshape(-1, 3), axis=0))
+        if colours > 40:
+            break
     assert colours > 40, "cells are drawn in the middle of the frame"
 
 

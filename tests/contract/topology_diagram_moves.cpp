@@ -88,8 +88,7 @@ TEST(DiagramMoves, IhTurnsATrivialThetaIntoATrivialHandcuff) {
   EXPECT_EQ(loops, 4u);  // two loops, two ends each
 }
 
-// 250 sequences of 60 moves on knots, links, theta curves and handlebody-knots; tests/full/diagrams
-// makes a thousand.
+// 250 sequences of 60 moves on knots, links, theta curves and handlebody-knots.
 TEST(DiagramMoves, RandomSequencesKeepTheExterior) {
   std::map<DiagramMove, std::size_t> made;
   std::uint64_t seed = 1;

@@ -16,19 +16,19 @@
 namespace tripus::canonical {
 namespace {
 
-std::vector<int> genera(const topology::Triangulation& triangulation) {
-  std::vector<int> result;
-  for (std::size_t v = 0; v < triangulation.vertex_count(); ++v)
-    result.push_back(triangulation.link(v).genus());
-  std::ranges::sort(result);
-  return result;
-}
-
 std::string boundary_of(const topology::Triangulation& triangulation) {
-  std::string text;
-  for (const int genus : genera(triangulation))
-    text += fmt::format("{}g{}", text.empty() ? "" : "+", genus);
-  return text;
+  BoundaryComponents boundary;
+  for (std::size_t v = 0; v < triangulation.vertex_count(); ++v) {
+    const topology::VertexLink& link = triangulation.link(v);
+    if (link.euler_characteristic == 0) {
+      ++(link.orientable ? boundary.tori : boundary.klein_bottles);
+    } else if (link.orientable) {
+      boundary.genera.push_back(static_cast<std::size_t>(link.genus()));
+    } else {
+      boundary.crosscaps.push_back(static_cast<std::size_t>(2 - link.euler_characteristic));
+    }
+  }
+  return to_string(std::move(boundary));
 }
 
 /// Where the metric was found on a simplification, the triangulation itself may carry it too.

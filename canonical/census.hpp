@@ -112,7 +112,17 @@ struct CensusQuery {
 /// volumes.
 std::vector<const CensusEntry*> select(const Census& census, const CensusQuery& query);
 
-/// "g2+g3" from "g3 + g2", "3,2", "genus 2 + genus 3". Throws InvalidInput.
+/// Components of a boundary by their kinds.
+struct BoundaryComponents {
+  std::vector<std::size_t> genera;     ///< of geodesic components that are orientable
+  std::vector<std::size_t> crosscaps;  ///< of those that are not: 2 - Euler characteristic
+  std::size_t tori = 0, klein_bottles = 0;
+};
+/// "g2+g3", "g2+n3+T+K": ascending, cusps last.
+std::string to_string(BoundaryComponents boundary);
+
+/// "g2+g3" from "g3 + g2", "3,2", "genus 2 + genus 3"; "g2+T" from "torus + 2". Throws
+/// InvalidInput.
 std::string parse_boundary(std::string_view text);
 
 /// Throws InvalidInput if a text does not describe cells: "2 tetrahedra + 1 pyramid".

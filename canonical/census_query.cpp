@@ -77,23 +77,40 @@ std::multiset<std::pair<std::string, std::size_t>> cells_of(std::string_view tex
 
 }  // namespace
 
+std::string to_string(BoundaryComponents boundary) {
+  std::ranges::sort(boundary.genera);
+  std::ranges::sort(boundary.crosscaps);
+  std::vector<std::string> names;
+  for (const std::size_t genus : boundary.genera) names.push_back(fmt::format("g{}", genus));
+  for (const std::size_t genus : boundary.crosscaps) names.push_back(fmt::format("n{}", genus));
+  names.insert(names.end(), boundary.tori, "T");
+  names.insert(names.end(), boundary.klein_bottles, "K");
+  return fmt::format("{}", fmt::join(names, "+"));
+}
+
 std::string parse_boundary(std::string_view text) {
-  std::vector<std::size_t> genera;
+  BoundaryComponents boundary;
   for (std::string part : parts_of(text, "+,")) {
-    if (!take_word(part, "genus")) take_word(part, "g");
+    if (part == "t" || part == "torus") {
+      ++boundary.tori;
+      continue;
+    }
+    if (part == "k" || part == "klein bottle") {
+      ++boundary.klein_bottles;
+      continue;
+    }
+    const bool is_orientable = !take_word(part, "n");
+    if (is_orientable && !take_word(part, "genus")) take_word(part, "g");
     const auto genus = whole_number(part);
-    if (!genus || *genus < 2 || *genus > kLargestGenus) {
+    if (!genus || *genus < (is_orientable ? 2 : 3) || *genus > kLargestGenus) {
       throw InvalidInput(quoted(std::string(text)) +
                          " is no boundary; write the genera of its components, 2 or more, as g2 or "
-                         "g2+g3");
+                         "g2+g3, of non-orientable ones as n3, and cusps as T (torus) or K (Klein "
+                         "bottle): g2+T");
     }
-    genera.push_back(*genus);
+    (is_orientable ? boundary.genera : boundary.crosscaps).push_back(*genus);
   }
-  std::ranges::sort(genera);
-  std::string result;
-  for (const std::size_t genus : genera)
-    result += fmt::format("{}g{}", result.empty() ? "" : "+", genus);
-  return result;
+  return to_string(std::move(boundary));
 }
 
 void require_cells(std::string_view text) { (void)cells_of(text); }

@@ -41,6 +41,17 @@ class Cusps(ProgramTest):
         different = self.run_program("compare", "cPcbbbiht", "cPcbbbdxm")
         self.assertEqual(different.status, 1)
 
+    def test_a_census_of_them(self):
+        self.write("list", "cPcbbbiht\ndLQacccjjkg\nbkaaid\n4_1\n")
+        result = self.run_program("census", "--from", "list", "--tsv", "-", "--quiet")
+        self.assertEqual(result.status, 0, result.err)
+        rows = [line.split("\t") for line in result.lines if not line.startswith("#")][1:]
+        self.assertEqual([row[2] for row in rows], ["K", "T", "g2+T"])
+        for row, volume in zip(rows, (1.01494160640966, 2.02988321281931, 7.79763688029484)):
+            self.assertAlmostEqual(float(row[3]), volume, delta=1e-12)
+        self.assertIn("no manifolds with cusps",
+                      self.run_program("identify", "cPcbbbiht").text)
+
     def test_a_certificate(self):
         answer = self.run_program("solve", "eLAkbbcddpucaj", "--json")
         self.assertEqual(read_json(answer.text)["outcome"], "infeasible")

@@ -21,6 +21,7 @@ TEST(CensusQueries, AreFreeInTheirSpelling) {
     EXPECT_EQ(count({.boundary = boundary}), 2108u) << boundary;
   EXPECT_EQ(parse_boundary("g3 + g2"), "g2+g3");
   EXPECT_EQ(parse_boundary("3,2"), "g2+g3");
+  EXPECT_EQ(parse_boundary("K+n3+torus+genus 2 + T"), "g2+n3+T+T+K");
   for (const char* cells : {"1 octahedron", "octahedron", "1 Octahedra"})
     EXPECT_EQ(count({.cells = cells}), 78u) << cells;
   EXPECT_EQ(count({.cells = "2 pyramids"}), 4u);
@@ -31,7 +32,7 @@ TEST(CensusQueries, AreFreeInTheirSpelling) {
 
 TEST(CensusQueries, ThatAreNoneAreRefused) {
   for (const char* boundary :
-       {"banana", "g", "g1", "g0", "g-2", "g2+", "g2.5", "g99999999999999999999"})
+       {"banana", "g", "g1", "g0", "g-2", "g2+", "g2.5", "g99999999999999999999", "T3", "n2"})
     EXPECT_THROW(count({.boundary = boundary}), InvalidInput) << boundary;
   for (const char* homology : {"banana", "Z+", "2"})
     EXPECT_THROW(count({.homology = homology}), InvalidInput) << homology;

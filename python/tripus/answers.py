@@ -29,6 +29,14 @@ class Comparison:
     def __init__(self, fields: dict[str, Any]) -> None:
         self._fields = fields
 
+    def __eq__(self, other: object) -> bool:
+        """With True or False: bool(self), which may raise Undecided; with another, all fields."""
+        if isinstance(other, bool):
+            return bool(self) is other
+        return isinstance(other, Comparison) and self._fields == other._fields
+
+    __hash__ = None  # type: ignore[assignment]
+
     @property
     def verdict(self) -> str:
         """ "homeomorphic", "different" or "unresolved"."""

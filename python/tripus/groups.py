@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, Union
 
 from tripus import _core
-from tripus._errors import InvalidInput, NoMetric
+from tripus._errors import InvalidInput, NoMetric, Undecided
 
 if TYPE_CHECKING:
     import numpy as np
@@ -75,7 +75,7 @@ class AbelianGroup:
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, AbelianGroup):
-            return NotImplemented
+            return False
         return (self._rank, self._factors) == (other._rank, other._factors)
 
     def __hash__(self) -> int:
@@ -305,7 +305,9 @@ class IsometryGroup:
         return True
 
     def is_abelian(self) -> bool:
-        """Whether the group is abelian."""
+        """Whether the group is abelian; Undecided for more than 1000 elements, which are not named."""
+        if self.order() > 1000:
+            raise Undecided("groups with more than 1000 elements are not looked into", self)
         return self.name() == "trivial" or bool(re.match(r"cyclic|Z_\d+( \+ Z_\d+)*$", self.name()))
 
     def name(self) -> str:

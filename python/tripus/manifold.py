@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -366,18 +367,29 @@ class Manifold:
 
         cover_type  "all" or "cyclic". Two of them may still be the same manifold.
 
+        Where the time is over, Undecided is raised; its `answer` is the list of those found.
+
         >>> len(Manifold("cPcbbbihq").covers(2)), len(Manifold("cPcbbbiht").covers(5))
         (3, 4)
         """
         if cover_type not in ("all", "cyclic"):
             raise InvalidInput(f"cover_type is 'all' or 'cyclic', not {cover_type!r}")
         search = self._core.covers if cover_type == "all" else self._core.cyclic_covers
+        start = time.monotonic()
         found = search(degree, limits(time_limit, 0, progress))
+        is_over = time_limit is not None and time.monotonic() - start >= time_limit
         kind = "cyc" if cover_type == "cyclic" else "cover"
-        return [
+        covers = [
             self._wrap(_renamed(core, f"{self}~{degree}~{kind}~{i}"))
             for i, core in enumerate(found)
         ]
+        if is_over:
+            raise Undecided(
+                f"the time limit of {time_limit} s was over after {len(covers)} covers; there may "
+                "be more",
+                covers,
+            )
+        return covers
 
     def cover(self, permutation_rep: Sequence[Sequence[int]]) -> Manifold:
         """The cover on which the generators of fundamental_group(False) act by permutations.
@@ -668,7 +680,7 @@ class Manifold:
     def __eq__(self, other: object) -> bool:
         """The same triangulation up to labels, mirror images included; never an error."""
         if not isinstance(other, Manifold):
-            return NotImplemented
+            return False  # NotImplemented would let other packages' objects raise
         if self._core.tetrahedron_count() != other._core.tetrahedron_count():
             return False
         mine, theirs = self._core.signature(), other._core.signature()

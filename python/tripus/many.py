@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from tripus import _core
-from tripus._errors import InvalidInput
+from tripus._errors import InvalidInput, TripusError
 from tripus._limits import Progress, limits
 from tripus.answers import CensusEntry
 from tripus.frames import frame, structured
@@ -62,16 +62,25 @@ def solve_many(
         inputs = read_batch(inputs)
     questions: list[Any] = []
     names: list[str] = []
+    refused: dict[int, str] = {}
     for each in inputs:
         if type(each) is str:
             questions.append(os.fsencode(each))
             names.append(each)
-        else:
+            continue
+        try:
             manifold = each if isinstance(each, Manifold) else Manifold(each)
-            questions.append(manifold._core)
-            names.append(str(manifold))
+        except (TripusError, TypeError) as error:
+            refused[len(names)] = str(error)
+            questions.append(b"")
+            names.append(str(each))
+            continue
+        questions.append(manifold._core)
+        names.append(str(manifold))
     found = _core.solve_many(questions, prove, limits(time_limit, threads, progress))
-    found["message"] = [os.fsdecode(m) for m in found["message"]]
+    found["message"] = [
+        refused.get(i, os.fsdecode(m)) for i, m in enumerate(found["message"])
+    ]
     columns = {"input": names, **found}
     return structured(columns) if as_array else frame(columns)
 

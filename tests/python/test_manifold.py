@@ -317,6 +317,27 @@ def test_holonomy_satisfies_the_relators(M):
         M.fundamental_group().O31("z")
 
 
+def test_equality_never_raises(M):
+    for other in (None, 5, "cPcbbbihq", [], object()):
+        assert not M == other and M != other
+        assert not M.homology() == other
+    answer = M.is_isometric_to(M)
+    assert answer == True and not answer == False  # noqa: E712
+    assert answer == M.is_isometric_to(M)
+
+
+def test_a_list_goes_on_after_what_is_no_input():
+    found = tripus.solve_many(["cPcbbbihq", 5, None, "cPcbbbiht"])
+    assert list(found["outcome"]) == ["geometric", "error", "error", "geometric"]
+    assert all(found["message"][i] for i in (1, 2))
+
+
+def test_a_limit_on_covers_is_no_answer(M):
+    with pytest.raises(tripus.Undecided) as error:
+        M.covers(9, time_limit=0.02)
+    assert isinstance(error.value.answer, list)
+
+
 def test_covers(M):
     golden = [line.split("\t") for line in (DATA / "covers-golden.tsv").read_text().splitlines()
               if line and line[0] != "#"][1:]

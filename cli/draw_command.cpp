@@ -35,8 +35,21 @@ struct DrawCommand {
   bool polylines = false, black = false, text = false;
 };
 
+std::string pd_text(const topology::NamedDiagram& loaded) {
+  std::string text = "PD: " + to_text(loaded.diagram);
+  for (const topology::DiagramLabel& label : loaded.labels)
+    text += fmt::format(" Cone[{},{}]", label.arc, label.angle.order_text());
+  return text + "\n";
+}
+
 int run(const DrawCommand& command) {
-  if (command.output != "-") declare_output("-o", command.output);
+  if (command.output != "-") {
+    const bool is_picture = !command.text && !command.polylines;
+    if (is_picture && !command.output.ends_with(".svg") && !command.output.starts_with("/dev/"))
+      throw InvalidInput("-o " + tripus::quoted(command.output) +
+                         ": the picture is SVG; give it a name that ends with .svg");
+    declare_output("-o", command.output);
+  }
   require_not_written(command.diagram);
   const topology::NamedDiagram loaded = load_diagram(command.diagram);
   std::optional<OutputFile> file;
@@ -45,7 +58,7 @@ int run(const DrawCommand& command) {
   options.size = command.size;
   options.title = loaded.name;
   options.colours = !command.black;
-  const std::string content = command.text        ? "PD: " + to_text(loaded.diagram) + "\n"
+  const std::string content = command.text        ? pd_text(loaded)
                               : command.polylines ? drawing::to_polylines(loaded.diagram)
                                                   : drawing::to_svg(loaded.diagram, options);
   if (file) {

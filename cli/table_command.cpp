@@ -139,6 +139,9 @@ std::vector<DiagramRow> chosen_rows(std::vector<DiagramRow> rows,
     const std::size_t before = chosen.size();
     for (const DiagramRow& row : rows)
       if (found != nullptr && row.name == found->name) chosen.push_back(row);
+    const bool is_short = chosen.size() == before;  // "5_1" for "5_1 theta" and "5_1 handcuff"
+    for (const DiagramRow& row : rows)
+      if (is_short && row.name.starts_with(name + " ")) chosen.push_back(row);
     if (chosen.size() == before)
       throw InvalidInput("there is no " + quoted(name) + " in this table; the nearest names are " +
                          topology::nearest_diagram_names(name));

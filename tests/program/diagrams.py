@@ -124,3 +124,31 @@ class Table(ProgramTest):
         run = self.run_program("table", "knots", "4_7")
         self.assertEqual(run.status, 2)
         self.assertIn("nearest names", run.err)
+
+
+class DiagramHabits(ProgramTest):
+    EIGHT = "PD: X[4,2,5,1] X[8,6,1,5] X[6,3,7,4] X[2,7,3,8]"
+
+    def test_quotes_in_a_list(self):
+        self.write("list", "'5_1 theta'\n\"hk5_3\"\n4_1\n")
+        result = self.run_program("solve", "--batch", "list", "--json")
+        self.assertEqual(result.status, 0, result.err)
+        self.assertEqual([line.count('"outcome": "geometric"') for line in result.lines], [1] * 3)
+
+    def test_labels_stay_in_the_text(self):
+        text = self.run_program("draw", self.EIGHT + " Cone[1,4]", "--pd").text
+        self.assertIn("Cone[1,4]", text)
+        self.write("labelled.pd", text)
+        volume = self.json_answer("solve", "labelled.pd")["volume"]
+        self.assertAlmostEqual(volume, 0.5074708031, delta=1e-9)
+
+    def test_pictures_are_svg(self):
+        result = self.run_program("draw", "hk5_3", "-o", "x.png")
+        self.assertEqual(result.status, 2)
+        self.assertIn("ends with .svg", result.err)
+        self.assertFalse((self.folder / "x.png").exists())
+
+    def test_short_names_in_a_table(self):
+        result = self.run_program("table", "theta-curves", "5_1")
+        self.assertEqual(result.status, 0, result.err)
+        self.assertIn("5_1 theta", result.text)

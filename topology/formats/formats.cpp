@@ -149,6 +149,10 @@ std::vector<BatchLine> read_batch(std::string_view text) {
         break;
       }
     line = detail::trimmed(line);
+    // As a shell would take them: '5_1 theta'.
+    if (line.size() > 2 && (line.front() == '\'' || line.front() == '"') &&
+        line.find(line.front(), 1) == line.size() - 1)
+      line = line.substr(1, line.size() - 2);
     if (!line.empty()) lines.push_back({number, std::string(line)});
   }
   return lines;

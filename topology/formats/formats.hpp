@@ -65,7 +65,8 @@ struct BatchLine {
 };
 
 /// The lines of a batch file that hold something. A comment runs from a # at the start of a line
-/// or after white space to the end of the line. Never throws.
+/// or after white space to the end of the line; a line in quotes stands for what is within them.
+/// Never throws.
 std::vector<BatchLine> read_batch(std::string_view text);
 
 }  // namespace tripus::topology

@@ -63,7 +63,8 @@ FaceKinds faces_of(const State& state) {
 std::optional<double> length_across(const std::array<double, 6>& l, const detail::Diagonal& d,
                                     int edge, double angle) {
   const auto [a, b] = topology::kEdgeEnds[static_cast<std::size_t>(edge)];
-  const auto [i, j] = topology::kEdgeEnds[static_cast<std::size_t>(5 - edge)];
+  const auto& ends = topology::kEdgeEnds[static_cast<std::size_t>(5 - edge)];
+  const int i = ends[0], j = ends[1];
   const auto kind = [&](int v) { return d[static_cast<std::size_t>(v)]; };
   const auto gram = [&](int v, int w) {
     const int e = topology::kEdgeNumber[static_cast<std::size_t>(v)][static_cast<std::size_t>(w)];

@@ -71,6 +71,9 @@ void OutputFile::begin_draft() {
 }
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+  // The system would write to what stands before it.
+  if (path_.find('\0') != std::string::npos)
+    throw InvalidInput("cannot write " + tripus::quoted(path_) + ": the name holds a zero byte");
   target_ = followed(path_).string();
   struct stat there {};
   if (::stat(target_.c_str(), &there) == 0) {

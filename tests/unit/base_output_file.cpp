@@ -43,6 +43,11 @@ TEST_F(OutputFiles, AreOldUntilTheyAreClosed) {
   EXPECT_EQ(names(), 1);
 }
 
+TEST_F(OutputFiles, HaveNoZeroByteInTheirNames) {
+  EXPECT_THROW(write_file(path_ + std::string(1, '\0') + ".json", "new"), InvalidInput);
+  EXPECT_EQ(names(), 0);
+}
+
 TEST_F(OutputFiles, LeaveNothingWhereTheyAreNotClosed) {
   {
     OutputFile file(path_);

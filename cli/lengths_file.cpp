@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/binary.hpp"
 #include "base/error.hpp"
 #include "cli/numbers.hpp"
 
@@ -55,6 +56,7 @@ std::vector<double> from_json(std::string_view text) {
 }  // namespace
 
 std::vector<double> parse_lengths(std::string_view text) {
+  if (is_binary(text)) throw InvalidInput("it is a binary file and holds no lengths");
   const std::size_t first = text.find_first_not_of(kWhite);
   if (first != std::string_view::npos && (text[first] == '{' || text[first] == '['))
     return from_json(text);

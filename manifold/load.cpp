@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/binary.hpp"
 #include "base/compression.hpp"
 #include "base/error.hpp"
 #include "canonical/census.hpp"
@@ -286,12 +287,7 @@ void require_list(const std::string& content, const std::string& path) {
     throw InvalidInput("it is a mesh (" + std::string(*mesh) +
                        ") and no list; write its name on a line of one");
   refuse_foreign_mesh(content);
-  const auto is_binary = [](char c) {
-    return (c >= 0 && c < ' ' && std::string_view("\t\r\n\f\v").find(c) == std::string_view::npos);
-  };
-  if (std::any_of(content.begin(),
-                  content.begin() + std::ptrdiff_t(std::min<std::size_t>(content.size(), 4096)),
-                  is_binary))
+  if (is_binary(content))
     throw InvalidInput("it is a binary file and no list of inputs, one a line");
 }
 

@@ -131,6 +131,9 @@ class Files(ProgramTest):
         self.assert_refused("info", "folder", says='"folder" is a folder')
         self.assert_refused("info", "--batch", "folder", says='"folder" is a folder')
         self.assert_refused("solve", TRIPUS, "--initial-lengths", "folder", says="is a folder")
+        self.write("lengths", b"\x00\x01\xff 0.7\n")
+        self.assert_refused("solve", TRIPUS, "--initial-lengths", "lengths",
+                            says="a binary file and holds no lengths")
 
     def test_batch_that_is_not_there(self):
         self.assert_refused("info", "--batch", "none.txt", says='cannot open "none.txt": No such')

@@ -239,7 +239,7 @@ class Lengths(ProgramTest):
         "infinite": ("inf", "initial length 0 is inf"), "nan": ("nan", "initial length 0 is nan"),
         "zero": ("0", "initial length 0 is 0"), "tiny": ("-1e-30", "initial length 0 is -1e-30"),
         "two": ("1 2", "2 initial lengths for 1 edge classes"),
-        "zeros": (b"\0\0", "is not a number"), "not utf8": (b"1\xff", "is not a number"),
+        "zeros": (b"\0\0", "is a binary file"), "not utf8": (b"1\xff", "is not a number"),
         "json": ("[1", "syntax error at byte"), "json empty": ("[]", "holds no numbers"),
         "json overflow": ("[1e999]", "JSON"), "json word": ('[1, "2"]', "edge length 1 is not"),
         "json null": ("[null]", "edge length 0 is not a number"),

@@ -28,6 +28,8 @@ class Worker:
 
     def __init__(self) -> None:
         self._owner = os.getpid()
+        self._unread = b""  # not the pipe's own buffer, of which a selector knows nothing
+        self._told: dict[str, Any] = {}
         environment = dict(os.environ)
         root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
         place = _package_root() or root
@@ -38,6 +40,7 @@ class Worker:
             [sys.executable, "-m", "tripus.hyperbolic.worker"],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
+            bufsize=0,
             env=environment,
             start_new_session=True,  # Ctrl-C is for the parent, which ends this one
         )
@@ -53,7 +56,7 @@ class Worker:
 
     def start(self, rows: Any, seconds: float) -> None:
         """Begins to search a gluing table."""
-        self._told: dict[str, Any] = {}
+        self._told = {}
         self._write({"gluings": rows, "seconds": seconds})
 
     def wait(self, deadline: float) -> tuple[dict[str, Any] | None, dict[str, Any]]:
@@ -81,10 +84,15 @@ class Worker:
         assert pipe is not None
         with selectors.DefaultSelector() as selector:
             selector.register(pipe, selectors.EVENT_READ)
-            if not selector.select(max(0.0, deadline - time.monotonic())):
-                return None
-        line = pipe.readline()  # the process writes whole lines at once
-        return json.loads(line) if line.endswith(b"\n") else None  # type: ignore[no-any-return]
+            while b"\n" not in self._unread:
+                if not selector.select(max(0.0, deadline - time.monotonic())):
+                    return None
+                some = os.read(pipe.fileno(), 1 << 16)
+                if not some:
+                    return None
+                self._unread += some
+        line, _, self._unread = self._unread.partition(b"\n")
+        return json.loads(line)  # type: ignore[no-any-return]
 
     def end(self) -> None:
         if self._owner != os.getpid():

@@ -198,6 +198,9 @@ class Verdict:
         return None if rows is None else frame(rows)
 
     def __repr__(self) -> str:
+        bigon = self.closed_bigon
+        if bigon is not None and bigon["decides"]:
+            return f"<Verdict {self.outcome}; not hyperbolic: {bigon['consequence']}>"
         return f"<Verdict {self.outcome}: {self.message}>"
 
     def _repr_html_(self) -> str:

@@ -92,7 +92,7 @@ def test_threads_at_one_manifold_and_at_many():
 def test_other_threads_run_while_one_solves():
     """A call that held the interpreter's lock would let no tick fall inside it, however often it is
     made; one that gives it up has many inside it, unless the machine is busy elsewhere."""
-    M = large(24)
+    M = large(64)
     lengths = start_of(M)
     ticks = []
     done = threading.Event()

@@ -76,7 +76,6 @@ Outcome answer_of(const SolveCommandOptions& command, const Solved& solved) {
 Outcome solve_subject(const SolveCommandOptions& command, Subject subject) {
   structure::SolveOptions options = command.solve;
   options.cone_angles = subject.cone_angles;
-  catch_interrupts();
   std::optional<HistoryFile> history;
   if (!command.history.empty()) history.emplace(command.history);
   const bool single = command.common.batch.empty();
@@ -111,7 +110,7 @@ Subject without_finite_vertices(Subject subject) {
                                 .gluings = subject.triangulation.gluings(),
                                 .notes = subject.notes,
                                 .orientation_known = subject.orientation_known};
-  make_ideal(loaded, topology::FiniteVertices::kRemove, &interrupt_requested());
+  make_ideal(loaded, topology::FiniteVertices::kRemove, &stop_flag());
   if (loaded.notes.size() == subject.notes.size()) return subject;
   write_message(
       fmt::format("tripus: note: {}: {}\n", printable(subject.input), loaded.notes.back()));
@@ -252,9 +251,6 @@ void add_solve(CLI::App& program, Command& chosen) {
                    "stop after N iterations; 0: the method's own limit")
       ->option_text("N")
       ->check(whole_number(std::numeric_limits<int>::max()));
-  verb->add_option("--time-limit", solve.time_limit, "stop after so many seconds for one INPUT")
-      ->option_text("S")
-      ->check(positive_number());
   verb->add_option("--cone-order", command->cone_orders,
                    "make an edge class singular of order N = 2, 3, ... or a fraction\n"
                    "such as 5/2 (cone angle 2pi/N), or parabolic (N = 0): 0=2,1=3;\n"

@@ -107,7 +107,7 @@ struct Developed {
   viewer::Scene scene(std::size_t cells, viewer::Model model) const {
     embedding::UniversalCoverOptions options;
     options.max_cells = cells;
-    options.stop_requested = &interrupt_requested();
+    options.stop_requested = &stop_flag();
     const auto cover = embedding::universal_cover(embedding, subject.triangulation, options);
     return viewer::make_scene(printable(subject.name.empty() ? subject.input : subject.name),
                               embedding, cover, viewer::default_frame(model, embedding));
@@ -125,13 +125,13 @@ std::string as_json(const Subject& subject, const std::string& file, std::size_t
 
 /// The answer to --png, of which so many cells are drawn.
 Outcome picture_written(const Developed& developed, const ViewCommand& command, std::size_t drawn) {
-  const bool interrupted = drawn < command.cells && interrupt_requested();
+  const bool interrupted = drawn < command.cells && stop_flag();
   const int status = interrupted ? kNoAnswer : kSuccess;
   if (command.common.json) return {as_json(developed.subject, command.png, drawn), status};
   return {fmt::format(
               "{}: {} of its universal cover drawn to {}{}\n", printable(developed.subject.input),
               counted(drawn, "cell", "cells"), printable(command.png),
-              interrupted ? fmt::format(": interrupted, {} were asked for", command.cells) : ""),
+              interrupted ? fmt::format(": {}, {} were asked for", stop_text(), command.cells) : ""),
           status};
 }
 
@@ -151,7 +151,6 @@ PageRequest page_request(const ViewCommand& command) {
 
 Outcome view_one(const ViewCommand& command, const std::string& input) {
   Subject loaded = load_solvable_subject(input, interruptible(), require_boundary_with_remedy);
-  catch_interrupts();
   Solved solved = find_metric(std::move(loaded), {}, command.search);
   if (!solved.is_geometric()) {
     return {command.common.json ? report_as_json(solved.subject, solved.report, solved.search())
@@ -193,7 +192,7 @@ int run(ViewCommand& command) {
   command.picture.cut_away = command.cut_away;
   command.picture.faces = !command.no_faces;
   command.picture.truncations = !command.no_truncations;
-  command.picture.stop_requested = &interrupt_requested();
+  command.picture.stop_requested = &stop_flag();
   return answer_inputs(command.common,
                        [&](const std::string& input) { return view_one(command, input); });
 }

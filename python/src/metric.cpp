@@ -68,6 +68,17 @@ nb::tuple holonomy_of(const HeldMetric& self) {
                         defect.holds());
 }
 
+/// A word in the generators, letters from 1 on, as a Lorentz matrix [4 x 4] and a Moebius map [2 x
+/// 2] with whether it reverses.
+nb::tuple isometry_of_word(const HeldMetric& self, const std::vector<int>& letters) {
+  const embedding::Holonomy h = quickly([&] { return self.metric->holonomy(); });
+  const topology::Word word(letters.begin(), letters.end());
+  const geometry::MoebiusMap map = embedding::moebius_of(h, word);
+  return nb::make_tuple(
+      stacked(std::vector{embedding::isometry_of(h, word)}),
+      owned(std::vector<std::complex<double>>{map.a, map.b, map.c, map.d}, {2, 2}), map.reverses);
+}
+
 CellComplex universal_cover(const HeldMetric& self, std::size_t cells,
                             std::optional<std::uint32_t> depth, std::optional<double> radius,
                             std::uint32_t root, const Limits& limits) {
@@ -260,6 +271,7 @@ void bind_metric(nb::module_& module) {
       .def("report", [](const HeldMetric& self) { return as_dict(self.metric->report()); })
       .def("embedding", embedding_of)
       .def("holonomy", holonomy_of)
+      .def("isometry_of_word", isometry_of_word)
       .def("universal_cover", universal_cover)
       .def("fundamental_domain",
            [](const HeldMetric& self) {

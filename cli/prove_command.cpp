@@ -43,8 +43,9 @@ std::string proof_table(const structure::ProofText& proof) {
 Outcome prove_one(const ProveCommandOptions& command, const std::string& input) {
   const auto start = Context::Clock::now();
   const Subject subject =
-      load_solvable_subject(input, interruptible(), require_boundary_with_remedy);
+      load_ideal_subject(input, Balls::kRefused, interruptible(), require_with_remedy);
   structure::SolveOptions solve;
+  solve.cone_angles = subject.cone_angles;
   solve.stop_requested = &interrupt_requested();
   if (command.time_limit > 0) solve.time_limit = command.time_limit;
   structure::Report report = structure::solve(subject.triangulation, solve);
@@ -53,8 +54,9 @@ Outcome prove_one(const ProveCommandOptions& command, const std::string& input) 
     context.deadline = start + std::chrono::duration_cast<Context::Clock::duration>(
                                    std::chrono::duration<double>(command.time_limit));
   context.threads = command.common.batch.empty() ? command.common.threads : 1;
-  const structure::ProofText proof =
-      structure::prove_report(subject.triangulation, report, command.digits, context);
+  const structure::ProofText proof = structure::prove_report(
+      subject.triangulation, report, {.digits = command.digits, .cone_angles = subject.cone_angles},
+      context);
   const bool metric = proof.proved && proof.claim == structure::Proof::Claim::kMetric;
   if (command.common.json) {
     report.message = structure::proof_message(proof);

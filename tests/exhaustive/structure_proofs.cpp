@@ -176,7 +176,7 @@ TEST(Proofs, OfFlatTetrahedraAndSenselessLengthsAreRefused) {
 TEST(Proofs, OfVolumesAndAnglesAreCheckedToo) {
   const Triangulation tripus(topology::decode_isosig("cPcbbbihq"));
   const Report report = solve(tripus);
-  ProofText text = prove_report(tripus, report, 30);
+  ProofText text = prove_report(tripus, report, {.digits = 30});
   ASSERT_TRUE(text.proved);
   EXPECT_TRUE(check_proof(tripus, text));
   EXPECT_TRUE(text.volume->lower.starts_with("6.4519902708350328652982344210"));

@@ -26,8 +26,6 @@ constexpr double kBitsOfDigit = 3.32192809488736235;
 constexpr long kGuardBits = 96;
 constexpr int kTries = 4;
 constexpr int kExtraDigits = 12;
-/// As in prove.cpp: claimed radii are wider than what was proved.
-constexpr double kMargin = 1 + 0x1p-4;
 
 struct DigitsRun {
   const Triangulation& triangulation;
@@ -170,7 +168,7 @@ struct DigitsRun {
       squares = squares + square(K[e]) / Arb(proof.weights[e]);
       volume = volume - 0.5 * (K[e] * x[e]);
     }
-    const Arb g = kMargin * square_root(squares.upper_end());
+    const Arb g = metric.margin() * square_root(squares.upper_end());
     for (std::size_t e = 0; e < x.size(); ++e) {
       if (metric.is_fixed(e)) {
         radii.emplace_back();

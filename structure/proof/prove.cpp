@@ -32,9 +32,6 @@ constexpr int kFirstBits = 128;
 constexpr double kFirstBox = 0x1p-30;
 constexpr int kAttempts = 6;
 constexpr double kPiLow = 0x1.1a62633145c07p-53;
-/// The radii that are claimed are wider than those proved by this factor, so that other code, with
-/// other bounds for d_e, can follow.
-constexpr double kMargin = 1 + 0x1p-4;
 
 /// Rounding to nearest while it lives: pairs of doubles rest on it.
 class NearestRounding {
@@ -138,7 +135,7 @@ struct Attempt {
       squares = up(squares + up(up(largest * largest) / edge.weight));
     }
     // An ellipsoid a little larger than g, on whose boundary H grows outwards.
-    const double g = up(std::sqrt(squares)) * kMargin;
+    const double g = up(std::sqrt(squares)) * metric.margin();
     bool inside = std::isfinite(g);
     for (std::size_t e = 0; e < pass.edges.size(); ++e) {
       proof.weights[e] = pass.edges[e].weight;

@@ -8,8 +8,8 @@
 namespace tripus::structure {
 
 struct ProveReportOptions {
-  int digits = 0;                                ///< 0 for doubles, else as prove_digits
-  std::vector<topology::ConeAngle> cone_angles;  ///< [E] of the report; empty for 2 pi
+  int digits = 0;                                     ///< 0 for doubles, else as prove_digits
+  std::vector<topology::ConeAngle> cone_angles = {};  ///< [E] of the report; empty for 2 pi
 };
 
 /// The proof that goes with a report: of the metric where it is geometric, of a minimiser with flat

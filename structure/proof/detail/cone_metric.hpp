@@ -32,6 +32,9 @@ class ConeMetric {
   bool may_be_negative(std::size_t e) const { return ideal_end_[e]; }
   /// Whether every tetrahedron is strictly convex in all its lengths.
   bool is_strictly_convex() const { return strictly_convex_; }
+  /// Radii are claimed wider than proved by this factor, so that other code, with other bounds for
+  /// the weights, can follow: at cusps it may hold other edges.
+  double margin() const { return strictly_convex_ ? 1 + 0x1p-4 : 4; }
   bool has_finite_vertex() const { return finite_vertex_; }
   /// An edge class for each cusp: with their lengths fixed no horosphere can move.
   const std::vector<std::size_t>& pins() const { return pins_; }

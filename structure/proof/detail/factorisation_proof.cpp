@@ -22,9 +22,6 @@ using geometry::packed_index;
 constexpr int kFirstBits = 128;
 constexpr int kAttempts = 8;
 constexpr std::size_t kChunk = 512;
-/// As in prove.cpp: claimed radii are wider than what was proved. Other code may hold other edges
-/// at the cusps, and so find another least eigenvalue.
-constexpr double kMargin = 4;
 
 /// An Arb ball in doubles.
 struct DoubleBall {
@@ -196,7 +193,7 @@ struct FactorisationProof {
       const double largest = K[e].magnitude().upper();
       squares = up(squares + up(up(largest * largest) / proof.weights[e]));
     }
-    const double g = up(std::sqrt(squares)) * kMargin;
+    const double g = up(std::sqrt(squares)) * metric.margin();
     bool inside = std::isfinite(g);
     for (std::size_t e = 0; e < K.size(); ++e) {
       if (metric.is_fixed(e)) continue;

@@ -86,7 +86,8 @@ void add_prove(CLI::App& program, Command& chosen) {
       ->check(positive_number());
   verb->footer(
       std::string(kInputHelp) +
-      "\n\"Proved\" accounts for every rounding: docs/theory.md section 9 and docs/proof.md. "
+      "\nCusps are welcome, and cone orders behind the INPUT as in \"cPcbbbiht 0=2,1=2\" (0: a parabolic "
+      "edge).\n\"Proved\" accounts for every rounding: docs/theory.md section 9 and docs/proof.md. "
       "`tripus "
       "check`\nverifies what --json prints by other code.\n\n"
       "Exit status: 0 proved geometric (for --batch: the run finished), 1 proved to carry no "

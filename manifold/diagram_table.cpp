@@ -53,8 +53,7 @@ void set_metric(DiagramRow& row, const Triangulation& triangulation,
   set_triangulation(row, triangulation);
   row.hyperbolic = true;
   row.volume = report.volume;
-  if (!has_cusps(triangulation))  // of metrics with cusps there are no proofs yet
-    row.proved = structure::prove_report(triangulation, report, 0, context).proved;
+  row.proved = structure::prove_report(triangulation, report, {}, context).proved;
 }
 
 void set_canonical(DiagramRow& row, const canonical::CanonicalManifold& manifold) {

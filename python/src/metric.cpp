@@ -223,8 +223,8 @@ nb::dict orthospectrum_of(const HeldMetric& self, double length, std::size_t cou
 void bind_proofs(nb::module_& module) {
   module.def("prove", [](const Manifold& manifold, int digits, const Limits& limits) {
     const auto proof = run(limits, [&](const Context& context) {
-      return structure::prove_report(manifold.triangulation(), manifold.verdict(context), digits,
-                                     context);
+      return structure::prove_report(manifold.triangulation(), manifold.verdict(context),
+                                     {.digits = digits}, context);
     });
     return nb::make_tuple(structure::to_json(proof), structure::proof_message(proof));
   });

@@ -8,8 +8,8 @@ namespace tripus::orthospectrum {
 /// Red, green, blue, sRGB.
 using LengthColour = std::array<std::uint8_t, 3>;
 
-/// From short to long: a scale whose lightness falls evenly, told apart without seeing hue. The same
-/// in every picture of discs.
+/// From short to long: a scale whose lightness falls evenly, told apart without seeing hue. The
+/// same in every picture of discs.
 inline constexpr std::array<LengthColour, 6> kLengthColours{{{168, 28, 48},
                                                              {220, 74, 50},
                                                              {245, 132, 52},
@@ -17,7 +17,8 @@ inline constexpr std::array<LengthColour, 6> kLengthColours{{{168, 28, 48},
                                                              {196, 222, 178},
                                                              {120, 178, 206}}};
 
-/// The colour at a share of the scale, 0 the shortest and 1 the longest: straight between the stops.
+/// The colour at a share of the scale, 0 the shortest and 1 the longest: straight between the
+/// stops.
 LengthColour length_colour(double share);
 
 /// What the scale of a picture goes from and to.

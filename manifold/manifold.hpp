@@ -59,6 +59,11 @@ class Manifold {
   /// The same manifold with as few tetrahedra as were found.
   Manifold simplified(const topology::SimplifyOptions& options = {},
                       const Context& context = {}) const;
+  /// What is left without neighbourhoods of these edge classes, simplified: topology/drill.hpp.
+  /// Throws InvalidInput for a number that no edge class has, or that comes twice.
+  Manifold drilled(const std::vector<std::size_t>& edges,
+                   const topology::SimplifyOptions& options = {},
+                   const Context& context = {}) const;
   /// The connected covers with so many sheets, one of each isomorphism class. A stop leaves those
   /// found so far. Throws InvalidInput as topology::for_each_cover does.
   std::vector<Manifold> covers(std::size_t degree, const Context& context = {}) const;

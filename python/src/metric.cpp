@@ -12,6 +12,7 @@
 #include "structure/certificate.hpp"
 #include "structure/proof/proof_text.hpp"
 #include "structure/proof/prove_report.hpp"
+#include "topology/requirements.hpp"
 
 namespace tripus::python {
 namespace {
@@ -209,9 +210,26 @@ nb::dict orthospectrum_of(const HeldMetric& self, double length, std::size_t cou
   return d;
 }
 
+/// Why nothing can be proved about a manifold so far, if that is so.
+std::optional<std::string> unprovable(const Manifold& manifold) {
+  if (!topology::all_full(manifold.cone_angles()))
+    return "cone angles other than 2 pi are not proved so far";
+  try {
+    topology::require_geodesic_boundary(manifold.triangulation());
+  } catch (const InvalidInput& error) {
+    return error.what();
+  }
+  return std::nullopt;
+}
+
 void bind_proofs(nb::module_& module) {
   module.def("prove", [](const Manifold& manifold, int digits, const Limits& limits) {
     const auto proof = run(limits, [&](const Context& context) {
+      if (const auto why_not = unprovable(manifold)) {
+        structure::ProofText none;
+        none.reason = *why_not;
+        return none;
+      }
       return structure::prove_report(manifold.triangulation(), manifold.verdict(context), digits,
                                      context);
     });

@@ -28,7 +28,13 @@ from tripus._errors import (
     Undecided,
     Unsupported,
 )
-from tripus.answers import CanonicalDecomposition, CensusEntry, Comparison, Orthospectrum
+from tripus.answers import (
+    CanonicalDecomposition,
+    CensusEntry,
+    Comparison,
+    Isometry,
+    Orthospectrum,
+)
 from tripus.groups import AbelianGroup, FundamentalGroup, IsometryGroup
 from tripus.manifold import Manifold
 from tripus.many import census, load, methods, read_batch, solve_many
@@ -73,6 +79,7 @@ __all__ = [
     "InputNote",
     "InternalError",
     "InvalidInput",
+    "Isometry",
     "IsometryGroup",
     "Manifold",
     "Metric",

@@ -6,9 +6,10 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from tripus import _core
+from tripus._check import checked, one_of
 from tripus._limits import Progress, limits
+from tripus._value import Value
 from tripus.answers import Orthospectrum
-from tripus.frames import html_table
 from tripus.verdicts import Verdict, Volume
 
 if TYPE_CHECKING:
@@ -20,7 +21,12 @@ else:
     from tripus._lazy import numpy as np
 
 
-class Metric:
+#: What cells can be drawn in.
+MODELS = ("ball", "klein", "upper")
+
+
+@checked
+class Metric(Value):
     """The complete hyperbolic metric with totally geodesic boundary (curvature -1).
 
     Arrays are read-only views into the library's memory: no copies.
@@ -39,6 +45,9 @@ class Metric:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _metric_of, (self._manifold,)
+
+    def _key(self) -> Any:
+        return self._manifold, self.edge_lengths
 
     @property
     def manifold(self) -> Manifold:
@@ -145,16 +154,17 @@ class Metric:
     def __repr__(self) -> str:
         return f"<Metric of {self._manifold}: volume {self.volume}, max|K| {self.max_curvature:.2g}>"
 
-    def _repr_html_(self) -> str:
+    def _rows(self) -> dict[str, str]:
         lengths = self.edge_lengths
-        return html_table(
-            {
-                "metric of": str(self._manifold),
-                "volume": f"{float(self.volume):.13g}",
-                "edges": f"{len(lengths)}, {lengths.min():.6g} to {lengths.max():.6g} long",
-                "max|K|": f"{self.max_curvature:.3g}",
-            }
-        )
+        return {
+            "metric of": str(self._manifold),
+            "volume": f"{float(self.volume):.13g}",
+            "edges": f"{len(lengths)}, {lengths.min():.6g} to {lengths.max():.6g} long",
+            "max|K|": f"{self.max_curvature:.3g}",
+        }
+
+    def _picture(self) -> str:
+        return self._manifold._picture()
 
 
 def _metric_of(manifold: Manifold) -> Metric:
@@ -168,7 +178,8 @@ def _cells_of(metric: Metric, asked: Any) -> CellComplex:
     return metric.universal_cover(cells, depth=depth, radius=radius, root=root)
 
 
-class CellComplex:
+@checked
+class CellComplex(Value):
     """Cells of the universal cover, nearest to the first tetrahedron first.
 
     >>> import tripus
@@ -188,6 +199,19 @@ class CellComplex:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _cells_of, (self._metric, self._asked)
+
+    def _key(self) -> Any:
+        return self._metric, self._asked, len(self)
+
+    def _rows(self) -> dict[str, str]:
+        return {
+            "cells": str(len(self)),
+            "of": str(self._metric.manifold),
+            "depth": str(int(self.depths.max())),
+        }
+
+    def _picture(self) -> str:
+        return self._metric._picture()
 
     def __len__(self) -> int:
         return self._core.size()

@@ -23,6 +23,7 @@ void bind_arrays(nb::module_& module);
 void bind_topology(nb::class_<Manifold>& type);
 void bind_metric(nb::module_& module);
 void bind_canonical(nb::module_& module);
+void bind_diagrams(nb::module_& module);
 void bind_files(nb::module_& module);
 void bind_program(nb::module_& module);
 void bind_solve_many(nb::module_& module);

@@ -69,6 +69,7 @@ NB_MODULE(_core, module) {
   bind_metric(module);
   bind_canonical(module);
   bind_files(module);
+  bind_diagrams(module);
   bind_program(module);
   bind_solve_many(module);
   bind_studies(module);

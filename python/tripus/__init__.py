@@ -17,6 +17,7 @@ if _os.path.exists(_tetgen):
     _os.environ.setdefault("TRIPUS_TETGEN", _tetgen)
 
 from tripus import _core as _core
+from tripus import diagrams as diagrams
 from tripus._errors import (
     FileError,
     InputNote,
@@ -35,6 +36,7 @@ from tripus.answers import (
     Isometry,
     Orthospectrum,
 )
+from tripus.diagrams import Diagram
 from tripus.groups import AbelianGroup, FundamentalGroup, IsometryGroup
 from tripus.manifold import Manifold
 from tripus.many import census, load, methods, read_batch, solve_many
@@ -74,6 +76,7 @@ __all__ = [
     "CensusEntry",
     "Certificate",
     "Comparison",
+    "Diagram",
     "FileError",
     "FundamentalGroup",
     "InputNote",
@@ -93,6 +96,7 @@ __all__ = [
     "Verdict",
     "Volume",
     "census",
+    "diagrams",
     "load",
     "methods",
     "plot",

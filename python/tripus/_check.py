@@ -172,6 +172,10 @@ def _manifold(value: Any) -> Any:
     return value
 
 
+def _words(value: Any) -> Any:
+    return _word(value) if isinstance(value, str) else _list_of(_word, "a list of texts")(value)
+
+
 _CHECKS: dict[str, _Check] = {
     "bool": _bool,
     "int": _int,
@@ -185,6 +189,7 @@ _CHECKS: dict[str, _Check] = {
     "Sequence[Sequence[int]]": _list_of(
         _list_of(_int, ""), "a list of permutations, each a list of whole numbers from 0"
     ),
+    "str | Sequence[str]": _words,
     "Sequence[float] | npt.NDArray[np.float64]": _list_of(_float, "a list of numbers"),
     "Mapping[int, Any]": _mapping,
     "Mapping[int, float]": _mapping,
@@ -256,6 +261,14 @@ def _checked_function(function: Any, called: str) -> Any:
         return function(*given, **named)
 
     return wrapper
+
+
+def as_bytes(text: Any) -> bytes:
+    """A text or the name of a file as bytes, for the extension; InvalidInput if it has none."""
+    try:
+        return os.fsencode(text)
+    except UnicodeEncodeError:
+        raise InvalidInput(f"{shown(text)} has halves of surrogate pairs") from None
 
 
 def one_of(function: str, name: str, value: str, values: Sequence[str]) -> None:

@@ -100,10 +100,16 @@ class AbelianGroup(Value):
         return " + ".join(name if n == 1 else f"{n} {name}" for name, n in counted) or "0"
 
 
-def _names(count: int) -> list[str]:
+def names_of(count: int) -> list[str]:
     if count <= 26:
         return [chr(ord("a") + i) for i in range(count)]
     return [f"x{i + 1}" for i in range(count)]
+
+
+def text_of(letters: Sequence[int], names: Sequence[str]) -> str:
+    """The text of a word; inverses are capitals, and more than 26 names have a * between them."""
+    texts = [names[x - 1] if x > 0 else names[-x - 1].upper() for x in letters]
+    return ("*" if len(names) > 26 else "").join(texts)
 
 
 @checked
@@ -134,7 +140,7 @@ class FundamentalGroup(Value):
         count, relators = small if simplify else full
         self._relators = [list(r) for r in relators]
         self._kept = list(kept) if simplify else list(range(full[0]))
-        self._generators = _names(count)
+        self._generators = names_of(count)
         # Every original generator as a word in those kept: the last one solved knows only these.
         self._words: dict[int, list[int]] = {g: [i + 1] for i, g in enumerate(self._kept)}
         if simplify:
@@ -188,10 +194,15 @@ class FundamentalGroup(Value):
 
     def word(self, letters: Sequence[int]) -> str:
         """The text of a word."""
-        texts = [
-            self._generators[x - 1] if x > 0 else self._generators[-x - 1].upper() for x in letters
-        ]
-        return ("*" if len(self._generators) > 26 else "").join(texts)
+        for x in letters:
+            self._require_letter(x)
+        return text_of(letters, self._generators)
+
+    def _require_letter(self, letter: int) -> None:
+        if letter == 0 or abs(letter) > len(self._generators):
+            raise InvalidInput(
+                f"{letter} is no letter: they are 1 to {len(self._generators)} and their negatives"
+            )
 
     def letters(self, word: Word) -> list[int]:
         """The letters of a word; InvalidInput for one that is none."""
@@ -212,10 +223,7 @@ class FundamentalGroup(Value):
                 f"a word is a text or a list of whole numbers, not {shown(word)}"
             ) from None
         for x in letters:
-            if x == 0 or abs(x) > len(self._generators):
-                raise InvalidInput(
-                    f"{x} is no letter: they are 1 to {len(self._generators)} and their negatives"
-                )
+            self._require_letter(x)
         return letters
 
     def original(self) -> FundamentalGroup:

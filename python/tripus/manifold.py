@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from tripus import _core, interop
-from tripus._check import checked, one_of, shown
+from tripus._check import as_bytes, checked, one_of, shown
 from tripus._core import Manifold as CoreManifold
 from tripus._errors import InvalidInput, NoMetric, Undecided, Unsupported
 from tripus._limits import NO_LIMITS, Progress, limits
@@ -20,6 +20,7 @@ from tripus.answers import (
     Isometry,
     Orthospectrum,
 )
+from tripus.diagrams import Diagram, is_diagram
 from tripus.groups import AbelianGroup, FundamentalGroup, IsometryGroup
 from tripus.metric import Metric
 from tripus.sources import load_text, load_thing, surface_of_drawing
@@ -74,8 +75,8 @@ class Manifold(Value):
             file (gluing table, Regina, SnapPea, Orb, surface, tetrahedral mesh), FILE#LABEL for one
             of several triangulations in it; a planar diagram ("PD: V[1,3,4] X[5,9,6,10] ..."); a
             name of the tables of knots and graphs or of the census; a gluing table as lists, or as
-            arrays (neighbours [T x 4], images [T x 4 x 4]); a triangulation of SnapPy or Regina; a
-            mesh of meshio, trimesh or PyVista.
+            arrays (neighbours [T x 4], images [T x 4 x 4]); a tripus.Diagram; a triangulation of
+            SnapPy or Regina; a mesh of meshio, trimesh or PyVista.
     name    what to call it, instead of the name in the source.
     cone_orders, cone_angles
             as for solve(): cone angles around edge classes, on top of those in the source (a file,
@@ -140,10 +141,7 @@ class Manifold(Value):
         """
         if not isinstance(text, (str, bytes)):
             raise TypeError(f"Manifold.from_text(): text is a str or bytes, not {shown(text)}")
-        try:
-            given = text.encode("utf-8", "surrogateescape") if isinstance(text, str) else text
-        except UnicodeEncodeError:
-            raise InvalidInput("the text has halves of surrogate pairs") from None
+        given = as_bytes(text) if isinstance(text, str) else text
         core = _core.from_text(given, True, NO_LIMITS)
         return cls._wrap(core if name is None else _renamed(core, name))
 
@@ -717,6 +715,17 @@ class Manifold(Value):
         return interop.to_regina(self)
 
     # Pictures
+
+    def diagram(self) -> Diagram:
+        """The diagram that it was made from; Unsupported if it was made from something else.
+
+        >>> Manifold("5_1 theta").diagram()
+        <Diagram 5_1 theta: 5 crossings, 2 vertices, 3 strands>
+        """
+        given = os.fsdecode(self._core.input())
+        if not is_diagram(given) and not is_diagram(self.name()):
+            raise Unsupported(f"{self} was not made from a diagram")
+        return Diagram(given if is_diagram(given) else self.name(), name=self.name() or None)
 
     def view(self, cells: int = 20, model: str = "ball", height: int = 520) -> Any:
         """The page that shows the manifold from outside and inside: in a notebook, live; else in

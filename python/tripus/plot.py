@@ -17,7 +17,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from tripus import _core
-from tripus._check import checked, real_array, shown
+from tripus._check import as_bytes, checked, real_array, shown
 from tripus._errors import InvalidInput
 from tripus.answers import Orthospectrum
 
@@ -75,7 +75,7 @@ def _polylines(lines: Any) -> list[Any]:
     """The polylines of a drawing as Manifold.from_drawing takes it, each [n x 3]."""
     if isinstance(lines, (str, os.PathLike)):
         try:
-            lines = json.loads(_core.read_file(os.fsencode(lines)))
+            lines = json.loads(_core.read_file(as_bytes(lines)))
         except ValueError as error:
             raise InvalidInput(f"{shown(lines)} is no drawing in JSON: {error}") from None
     if isinstance(lines, Mapping):
@@ -140,7 +140,8 @@ def convergence(
             label=method,
         )
     ax.set(xlabel="iteration", ylabel="max|K|", yscale="log", title=str(manifold))
-    ax.legend(frameon=False)
+    if methods:
+        ax.legend(frameon=False)
     return ax.figure
 
 
@@ -148,7 +149,10 @@ def convergence(
 def volumes(many: Any, ax: Any = None, *, bins: int = 60) -> Any:
     """The volumes of a list of manifolds, or of the frame that solve_many returns."""
     if hasattr(many, "columns") or getattr(many, "dtype", None) is not None:
-        numbers = np.asarray(many["volume"] if _has_volume(many) else many, dtype=float)
+        try:
+            numbers = np.asarray(many["volume"] if _has_volume(many) else many, dtype=float)
+        except (TypeError, ValueError):
+            raise TypeError(f"volumes(): many has other things than numbers: {shown(many)}") from None
     else:
         from tripus.many import solve_many
 

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 from tripus import _core, interop
 from tripus._core import Manifold as CoreManifold
-from tripus._check import real_array, shown, whole_array
+from tripus._check import as_bytes, real_array, shown, whole_array
 from tripus._errors import FileError, InvalidInput
 from tripus._limits import NO_LIMITS, Progress, limits
+from tripus.diagrams import Diagram
 
 if TYPE_CHECKING:
     import numpy as np
@@ -25,7 +26,7 @@ def surface_of_drawing(
 ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]:
     """Points and triangles of the surface around a drawing; see Manifold.from_drawing."""
     if isinstance(drawing, (str, os.PathLike)):
-        text = _core.read_file(os.fsencode(drawing))
+        text = _core.read_file(as_bytes(drawing))
     elif isinstance(drawing, Mapping):
         try:
             text = json.dumps(dict(drawing)).encode()
@@ -46,12 +47,7 @@ def surface_of_drawing(
 
 
 def load_text(source: str, time_limit: float | None, progress: Progress) -> CoreManifold:
-    try:
-        encoded = source.encode("utf-8", "surrogateescape")
-    except UnicodeEncodeError:
-        raise InvalidInput(
-            f"{shown(source)} has halves of surrogate pairs: it is no file and no signature"
-        ) from None
+    encoded = as_bytes(source)
     if source.lstrip().startswith("PD"):
         source = " ".join(source.split())  # a planar diagram, perhaps on several lines
     if source.startswith(("% Triangulation", "% orb", "<?xml", '{"')) or "\n" in source:
@@ -75,6 +71,8 @@ def load_thing(source: Any, time_limit: float | None, progress: Progress) -> Cor
         raise FileError(f"there is no file {shown(os.fspath(source))}")
     if isinstance(source, (str, os.PathLike)):
         return load_text(os.fsdecode(os.fspath(source)), time_limit, progress)
+    if isinstance(source, Diagram):
+        return source.exterior(time_limit=time_limit, progress=progress)._core
     package = interop.package_of(source)
     if package in ("snappy", "SnapPy", "SnapPyHP", "spherogram"):
         return interop.from_snappy(source)

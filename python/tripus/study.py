@@ -15,7 +15,7 @@ import numpy as np
 
 from tripus import _core
 from tripus._check import checked, shown
-from tripus._errors import Stopped
+from tripus._errors import InvalidInput, Stopped
 from tripus._lazy import load
 from tripus._limits import Progress, limits
 from tripus.manifold import Manifold
@@ -120,6 +120,8 @@ def run(
 
     Stopped, if the time limit ended it: what is done is in the folder.
     """
+    if name not in names():
+        raise InvalidInput(f"there is no study {shown(name)}: {', '.join(names())}")
     if isinstance(inputs, (str, os.PathLike)):
         inputs = read_batch(inputs)
     if isinstance(inputs, (bytes, Manifold)) or not isinstance(inputs, Iterable):

@@ -34,8 +34,8 @@ from tripus.answers import (
     CensusEntry,
     Comparison,
     Isometry,
-    Orthospectrum,
 )
+from tripus.arcs import BasmajianDiscs, Orthospectrum, ReturnPath
 from tripus.diagrams import Diagram
 from tripus.groups import AbelianGroup, FundamentalGroup, IsometryGroup
 from tripus.manifold import Manifold
@@ -71,6 +71,7 @@ def __getattr__(name: str) -> object:
 __all__ = [
     "AbelianGroup",
     "AngleStructure",
+    "BasmajianDiscs",
     "CanonicalDecomposition",
     "CellComplex",
     "CensusEntry",
@@ -89,6 +90,7 @@ __all__ = [
     "NoMetric",
     "Orthospectrum",
     "Proof",
+    "ReturnPath",
     "Stopped",
     "TripusError",
     "Undecided",

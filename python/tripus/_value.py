@@ -15,6 +15,8 @@ def frozen(thing: Any) -> Any:
         return tuple(frozen(each) for each in thing)
     if type(thing).__module__ == "numpy" and hasattr(thing, "tobytes"):
         return thing.shape, str(thing.dtype), thing.tobytes()
+    if isinstance(thing, float) and thing != thing:
+        return "nan"
     return thing
 
 

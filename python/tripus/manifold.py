@@ -18,8 +18,8 @@ from tripus.answers import (
     CensusEntry,
     Comparison,
     Isometry,
-    Orthospectrum,
 )
+from tripus.arcs import BasmajianDiscs, Orthospectrum, ReturnPath
 from tripus.diagrams import Diagram, is_diagram
 from tripus.groups import AbelianGroup, FundamentalGroup, IsometryGroup
 from tripus.metric import Metric
@@ -578,6 +578,14 @@ class Manifold(Value):
     def orthospectrum(self, **options: Any) -> Orthospectrum:
         """Arcs orthogonal to the boundary: length=L or count=N; see Metric.orthospectrum."""
         return self.metric.orthospectrum(**options)
+
+    def shortest_return_path(self) -> ReturnPath:
+        """The shortest arc orthogonal to the boundary at both ends; see Metric."""
+        return self.metric.shortest_return_path()
+
+    def basmajian_discs(self, length: float = 4.0, **options: Any) -> BasmajianDiscs:
+        """The discs on the boundary around the feet of arcs; see Metric.basmajian_discs."""
+        return self.metric.basmajian_discs(length, **options)
 
     # The manifold, whatever its triangulation
 

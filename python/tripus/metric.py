@@ -9,7 +9,8 @@ from tripus import _core
 from tripus._check import checked, one_of
 from tripus._limits import Progress, limits
 from tripus._value import Value
-from tripus.answers import Orthospectrum
+from tripus._errors import InvalidInput
+from tripus.arcs import BasmajianDiscs, Orthospectrum, ReturnPath
 from tripus.verdicts import Verdict, Volume
 
 if TYPE_CHECKING:
@@ -116,20 +117,51 @@ class Metric(Value):
         length: float | None = None,
         count: int | None = None,
         most_arcs: float = 1e8,
+        prove: bool = False,
         time_limit: float | None = None,
         threads: int = 0,
         progress: Progress = None,
     ) -> Orthospectrum:
-        """All arcs orthogonal to the boundary up to a length, or the shortest `count`."""
-        from tripus._errors import InvalidInput
+        """All arcs orthogonal to the boundary up to a length, or the shortest `count`.
 
-        if (length is None) == (count is None):
-            raise InvalidInput("give one of length= and count=")
+        prove  also intervals in which the lengths are proved to lie: proved_lengths
+        """
+        if (length is None) == (count is None) or 0 in (length, count):
+            raise InvalidInput("give one of length= and count=, more than 0")
+        limit = limits(time_limit, threads, progress)
         return Orthospectrum(
-            self._core.orthospectrum(
-                length or 0.0, count or 0, most_arcs, limits(time_limit, threads, progress)
-            )
+            self._core.orthospectrum(length or 0.0, count or 0, most_arcs, prove, limit)
         )
+
+    def shortest_return_path(self) -> ReturnPath:
+        """The shortest arc orthogonal to the boundary at both ends (Kojima's and Miyamoto's).
+
+        >>> import tripus
+        >>> tripus.Manifold("cPcbbbihq").metric.shortest_return_path()
+        <ReturnPath of length 0.596133894891>
+        """
+        return ReturnPath(self.orthospectrum(count=1))
+
+    def basmajian_discs(
+        self,
+        length: float = 4.0,
+        *,
+        most_arcs: float = 1e7,
+        time_limit: float | None = None,
+        progress: Progress = None,
+    ) -> BasmajianDiscs:
+        """The discs on the boundary around the feet of all arcs up to a length.
+
+        A normal to the boundary that starts in the disc of an arc runs into the plane in which
+        the arc ends. The discs of all arcs fill the boundary (Basmajian's identity).
+
+        >>> import tripus
+        >>> discs = tripus.Manifold("cPcbbbihq").metric.basmajian_discs(4)
+        >>> discs, round(discs.area / discs.boundary_area, 3)
+        (<BasmajianDiscs: 58 discs of arcs up to length 4, 94.8 % of the boundary>, 0.948)
+        """
+        limit = limits(time_limit, 0, progress)
+        return BasmajianDiscs(self._core.discs(length, most_arcs, limit), self)
 
     def universal_cover(
         self,

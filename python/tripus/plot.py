@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 from tripus import _core
 from tripus._check import as_bytes, checked, real_array, shown
 from tripus._errors import InvalidInput
-from tripus.answers import Orthospectrum
+from tripus.arcs import Orthospectrum
 
 if TYPE_CHECKING:
     import numpy as np

@@ -446,3 +446,27 @@ def test_paths_of_any_bytes(M, tmp_path):
     N = tripus.Manifold(path)
     assert N == M and N.volume() == M.volume()
     repr(N), N._repr_html_(), json.loads(N.to_json()), pickle.dumps(N)
+
+
+def test_arcs_and_discs(M):
+    path = M.shortest_return_path()
+    assert abs(path.length - 0.596133894890837) < 1e-13 and path.edges == [0]
+    assert float(path) == min(M.metric.edge_lengths)
+    arcs = M.orthospectrum(length=5, prove=True)
+    assert arcs.multiplicities.tolist()[:8] == [1, 4, 12, 12, 12, 6, 24, 48]  # docs/orthospectrum.md
+    for length, (low, high) in zip(arcs.lengths, arcs.proved_lengths):
+        assert low - 1e-12 <= length <= high + 1e-12 and high - low < 1e-9
+    assert M.orthospectrum(length=2).proved_lengths is None
+    discs = M.basmajian_discs(length=5)
+    assert len(discs) == 2 * arcs.arc_count and discs.boundary_area == pytest.approx(4 * np.pi)
+    assert discs.area == pytest.approx(arcs.area["counted"], rel=1e-12)
+    assert np.allclose(np.tanh(discs.lengths / 2), np.exp(-discs.radii))
+    assert (discs.feet**2).sum(axis=1).max() < 1 and discs.tiles.max() <= 3
+    assert discs.svg().startswith("<svg") and discs.svg().count("<circle") > len(discs)
+    with pytest.raises(tripus.InvalidInput):
+        M.orthospectrum(length=0)
+    # A cusp has a horosphere, whose area is none of the boundary's.
+    mixed = tripus.Manifold("dLQacccjjkg")
+    assert mixed.num_cusps() == 1
+    for area in (mixed.orthospectrum(length=2).area["exact"], mixed.basmajian_discs(2).boundary_area):
+        assert area == pytest.approx(4 * np.pi)

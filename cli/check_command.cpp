@@ -59,9 +59,8 @@ constexpr const char* kOtherLabels =
     "its cone angles are not those of INPUT; label INPUT as in \"FILE 0=3,1=2\"";
 
 bool same_labels(const Subject& subject, std::span<const topology::ConeAngle> cone_angles) {
-  const std::size_t count = subject.triangulation.edge_count();
-  return (cone_angles.empty() || cone_angles.size() == count) &&
-         topology::completed(subject.cone_angles, count) == topology::completed(cone_angles, count);
+  return topology::same_angles(subject.cone_angles, cone_angles,
+                               subject.triangulation.edge_count());
 }
 
 Outcome check_one_proof(const CheckOptions& options, const std::string& text) {

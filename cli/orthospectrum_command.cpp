@@ -72,7 +72,7 @@ orthospectrum::Spectrum spectrum_of(const OrthospectrumCommand& command, const S
 }
 
 std::optional<std::vector<double>> canonical_edges_of(const OrthospectrumCommand& command,
-                                                       const Subject& subject) {
+                                                      const Subject& subject) {
   canonical::CanonizeOptions options = command.canonize;
   limit_work(options);
   const canonical::CanonizeAnswer answer = canonical::canonize(subject.triangulation, options);

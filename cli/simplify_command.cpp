@@ -58,7 +58,8 @@ using Stages = std::vector<std::pair<std::string_view, std::size_t>>;
 
 std::string message_of(const topology::Simplified& result, const Subject& subject) {
   std::string text = one_line(subject.triangulation);
-  if (result.stopped) text += "; interrupted, so this may not be the smallest that can be found";
+  if (result.stopped)
+    text += "; " + stop_text() + ", so this may not be the smallest that can be found";
   if (result.finite_vertices_left > 0)
     text += fmt::format("; {} left that should have gone: try another --seed or more --effort",
                         counted(result.finite_vertices_left, "finite vertex", "finite vertices"));
@@ -149,7 +150,6 @@ topology::NamedGluings load_and_drill(const SimplifyCommand& command, const std:
 Outcome simplify_one(const SimplifyCommand& command, const std::string& input) {
   Stages stages;
   topology::NamedGluings loaded = load_and_drill(command, input, stages);
-  catch_interrupts();
   const topology::Gluings coned = topology::oriented(topology::cone_boundary(loaded.gluings));
   if (coned.tetrahedron_count() != loaded.gluings.tetrahedron_count())
     stages.emplace_back("coned", coned.tetrahedron_count());
@@ -157,7 +157,7 @@ Outcome simplify_one(const SimplifyCommand& command, const std::string& input) {
 
   Progress progress(!command.common.quiet && command.common.batch.empty());
   topology::SimplifyOptions options = command.options;
-  options.stop_requested = &interrupt_requested();
+  options.stop_requested = &stop_flag();
   options.progress = [&](std::string_view stage, std::size_t tetrahedra) {
     if (progress.due()) progress.show(fmt::format("{}: {} tetrahedra", stage, tetrahedra));
   };

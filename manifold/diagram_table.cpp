@@ -37,12 +37,6 @@ std::string boundary_of(const Triangulation& triangulation) {
   return fmt::format("{}", fmt::join(genera, "+"));
 }
 
-bool has_cusps(const Triangulation& triangulation) {
-  for (std::size_t v = 0; v < triangulation.vertex_count(); ++v)
-    if (triangulation.link(v).euler_characteristic == 0) return true;
-  return false;
-}
-
 void set_triangulation(DiagramRow& row, const Triangulation& triangulation) {
   row.isosig = topology::full_isosig(triangulation.gluings()).oriented();
   row.tetrahedra = triangulation.tetrahedron_count();
@@ -53,8 +47,7 @@ void set_metric(DiagramRow& row, const Triangulation& triangulation,
   set_triangulation(row, triangulation);
   row.hyperbolic = true;
   row.volume = report.volume;
-  if (!has_cusps(triangulation))  // of metrics with cusps there are no proofs yet
-    row.proved = structure::prove_report(triangulation, report, 0, context).proved;
+  row.proved = structure::prove_report(triangulation, report, {}, context).proved;
 }
 
 void set_canonical(DiagramRow& row, const canonical::CanonicalManifold& manifold) {

@@ -178,4 +178,11 @@ NamedDiagram read_diagram(std::string_view text) {
   return form->read(content);
 }
 
+std::string pd_text(const NamedDiagram& diagram) {
+  std::string text = "PD: " + to_text(diagram.diagram);
+  for (const DiagramLabel& label : diagram.labels)
+    text += " Cone[" + std::to_string(label.arc) + "," + label.angle.order_text() + "]";
+  return text;
+}
+
 }  // namespace tripus::topology

@@ -29,6 +29,8 @@ from tripus.verdicts import Proof, Verdict, Volume
 if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
+
+    from tripus.hyperbolic.decide import Hyperbolicity
 else:
     from tripus._lazy import numpy as np
 
@@ -588,6 +590,23 @@ class Manifold(Value):
         return self.metric.basmajian_discs(length, **options)
 
     # The manifold, whatever its triangulation
+
+    def hyperbolicity(
+        self, *, time_limit: float | None = None, surfaces: bool = True
+    ) -> Hyperbolicity:
+        """Whether the manifold is hyperbolic: True, False or not decided, with a certificate.
+
+        time_limit  seconds in all, 60 if not given.
+        surfaces    whether to search with Regina (tripus[regina]) for essential surfaces, in a
+                    process of its own, if the quick tests do not decide.
+
+        >>> answer = Manifold("dLQbcbcmebs").hyperbolicity()
+        >>> answer.hyperbolic, answer.name, answer.certificate.check()
+        (False, 'handlebody of genus 2', True)
+        """
+        from tripus.hyperbolic.decide import hyperbolicity
+
+        return hyperbolicity(self, time_limit, surfaces)
 
     def canonical(self, *, time_limit: float | None = None) -> CanonicalDecomposition:
         """The canonical decomposition with isometry group and signature, or why not."""

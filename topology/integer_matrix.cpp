@@ -323,13 +323,15 @@ class DenseReducer {
 /// The columns of a few long rows, brought to echelon form one by one: k rows have at most k
 /// independent columns. Returns them as rows; the Smith form does not mind the transposition.
 std::vector<SparseRow<BigInteger>> independent_columns(
-    const std::vector<SparseRow<std::int64_t>>& rows, std::size_t column_count) {
+    const std::vector<SparseRow<std::int64_t>>& rows, std::size_t column_count,
+    const std::atomic<bool>* stop_requested) {
   std::vector<SparseRow<BigInteger>> columns(column_count);
   for (std::uint32_t r = 0; r < rows.size(); ++r)
     for (const auto& entry : rows[r]) columns[entry.column].push_back({r, entry.value});
   std::vector<SparseRow<BigInteger>> basis(rows.size());  // by first place
   for (SparseRow<BigInteger>& vector : columns)
     while (!vector.empty()) {
+      throw_if_stopped(stop_requested);
       SparseRow<BigInteger>& rival = basis[vector.front().column];
       if (rival.empty()) {
         rival = std::move(vector);
@@ -366,8 +368,8 @@ SmithForm smith_form(std::vector<SparseRow<std::int64_t>> rows, std::size_t colu
   UnitEliminator<std::int64_t> small(std::move(rows), column_count, stop_requested);
   form.rank = small.run();
   const auto left = small.take_rows();
-  UnitEliminator<BigInteger> big(independent_columns(left, column_count), left.size(),
-                                 stop_requested);
+  UnitEliminator<BigInteger> big(independent_columns(left, column_count, stop_requested),
+                                 left.size(), stop_requested);
   form.rank += big.run();
   for (BigInteger& factor : DenseReducer(compressed(big.take_rows()), stop_requested).diagonal()) {
     ++form.rank;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "base/stopped.hpp"
 #include "cli/arguments.hpp"
 #include "cli/batch.hpp"
 #include "cli/interrupt.hpp"
@@ -29,7 +28,7 @@ Answer error_answer(const std::string& input, bool json, const std::exception& e
   answer.status = status_of(error);
   if (json) {
     JsonText out;
-    append_error(out, input, error_kind(error), message);
+    append_error(out, input, failure_kind(error), message);
     answer.text = fmt::to_string(out);
   }
   return answer;
@@ -37,22 +36,32 @@ Answer error_answer(const std::string& input, bool json, const std::exception& e
 
 namespace {
 
+/// What is said of an answer that the time limit may have cut short; empty if there is nothing.
+std::string time_limit_message(const Outcome& outcome) {
+  return outcome.status == kNoAnswer && is_time_over() ? stop_text() : "";
+}
+
 int answer_one(const CommonOptions& options,
                const std::function<Outcome(const std::string&)>& answer) {
   Outcome outcome;
   std::string message;
-  const Answer interrupted = error_answer(options.input, options.json, Stopped());
-  set_last_words(fmt::format("tripus: {}\n", interrupted.message),
-                 options.json ? interrupted.text + '\n' : "");
+  set_last_words("; there is no answer yet", [&](std::string_view why, bool is_time_over) {
+    if (!options.json) return std::string();
+    JsonText out;
+    append_error(out, options.input, is_time_over ? "time-limit" : "interrupted", why);
+    out.push_back('\n');
+    return fmt::to_string(out);
+  });
   try {
     require_not_written(options.input);
     outcome = answer(options.input);
+    message = time_limit_message(outcome);
   } catch (const std::exception& error) {
     Answer failure = error_answer(options.input, options.json, error);
     outcome = {std::move(failure.text), status_of(error)};
-    message = fmt::format("tripus: {}\n", failure.message);
+    message = std::move(failure.message);
   }
-  write_message(message);
+  if (!message.empty()) write_message(fmt::format("tripus: {}\n", message));
   write_output(outcome.text);
   if (options.json) write_output("\n");
   flush_output();
@@ -99,13 +108,14 @@ int answer_lines(const CommonOptions& options,
                  const std::function<Outcome(const topology::BatchLine&)>& answer) {
   return run_batch({options.batch, options.resume, options.threads, options.quiet},
                    [&](const topology::BatchLine& line) -> Answer {
+                     const LineLimit limit;
                      topology::begin_work();
                      try {
                        require_not_written(line.text);
                        Outcome outcome = answer(line);
                        std::string& answered = outcome.text;
                        if (!answered.empty() && answered.back() == '\n') answered.pop_back();
-                       return {std::move(answered), {}, kSuccess};
+                       return {std::move(answered), time_limit_message(outcome), kSuccess};
                      } catch (const std::exception& error) {
                        return error_answer(line.text, options.json, error);
                      }

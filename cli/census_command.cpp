@@ -130,8 +130,8 @@ void declare_outputs(const CensusCommand& command) {
 
 int make(CensusCommand& command) {
   const std::string path = journal_of(command);
-  const auto interrupted = [&](std::size_t done, std::size_t of) {
-    return fmt::format("tripus: interrupted after {} of {} triangulations{}\n", done, of,
+  const auto rest = [&](std::size_t done, std::size_t of) {
+    return fmt::format(" after {} of {} triangulations{}", done, of,
                        path.empty() ? "" : "; the same command goes on from there");
   };
   const Inputs inputs = read_lists(command.lists);
@@ -155,22 +155,21 @@ int make(CensusCommand& command) {
   for (const std::string& text : list)
     if (done.insert(text).second) todo.push_back(text);
   const std::size_t total = lines.size() + todo.size(), resumed = lines.size();
-  catch_interrupts();
   Progress progress(!command.quiet);
   std::size_t count = resumed;
-  set_last_words(interrupted(count, total));
+  set_last_words(rest(count, total));
   command.classify.stop_requested = &interrupt_requested();
   command.classify.canonize.solve.stop_requested = &interrupt_requested();
   command.classify.on_line = [&](const CensusLine& line) {
     if (journal) journal->add(canonical::to_journal(line));
     ++count;
-    set_last_words(interrupted(count, total));
+    set_last_words(rest(count, total));
     if (progress.due()) progress.show(fmt::format("{} of {} triangulations", count, total));
   };
   for (CensusLine& line : canonical::classify(todo, command.classify))
     lines.push_back(std::move(line));
   if (lines.size() < total) {
-    write_message(interrupted(lines.size(), total));
+    write_message("tripus: " + stop_text() + rest(lines.size(), total) + "\n");
     return kNoAnswer;
   }
   std::size_t own = 0, moved = 0, refused = inputs.refused;
@@ -298,7 +297,8 @@ int check_proofs(const CensusCommand& command) {
   context.threads = command.classify.threads;
   const canonical::CensusCheck check = canonical::check_census(
       census, proofs ? *proofs : canonical::shipped_census_proofs(), context);
-  if (check.stopped) write_message("tripus: interrupted before all proofs were checked\n");
+  if (check.stopped)
+    write_message("tripus: " + stop_text() + " before all proofs were checked\n");
   for (const std::string& failure : check.failures) write_output(printable(failure) + "\n");
   write_output(
       fmt::format("{} of {} manifolds have a valid proof\n", check.valid, census.manifolds.size()));

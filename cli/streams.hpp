@@ -9,10 +9,8 @@ namespace tripus::cli {
 /// like a full disk instead of a signal.
 void secure_standard_streams();
 
-/// OpenBLAS starts a thread a core when it is loaded, each with its share of the address space, and
-/// waits for ever at the end for those that did not come up. Matrices here are small: one thread,
-/// unless the user's OPENBLAS_NUM_THREADS says otherwise. Where the address space is limited the
-/// program begins anew with that said before the library is loaded.
-void limit_blas_threads(char** argv);
+/// Where the address space is limited, threads share one heap. OpenBLAS works with one thread,
+/// since matrices here are small, unless the user's OPENBLAS_NUM_THREADS says otherwise.
+void spare_memory();
 
 }  // namespace tripus::cli

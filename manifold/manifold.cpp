@@ -4,6 +4,8 @@
 #include <mutex>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/error.hpp"
 #include "base/output_file.hpp"
 #include "canonical/identify.hpp"
@@ -11,6 +13,7 @@
 #include "manifold/load.hpp"
 #include "manifold/report_json.hpp"
 #include "manifold/subject.hpp"
+#include "topology/drill.hpp"
 #include "topology/isosig.hpp"
 #include "topology/labelled_isosig.hpp"
 #include "topology/orientation.hpp"
@@ -210,6 +213,23 @@ const topology::AbelianGroup& Manifold::homology(const Context& context) const {
 
 topology::FundamentalGroup Manifold::fundamental_group() const {
   return topology::fundamental_group(triangulation());
+}
+
+Manifold Manifold::drilled(const std::vector<std::size_t>& edges,
+                           const topology::SimplifyOptions& options, const Context& context) const {
+  const topology::Triangulation& whole = triangulation();
+  std::vector<topology::EdgePlace> places;
+  for (const std::size_t e : edges) {
+    if (e >= whole.edge_count())
+      throw InvalidInput(
+          fmt::format("there is no edge class {}; there are {}, from 0 on", e, whole.edge_count()));
+    const topology::EdgeCorner corner = whole.corners(e)[0];
+    places.push_back(
+        {static_cast<topology::TetrahedronIndex>(corner.tetrahedron()), corner.edge()});
+  }
+  return Manifold(topology::Triangulation(topology::drilled(whole.gluings(), places)), name(), {},
+                  state_->orientation_known)
+      .simplified(options, context);
 }
 
 Manifold Manifold::simplified(const topology::SimplifyOptions& options,

@@ -69,6 +69,11 @@ class Manifold {
   /// other than 2 pi, as `retriangulated` does.
   Manifold simplified(const topology::SimplifyOptions& options = {},
                       const Context& context = {}) const;
+  /// What is left without neighbourhoods of these edge classes, simplified: topology/drill.hpp.
+  /// Throws InvalidInput for a number that no edge class has, or that comes twice.
+  Manifold drilled(const std::vector<std::size_t>& edges,
+                   const topology::SimplifyOptions& options = {},
+                   const Context& context = {}) const;
   /// The connected covers with so many sheets, one of each isomorphism class, with the cone angles
   /// of what lies below: nothing is branched. A stop leaves those found so far. Throws InvalidInput
   /// as topology::for_each_cover does.

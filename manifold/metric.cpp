@@ -57,18 +57,9 @@ std::shared_ptr<const embedding::Embedding> Metric::shared_embedding() const {
 }
 
 structure::Proof Metric::prove(const Context& context) const {
-  const auto refused = [](std::string reason) {
-    structure::Proof proof;
-    proof.reason = std::move(reason);
-    return proof;
-  };
-  if (!topology::all_full(cone_angles_))
-    return refused("cone angles other than 2 pi are not proved so far");
-  try {
-    return structure::prove(triangulation_, report_.edge_lengths, {}, context);
-  } catch (const InvalidInput& error) {
-    return refused(error.what());
-  }
+  structure::ProveOptions options;
+  options.cone_angles.assign(cone_angles_.begin(), cone_angles_.end());
+  return structure::prove(triangulation_, report_.edge_lengths, options, context);
 }
 
 embedding::Holonomy Metric::holonomy() const {

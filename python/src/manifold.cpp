@@ -133,6 +133,17 @@ nb::dict as_dict(const structure::Report& report) {
   d["flat_tetrahedra"] = report.flat_tetrahedra;
   if (report.certificate) d["certificate"] = structure::to_json(*report.certificate);
   if (report.strict_angles) d["angle_structure"] = structure::to_json(*report.strict_angles);
+  if (report.closed_bigon) {
+    const structure::ClosedBigon& bigon = *report.closed_bigon;
+    nb::dict found;
+    found["decides"] = bigon.decides();
+    found["surface"] = std::string(structure::surface_name(bigon));
+    found["consequence"] = std::string(structure::to_string(bigon.consequence));
+    found["edge"] = bigon.edge;
+    found["opposite"] = bigon.opposite;
+    found["message"] = structure::message(bigon);
+    d["closed_bigon"] = found;
+  }
   return d;
 }
 

@@ -61,6 +61,17 @@ nb::tuple holonomy_of(const HeldMetric& self) {
                         defect.holds());
 }
 
+/// A word in the generators, letters from 1 on, as a Lorentz matrix [4 x 4] and a Moebius map [2 x
+/// 2] with whether it reverses.
+nb::tuple isometry_of_word(const HeldMetric& self, const std::vector<int>& letters) {
+  const embedding::Holonomy h = quickly([&] { return self.metric->holonomy(); });
+  const topology::Word word(letters.begin(), letters.end());
+  const geometry::MoebiusMap map = embedding::moebius_of(h, word);
+  return nb::make_tuple(
+      stacked(std::vector{embedding::isometry_of(h, word)}),
+      owned(std::vector<std::complex<double>>{map.a, map.b, map.c, map.d}, {2, 2}), map.reverses);
+}
+
 CellComplex universal_cover(const HeldMetric& self, std::size_t cells,
                             std::optional<std::uint32_t> depth, std::optional<double> radius,
                             std::uint32_t root, const Limits& limits) {
@@ -142,28 +153,13 @@ nb::tuple mesh_of(const CellComplex& complex, const std::string& model, double e
                         owned(std::move(mesh.cells)), owned(std::move(mesh.sides)));
 }
 
-/// Why nothing can be proved about a manifold so far, if that is so.
-std::optional<std::string> unprovable(const Manifold& manifold) {
-  if (!topology::all_full(manifold.cone_angles()))
-    return "cone angles other than 2 pi are not proved so far";
-  try {
-    topology::require_geodesic_boundary(manifold.triangulation());
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
-  return std::nullopt;
-}
-
 void bind_proofs(nb::module_& module) {
   module.def("prove", [](const Manifold& manifold, int digits, const Limits& limits) {
     const auto proof = run(limits, [&](const Context& context) {
-      if (const auto why_not = unprovable(manifold)) {
-        structure::ProofText none;
-        none.reason = *why_not;
-        return none;
-      }
-      return structure::prove_report(manifold.triangulation(), manifold.verdict(context), digits,
-                                     context);
+      const auto angles = manifold.cone_angles();
+      return structure::prove_report(
+          manifold.triangulation(), manifold.verdict(context),
+          {.digits = digits, .cone_angles = {angles.begin(), angles.end()}}, context);
     });
     return nb::make_tuple(structure::to_json(proof), structure::proof_message(proof));
   });
@@ -173,14 +169,17 @@ void bind_proofs(nb::module_& module) {
     if (!proof.proved) return nb::str(proof.reason.c_str());
     return nb::make_tuple(proof.volume.lower, proof.volume.upper);
   });
-  module.def("check_proof",
-             [](const Manifold& manifold, const std::string& json, const Limits& limits) {
-               const auto check = run(limits, [&](const Context& context) {
-                 return structure::check_proof(manifold.triangulation(),
-                                               structure::parse_proof(json), context);
-               });
-               return nb::make_tuple(check.valid, check.reason);
-             });
+  module.def(
+      "check_proof", [](const Manifold& manifold, const std::string& json, const Limits& limits) {
+        const auto check = run(limits, [&](const Context& context) {
+          const auto proof = structure::parse_proof(json);
+          if (!topology::same_angles(proof.cone_angles, manifold.cone_angles(),
+                                     manifold.triangulation().edge_count()))
+            return structure::ProofCheck{false, "its cone angles are not those of the manifold"};
+          return structure::check_proof(manifold.triangulation(), proof, context);
+        });
+        return nb::make_tuple(check.valid, check.reason);
+      });
   module.def("check_certificate", [](const Manifold& manifold, const std::string& json) {
     const auto check = quickly([&] {
       return structure::check(manifold.triangulation(), structure::parse_certificate(json));
@@ -210,6 +209,7 @@ void bind_metric(nb::module_& module) {
       .def("report", [](const HeldMetric& self) { return as_dict(self.metric->report()); })
       .def("embedding", embedding_of)
       .def("holonomy", holonomy_of)
+      .def("isometry_of_word", isometry_of_word)
       .def("universal_cover", universal_cover)
       .def("fundamental_domain",
            [](const HeldMetric& self) {

@@ -22,11 +22,11 @@ nb::bytes page(const Manifold& manifold, std::size_t cells, const std::string& m
                const Limits& limits) {
   return as_bytes(run(limits, [&](const Context& context) {
     const Metric& metric = require_metric(manifold, context);
-    const viewer::PageOptions options{manifold.name().empty() ? manifold.label() : manifold.name(),
-                                      manifold.signature().value_or(""),
-                                      cells,
-                                      model,
-                                      {}};
+    viewer::PageOptions options;
+    options.name = manifold.name().empty() ? manifold.label() : manifold.name();
+    options.isosig = manifold.signature().value_or("");
+    options.cells = cells;
+    options.model = model;
     return viewer::page_html(options, manifold.triangulation(), metric.report(),
                              metric.embedding());
   }));

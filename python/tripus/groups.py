@@ -260,15 +260,7 @@ class FundamentalGroup(Value):
         >>> bool(abs(matrix.T @ J @ matrix - J).max() < 1e-9)
         True
         """
-        matrices = self._manifold.metric.holonomy()["isometries"]
-        result: npt.NDArray[np.float64] = np.eye(4)
-        for x in self.letters(word):
-            matrix = matrices[self._kept[abs(x) - 1]]
-            if x < 0:
-                j = np.diag([1.0, 1.0, 1.0, -1.0])
-                matrix = j @ matrix.T @ j
-            result = result @ matrix
-        return result
+        return self._isometry(word)[0]
 
     def SL2C(self, word: Word) -> npt.NDArray[np.complex128]:
         """[2 x 2] the matrix of a word, up to sign; determinant 1.
@@ -281,24 +273,20 @@ class FundamentalGroup(Value):
         >>> bool(abs(relator[0, 1]) < 1e-9), bool(abs(abs(relator[0, 0]) - 1) < 1e-9)
         (True, True)
         """
-        holonomy = self._manifold.metric.holonomy()
-        result: npt.NDArray[np.complex128] = np.eye(2, dtype=complex)
-        reverses = False
-        for x in self.letters(word):
-            g = self._kept[abs(x) - 1]
-            (a, b), (c, d) = holonomy["moebius"][g]
-            mirror = bool(holonomy["reverses"][g])
-            matrix = np.array([[a, b], [c, d]])
-            if x < 0:
-                matrix = np.array([[d, -b], [-c, a]])
-                matrix = matrix.conj() if mirror else matrix
-            result = result @ (matrix.conj() if reverses else matrix)
-            reverses ^= mirror
+        _, result, reverses = self._isometry(word)
         if reverses:
             raise InvalidInput(
                 f"{word!r} reverses the orientation, so it is no element of PSL(2,C); use O31"
             )
         return result
+
+    def _isometry(
+        self, word: Word
+    ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.complex128], bool]:
+        letters = [
+            (1 if x > 0 else -1) * (int(self._kept[abs(x) - 1]) + 1) for x in self.letters(word)
+        ]
+        return self._manifold.metric.isometry_of_word(letters)
 
     def __repr__(self) -> str:
         relators = "\n   ".join(self.relators()) or "(none)"

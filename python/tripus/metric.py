@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from tripus import _core
@@ -110,6 +111,18 @@ class Metric(Value):
         """
         names = ("isometries", "moebius", "reverses", "rounding", "defect", "bound", "holds")
         return dict(zip(names, self._core.holonomy()))
+
+    def isometry_of_word(
+        self, letters: Sequence[int]
+    ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.complex128], bool]:
+        """The isometry of a word in the generators of `holonomy()`: 1, 2, ... and negatives.
+
+        A matrix [4 x 4] in O+(3,1), a Moebius map [2 x 2], and whether that is of the conjugate.
+        By products in a hundred digits: both are in their groups to rounding of their entries,
+        however far the word goes on its way.
+        """
+        matrices, moebius, reverses = self._core.isometry_of_word(list(letters))
+        return matrices[0], moebius, bool(reverses)
 
     def orthospectrum(
         self,

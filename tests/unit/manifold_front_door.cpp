@@ -15,6 +15,8 @@
 
 #include "base/output_file.hpp"
 #include "embedding/export/mesh_formats.hpp"
+#include "topology/diagrams/read_diagram.hpp"
+#include "topology/diagrams/small_exterior.hpp"
 
 namespace tripus {
 namespace {
@@ -250,6 +252,18 @@ TEST(OutputFile, IsWholeOrNotThere) {
   EXPECT_THROW(write_file("/dev/full", "never"), IoError);
   fs::permissions(path, fs::perms::owner_all);
   fs::remove_all(folder);
+}
+
+TEST(FrontDoor, DrillsEdgesOut) {
+  // The knot 4_1 as an edge of the sphere, with a cone order that is taken away first.
+  const auto loaded = topology::small_exterior(
+      topology::read_diagram("PD: X[4,2,5,1] X[8,6,1,5] X[6,3,7,4] X[2,7,3,8] Cone[1,4]"));
+  std::size_t knot = 0;
+  while (loaded.cone_angles[knot].is_full()) ++knot;
+  const Manifold sphere(loaded.gluings);
+  EXPECT_EQ(sphere.drilled({knot}).signature(), "cPcbbbiht");
+  EXPECT_THROW(sphere.drilled({sphere.triangulation().edge_count()}), InvalidInput);
+  EXPECT_THROW(sphere.drilled({knot, knot}), InvalidInput);
 }
 
 }  // namespace

@@ -205,9 +205,10 @@ std::optional<std::string> Manifold::oriented_signature() const {
   return make_subject({}, std::move(given)).oriented_isosig;
 }
 
-const topology::AbelianGroup& Manifold::homology() const {
+const topology::AbelianGroup& Manifold::homology(const Context& context) const {
+  const StopFlag stop(context);
   return state_->homology.get(
-      [&] { return std::pair(topology::first_homology(triangulation()), true); });
+      [&] { return std::pair(topology::first_homology(triangulation(), stop.get()), true); });
 }
 
 topology::FundamentalGroup Manifold::fundamental_group() const {

@@ -371,8 +371,11 @@ class Manifold(Value):
 
     # Other triangulations and manifolds
 
-    def isomorphisms_to(self, other: Manifold) -> list[tuple[list[int], list[list[int]]]]:
-        """All isomorphisms (tetrahedron images, vertex images) of triangulations; [] if none.
+    def isomorphisms_to(
+        self, other: Manifold, *, time_limit: float | None = None
+    ) -> list[tuple[npt.NDArray[np.uint32], npt.NDArray[np.uint8]]]:
+        """All isomorphisms of triangulations, as (images of tetrahedra [T], images of their vertices
+        [T x 4]); [] if there is none.
 
         Those that reverse the orientation count too, as in ==; cone angles are kept.
 
@@ -382,8 +385,8 @@ class Manifold(Value):
         """
         if not (self.is_connected() and other.is_connected()):
             raise Unsupported("isomorphisms are listed for connected triangulations only")
-        found: Any = self._core.isomorphisms_to(other._core, NO_LIMITS)
-        return list(found)
+        tetrahedra, vertices = self._core.isomorphisms_to(other._core, limits(time_limit))
+        return list(zip(tetrahedra, vertices))
 
     def mirrored(self) -> Manifold:
         """The mirror image."""

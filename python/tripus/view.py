@@ -22,6 +22,8 @@ else:
 
 #: Tables in notebooks have a picture for manifolds up to this size.
 MOST_TETRAHEDRA_FOR_PICTURE = 200
+#: The homology of large covers takes long.
+MOST_TETRAHEDRA_FOR_HOMOLOGY = 1000
 
 
 @checked
@@ -115,7 +117,8 @@ def rows_of(manifold: Manifold) -> dict[str, str]:
         "cone orders": ", ".join(f"edge {e}: {k}" for e, k in manifold.cone_orders.items()),
     }
     try:
-        rows["H1"] = str(manifold.homology())
+        if manifold.num_tetrahedra() <= MOST_TETRAHEDRA_FOR_HOMOLOGY:
+            rows["H1"] = str(manifold.homology())
         verdict = manifold.verdict()
         rows["volume" if verdict else "outcome"] = (
             f"{verdict.volume:.12g}" if verdict else f"{verdict.outcome}: {verdict.message}"

@@ -162,6 +162,23 @@ nb::dict identity_dict(const orthospectrum::Identity& identity) {
   return d;
 }
 
+/// Both discs of each arc: tile [2 n x 2], foot [2 n x 2], radius and length of the arc [2 n].
+nb::tuple discs_of(const orthospectrum::Spectrum& spectrum) {
+  std::vector<std::uint32_t> tiles;
+  std::vector<double> feet, radii, lengths;
+  for (const orthospectrum::Arc& arc : spectrum.arcs) {
+    for (const orthospectrum::ArcEnd& end : {arc.start, arc.end}) {
+      tiles.insert(tiles.end(), {end.tile.tetrahedron, end.tile.vertex});
+      feet.insert(feet.end(), {end.x, end.y});
+      radii.push_back(orthospectrum::disc_radius(arc.length));
+      lengths.push_back(arc.length);
+    }
+  }
+  const std::size_t count = radii.size();
+  return nb::make_tuple(owned(std::move(tiles), {count, 2}), owned(std::move(feet), {count, 2}),
+                        owned(std::move(radii)), owned(std::move(lengths)));
+}
+
 nb::dict orthospectrum_of(const HeldMetric& self, double length, std::size_t count,
                           double most_arcs, const Limits& limits) {
   orthospectrum::SpectrumOptions options;
@@ -191,7 +208,8 @@ nb::dict orthospectrum_of(const HeldMetric& self, double length, std::size_t cou
     edges.append(classes);
   }
   double area = 0;
-  for (const auto& vertex : self.metric->boundary()) area += vertex.area;
+  for (const auto& vertex : self.metric->boundary())
+    if (vertex.kind == topology::VertexKind::kHyperideal) area += vertex.area;
   const auto identities =
       orthospectrum::identities_of(spectrum.sums, spectrum.length, area, self.metric->volume());
   nb::dict d;
@@ -206,6 +224,7 @@ nb::dict orthospectrum_of(const HeldMetric& self, double length, std::size_t cou
   d["volume"] = identity_dict(identities.volume);
   d["volume_from_area"] = pair_of(identities.volume_from_area);
   d["dimension"] = pair_of(identities.dimension);
+  d["discs"] = discs_of(spectrum);
   return d;
 }
 

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from tripus.manifold import Manifold
+else:
+    from tripus._lazy import numpy as np
 
 
 class Comparison:
@@ -340,6 +342,18 @@ class Orthospectrum:
     def volume(self) -> dict[str, Any]:
         """Bridgeman and Kahn's identity: counted, exact, tail (value, uncertainty)."""
         return dict(self._fields["volume"])
+
+    @property
+    def discs(self) -> npt.NDArray[Any]:
+        """[2 arc_count] the discs of the arcs; see Manifold.basmajian_discs."""
+        tiles, feet, radii, lengths = self._fields["discs"]
+        names = ("tetrahedron", "vertex", "x", "y", "radius", "length")
+        kinds = ("u4", "u4", "f8", "f8", "f8", "f8")
+        discs = np.empty(len(radii), dtype=list(zip(names, kinds)))
+        columns = (tiles[:, 0], tiles[:, 1], feet[:, 0], feet[:, 1], radii, lengths)
+        for name, column in zip(names, columns):
+            discs[name] = column
+        return discs
 
     @property
     def dimension(self) -> tuple[float, float] | None:

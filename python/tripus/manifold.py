@@ -522,6 +522,30 @@ class Manifold:
         """Arcs orthogonal to the boundary: length=L or count=N; see Metric.orthospectrum."""
         return self.metric.orthospectrum(**options)
 
+    def shortest_return_path(self) -> float:
+        """The length of the shortest arc orthogonal to the boundary at both ends.
+
+        >>> Manifold("cPcbbbihq").shortest_return_path().__round__(9)
+        0.596133895
+        """
+        return float(self.metric.orthospectrum(count=1).lengths[0])
+
+    def basmajian_discs(self, **options: Any) -> npt.NDArray[Any]:
+        """The discs of the arcs on the boundary, two of each arc, by length: what leaves the
+        boundary at right angles within one runs into the same plane as the arc. The discs of all
+        arcs fill the boundary, and do not overlap. Options as for orthospectrum().
+
+        A record each: tetrahedron, vertex (of the truncation triangle), x, y (of the centre, in
+        the projective disc around the middle of the triangle), radius, length (of the arc).
+
+        >>> discs = Manifold("cPcbbbihq").basmajian_discs(length=6)
+        >>> discs.size, float(discs["radius"][0]).__round__(6)
+        (1054, 1.239453)
+        >>> float((2 * np.pi * (np.cosh(discs["radius"]) - 1)).sum()).__round__(3)  # of 4 pi
+        12.353
+        """
+        return self.metric.orthospectrum(**options).discs
+
     # The manifold, whatever its triangulation
 
     def canonical(self, *, time_limit: float | None = None) -> CanonicalDecomposition:
@@ -644,17 +668,36 @@ class Manifold:
 
     # Pictures
 
-    def view(self, cells: int = 20, model: str = "ball", height: int = 520) -> Any:
+    def view(
+        self,
+        cells: int = 20,
+        model: str = "ball",
+        height: int = 520,
+        *,
+        discs: bool | float = False,
+    ) -> Any:
         """The page that shows the manifold from outside and inside: in a notebook, live; else in
-        a browser. NoMetric if there is nothing to show."""
+        a browser. NoMetric if there is nothing to show.
+
+        discs  True, or a length: with the discs of arcs on the boundary; see basmajian_discs()
+        """
         from tripus.view import view
 
-        return view(self, cells, model, height)
+        return view(self, cells, model, height, discs=discs)
 
-    def page(self, cells: int = 20, model: str = "ball") -> str:
-        """The HTML of that page: self-contained, nothing from the network."""
+    def page(
+        self, cells: int = 20, model: str = "ball", *, discs: bool | float = False
+    ) -> str:
+        """The HTML of that page: self-contained, nothing from the network.
+
+        >>> '"discs":' in Manifold("cPcbbbihq").page(discs=2.0)
+        True
+        """
         self.metric
-        return _core.page(self._core, cells, model, NO_LIMITS).decode("utf-8", "replace")
+        length = None if isinstance(discs, bool) else float(discs)
+        wanted = discs is not False
+        page = _core.page(self._core, cells, model, wanted, length, NO_LIMITS)
+        return page.decode("utf-8", "replace")
 
     def picture(self, width: int = 240, height: int = 180) -> npt.NDArray[np.uint8]:
         """[height x width x 4] the manifold from the middle of tetrahedron 0; no display needed.

@@ -85,7 +85,7 @@ class OrthospectrumJson(ProgramTest):
         whole = self.json_answer("orthospectrum", TRIPUS, "--length", "7")
         sums = self.json_answer("orthospectrum", TRIPUS, "--length", "7", "--summary")
         self.assertEqual(sums["arcs"], [])
-        for key in ("arc_count", "area", "volume", "dimension"):
+        for key in ("arc_count", "shortest_return_path", "area", "volume", "dimension"):
             self.assertEqual(sums[key], whole[key])
 
 

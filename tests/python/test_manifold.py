@@ -441,3 +441,38 @@ def test_paths_of_any_bytes(M, tmp_path):
     N = tripus.Manifold(path)
     assert N == M and N.volume() == M.volume()
     repr(N), N._repr_html_(), json.loads(N.to_json()), pickle.dumps(N)
+
+
+def test_discs_fill_the_boundary_and_do_not_overlap(M):
+    arcs = M.orthospectrum(length=7)
+    discs = M.basmajian_discs(length=7)
+    assert discs.size == 2 * arcs.arc_count
+    area = (2 * np.pi * (np.cosh(discs["radius"]) - 1)).sum()
+    assert abs(area - arcs.area["counted"]) < 1e-9
+    assert area < arcs.area["exact"]
+    assert M.shortest_return_path() == discs["length"].min() == arcs.lengths[0]
+    assert (np.diff(discs["radius"]) <= 1e-12).all()
+    # Of one tile: points of the disc (x, y) are directions (x, y, 1) of the hyperboloid.
+    tile = discs[(discs["tetrahedron"] == 0) & (discs["vertex"] == 1)]
+    z = 1 / np.sqrt(1 - tile["x"] ** 2 - tile["y"] ** 2)
+    points = np.stack([z * tile["x"], z * tile["y"], z], axis=1)
+    cosh = points[:, None, 2] * points[None, :, 2] - points[:, :2] @ points[:, :2].T
+    apart = np.arccosh(np.maximum(cosh, 1)) - tile["radius"][:, None] - tile["radius"][None, :]
+    np.fill_diagonal(apart, 1)
+    assert tile.size > 100 and apart.min() > -1e-6
+
+
+def test_spectrum_with_a_cusp_counts_the_compact_boundary():
+    arcs = tripus.Manifold("dLQacccjjkg").orthospectrum(length=7)
+    assert abs(arcs.area["exact"] - 4 * np.pi) < 1e-12
+    tail, uncertainty = arcs.area["tail"]
+    assert abs(arcs.area["counted"] + tail - 4 * np.pi) < uncertainty
+
+
+def test_pages_with_discs(M):
+    assert '"discs":{' not in M.page()
+    assert '"discs":{"length":1,' in M.page(discs=1)
+    assert '"discs":{"length":4.9' in M.page(discs=True)
+    for bad in (0.0, -1.0, float("nan"), 25.0, 18.0):
+        with pytest.raises(tripus.InvalidInput):
+            M.page(discs=bad)

@@ -173,8 +173,8 @@ Outcome view_one(const ViewCommand& command, const std::string& input) {
     return write_page(developed.subject, developed.report, developed.embedding,
                       page_request(command));
   }
-  developed.discs = discs_for(command.disc_request, developed.subject, developed.report,
-                              developed.embedding);
+  developed.discs =
+      discs_for(command.disc_request, developed.subject, developed.report, developed.embedding);
   if (command.png.empty()) {
     viewer::WindowOptions window;
     window.picture = command.picture;
@@ -248,11 +248,10 @@ void read_discs(const CLI::Option& discs, CLI::Option& input, ViewCommand& comma
   const auto& length = command.disc_request.length;
   if (length && *length > 0 && *length <= orthospectrum::kLongestArc) return;
   if (length || input.count() > 0 || !command.common.batch.empty()) {
-    throw CLI::ValidationError("--discs",
-                               fmt::format("the length {} is not a number greater than 0 and at "
-                                           "most {}",
-                                           tripus::quoted(command.discs),
-                                           orthospectrum::kLongestArc));
+    throw CLI::ValidationError(
+        "--discs", fmt::format("the length {} is not a number greater than 0 and at "
+                               "most {}",
+                               tripus::quoted(command.discs), orthospectrum::kLongestArc));
   }
   command.common.input = command.discs;
 }

@@ -107,7 +107,7 @@ class Prove(ProgramTest):
 
     def test_closed_manifolds_are_not_proved(self):
         # The Weeks manifold's vertex is finite.
-        answer = self.json_answer("prove", "jLLzzQQccdffihhiiqffofafoaa", status=1)
+        answer = self.json_answer("prove", "jLvAMPQadfgghhiiijaqgjqxims", status=1)
         self.assertIn("finite", answer["proof"]["reason"])
 
     def test_canonize_with_cusps(self):

@@ -123,6 +123,10 @@ std::optional<Comparison> compare_arcs(const Triangulation& a, const Triangulati
   return std::nullopt;
 }
 
+bool have_equal_codes(const CanonicalManifold& a, const CanonicalManifold& b) {
+  return a.order.code == b.order.code && a.order.cone_angles == b.order.cone_angles;
+}
+
 void compare_manifolds(Comparison& result) {
   const CanonicalManifold &a = *result.first, &b = *result.second;
   const double difference = std::fabs(a.report.volume - b.report.volume);
@@ -137,7 +141,7 @@ void compare_manifolds(Comparison& result) {
     return;
   }
   result.decided_by = "decomposition";
-  if (a.order.code != b.order.code || a.order.cone_angles != b.order.cone_angles) {
+  if (!have_equal_codes(a, b)) {
     result.verdict = Verdict::kDifferent;
     result.message =
         a.cells == b.cells
@@ -186,6 +190,20 @@ void compare_triangulations(Comparison& result, const Triangulation& a, const Tr
 }
 
 }  // namespace
+
+std::vector<Isometry> isometries(const CanonicalManifold& from, const CanonicalManifold& to) {
+  std::vector<Isometry> all;
+  if (!have_equal_codes(from, to)) return all;
+  const Decomposition &a = from.decomposition, &b = to.decomposition;
+  for (const std::vector<FlagIndex>& images : all_isomorphisms(from.order, b, to.order)) {
+    Isometry isometry{as_cell_map(a, b, images), {}, a.is_negative(0) == b.is_negative(images[0])};
+    isometry.boundary_images.resize(from.triangulation.vertex_count());
+    for (FlagIndex flag = 0; flag < a.flag_count(); ++flag)
+      isometry.boundary_images[a.boundary_component(flag)] = b.boundary_component(images[flag]);
+    all.push_back(std::move(isometry));
+  }
+  return all;
+}
 
 std::string_view to_string(Verdict verdict) {
   switch (verdict) {

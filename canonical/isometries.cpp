@@ -215,6 +215,20 @@ std::vector<FlagIndex> isomorphism(const CanonicalOrder& from, const CanonicalOr
   return image;
 }
 
+std::vector<std::vector<FlagIndex>> all_isomorphisms(const CanonicalOrder& from,
+                                                     const Decomposition& to,
+                                                     const CanonicalOrder& to_order) {
+  const std::vector<FlagIndex> first = isomorphism(from, to_order);
+  std::vector<std::vector<FlagIndex>> all;
+  for (const FlagIndex start : to_order.starts) {
+    std::vector<FlagIndex> image = automorphism(to, to_order, start);
+    std::vector<FlagIndex> composed(first.size());
+    for (std::size_t flag = 0; flag < first.size(); ++flag) composed[flag] = image[first[flag]];
+    all.push_back(std::move(composed));
+  }
+  return all;
+}
+
 CellMap as_cell_map(const Decomposition& from, const Decomposition& to,
                     const std::vector<FlagIndex>& flag_images) {
   CellMap map;

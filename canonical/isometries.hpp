@@ -54,6 +54,12 @@ IsometryGroup isometry_group(const Decomposition& decomposition, const Canonical
 /// Needs equal codes.
 std::vector<FlagIndex> isomorphism(const CanonicalOrder& from, const CanonicalOrder& to);
 
+/// All isomorphisms to a decomposition with this order, one for each of its automorphisms; the
+/// first is `isomorphism`. Needs equal codes.
+std::vector<std::vector<FlagIndex>> all_isomorphisms(const CanonicalOrder& from,
+                                                     const Decomposition& to,
+                                                     const CanonicalOrder& to_order);
+
 /// A map of flags as a relabelling: cell c goes to cell_images[c], its vertex v to
 /// vertex_images[c][v] there.
 struct CellMap {

@@ -40,15 +40,17 @@ std::string proof_table(const structure::ProofText& proof) {
 
 Outcome prove_one(const ProveCommandOptions& command, const std::string& input) {
   const Subject subject =
-      load_solvable_subject(input, interruptible(), require_boundary_with_remedy);
+      load_ideal_subject(input, Balls::kRefused, interruptible(), require_with_remedy);
   structure::SolveOptions solve;
+  solve.cone_angles = subject.cone_angles;
   solve.stop_requested = &stop_flag();
   solve.time_limit = seconds_left();
   structure::Report report = structure::solve(subject.triangulation, solve);
   Context context = interruptible();
   context.threads = command.common.batch.empty() ? command.common.threads : 1;
-  const structure::ProofText proof =
-      structure::prove_report(subject.triangulation, report, command.digits, context);
+  const structure::ProofText proof = structure::prove_report(
+      subject.triangulation, report, {.digits = command.digits, .cone_angles = subject.cone_angles},
+      context);
   const bool metric = proof.proved && proof.claim == structure::Proof::Claim::kMetric;
   if (command.common.json) {
     report.message = structure::proof_message(proof);
@@ -75,7 +77,9 @@ void add_prove(CLI::App& program, Command& chosen) {
       ->check(whole_number(kMostDigitsAsked));
   verb->footer(
       std::string(kInputHelp) +
-      "\n\"Proved\" accounts for every rounding: docs/theory.md section 9 and docs/proof.md. "
+      "\nCusps are welcome, and cone orders behind the INPUT as in \"cPcbbbiht 0=2,1=2\" (0: a "
+      "parabolic "
+      "edge).\n\"Proved\" accounts for every rounding: docs/theory.md section 9 and docs/proof.md. "
       "`tripus "
       "check`\nverifies what --json prints by other code.\n\n"
       "Exit status: 0 proved geometric (for --batch: the run finished), 1 proved to carry no "

@@ -63,8 +63,8 @@ void write_solved(const SolveCommandOptions& command, const Solved& solved) {
 Outcome answer_of(const SolveCommandOptions& command, const Solved& solved) {
   std::optional<structure::ProofText> proof;
   if (command.prove) {
-    proof =
-        structure::prove_report(solved.subject.triangulation, solved.report, 0, interruptible());
+    proof = structure::prove_report(solved.subject.triangulation, solved.report,
+                                    {.cone_angles = solved.subject.cone_angles}, interruptible());
   }
   const structure::ProofText* given = proof ? &*proof : nullptr;
   return {command.common.json
@@ -140,11 +140,6 @@ Subject load_subject_with(const SolveCommandOptions& command, const std::string&
   if (subject.cone_angles.empty()) subject = without_finite_vertices(std::move(subject));
   try {
     require_with_remedy(subject.triangulation, subject.cone_angles);
-    if (command.prove) {
-      topology::require_geodesic_boundary(subject.triangulation);
-      if (!topology::all_full(subject.cone_angles))
-        throw Unsupported("--prove does not know cone angles other than 2 pi so far");
-    }
   } catch (const Unsupported& error) {
     throw Unsupported(fmt::format("{}: {}", tripus::quoted(input), error.what()));
   } catch (const InvalidInput& error) {

@@ -31,7 +31,7 @@ constexpr const char* kTableHelp =
     "A row: boundary, H1, tetrahedra, volume (* proved), isometries (those that reverse the\n"
     "orientation after the +), and others with the same exterior, orientation aside. \"?\": no\n"
     "metric with geodesic boundary or cusps was found, which proves nothing by itself.\n"
-    "Isometries are not known yet where there are cusps.\n"
+    "Of metrics with cusps there are no proofs yet. Files are replaced, whole or not at all.\n"
     "\n"
     "Exit status: 0 printed, 1 interrupted, 2 bad usage or bad input, 3 a failure of the program "
     "itself.";
@@ -193,7 +193,7 @@ void add_table(CLI::App& program, Command& chosen) {
   verb->add_option("NAME", command->names, "only these rows")->option_text(" ");
   verb->add_option("--tsv", command->tsv, "write it as a table with tabs; - for standard output")
       ->option_text("FILE");
-  verb->add_option("--database", command->database, "write it as a SQLite database, a new file")
+  verb->add_option("--database", command->database, "write it as a SQLite database")
       ->option_text("FILE");
   verb->add_option("--page", command->page, "write a page with a picture of every diagram (HTML)")
       ->option_text("FILE");

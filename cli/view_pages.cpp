@@ -34,8 +34,9 @@ const std::string& name_of(const Subject& subject) {
 std::string page_of(const Subject& subject, const structure::Report& report,
                     const embedding::Embedding& embedding, const PageRequest& request,
                     std::string gallery) {
+  const auto discs = discs_for(request.discs, subject, report, embedding);
   return viewer::page_html({name_of(subject), subject.isosig.value_or(""), request.cells,
-                            request.model, std::move(gallery)},
+                            request.model, discs.get(), std::move(gallery)},
                            subject.triangulation, report, embedding);
 }
 
@@ -202,6 +203,22 @@ void check_list(const std::string& list) {
 }
 
 }  // namespace
+
+std::shared_ptr<const viewer::WallDiscs> discs_for(const DiscRequest& request,
+                                                   const Subject& subject,
+                                                   const structure::Report& report,
+                                                   const embedding::Embedding& embedding) {
+  if (!request.wanted) return nullptr;
+  try {
+    return std::make_shared<const viewer::WallDiscs>(
+        viewer::find_wall_discs(embedding, subject.triangulation, report.edge_lengths,
+                                request.length, interruptible()));
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format("--discs{}: {}",
+                                   request.length ? fmt::format(" {}", *request.length) : "",
+                                   error.what()));
+  }
+}
 
 void check_pages(const PageRequest& request) {
   if (request.path.empty())

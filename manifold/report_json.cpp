@@ -50,6 +50,17 @@ void append_retriangulation(JsonText& out, const structure::Retriangulation& fou
   out.push_back('}');
 }
 
+/// What is known about the manifold: null under "hyperbolic" is a hint.
+void append_closed_bigon(JsonText& out, const structure::ClosedBigon& bigon) {
+  fmt::format_to(std::back_inserter(out),
+                 ", \"manifold\": {{\"hyperbolic\": {}, \"by\": \"closed bigon\", \"surface\": "
+                 "\"{}\", \"consequence\": \"{}\", \"edge\": {}, \"opposite\": {}, \"message\": ",
+                 bigon.decides() ? "false" : "null", structure::surface_name(bigon),
+                 structure::to_string(bigon.consequence), bigon.edge, bigon.opposite);
+  append_string(out, structure::message(bigon));
+  out.push_back('}');
+}
+
 }  // namespace
 
 std::string report_as_json(const Subject& subject, const Report& report,
@@ -86,6 +97,7 @@ std::string report_as_json(const Subject& subject, const Report& report,
     append(out, ", \"angle_structure\": ");
     append(out, structure::to_json(*report.strict_angles));
   }
+  if (report.closed_bigon) append_closed_bigon(out, *report.closed_bigon);
   if (retriangulation != nullptr) append_retriangulation(out, *retriangulation);
   if (proof != nullptr) append(out, ", \"proof\": " + structure::to_json(*proof));
   if (report.advice != structure::Advice::kNone) {

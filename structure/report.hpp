@@ -9,6 +9,7 @@
 
 #include "solver/method.hpp"
 #include "structure/certificate.hpp"
+#include "structure/closed_bigon.hpp"
 #include "topology/vertex_kinds.hpp"
 
 namespace tripus::structure {
@@ -71,6 +72,9 @@ struct Report {
   std::optional<Certificate> certificate;
   /// Exact strict angle structure: where one was decided to exist, or asked for.
   std::optional<StrictAngles> strict_angles;
+  /// About the manifold, where no metric was found and there are no cone angles but 2 pi: a surface
+  /// that proves it not hyperbolic, or a hint of one.
+  std::optional<ClosedBigon> closed_bigon;
   std::string message;            ///< one sentence for a person
   Advice advice = Advice::kNone;  ///< and what to do about it
 };

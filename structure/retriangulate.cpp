@@ -310,13 +310,14 @@ class Search {
     Retriangulation result;
     result.start = signature_;
     result.report = std::move(start_);
+    const auto& bigon = result.report.closed_bigon;
+    const bool is_decided = bigon && bigon->decides();
     result.report.message = fmt::format(
-        "{}, nor on {} other triangulation{} of the manifold with up to {} tetrahedra ({}); "
-        "nothing "
-        "follows about the manifold.",
-        why_not_the_start(result.report), tried_, tried_ == 1 ? "" : "s", limit_, reason(end_));
+        "{}, nor on {} other triangulation{} of the manifold with up to {} tetrahedra ({}){}",
+        why_not_the_start(result.report), tried_, tried_ == 1 ? "" : "s", limit_, reason(end_),
+        is_decided ? ". " + message(*bigon) : "; nothing follows about the manifold.");
     result.report.outcome = Outcome::kUnresolved;
-    result.report.advice = advice(end_);
+    result.report.advice = is_decided ? Advice::kNone : advice(end_);
     result.gluings = std::move(given_);
     result.cone_angles = std::move(given_cone_angles_);
     result.path_start = std::move(nodes_.front().gluings);

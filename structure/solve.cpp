@@ -13,6 +13,7 @@
 #include "integrators/integrate.hpp"
 #include "structure/angle_structure.hpp"
 #include "structure/assess.hpp"
+#include "structure/closed_bigon.hpp"
 #include "structure/detail/flat_minimiser.hpp"
 #include "structure/detail/gauss_newton.hpp"
 #include "structure/detail/precise_minimiser.hpp"
@@ -329,6 +330,21 @@ Report find_outcome(const topology::Triangulation& triangulation, const SolveOpt
   return report;
 }
 
+/// What the triangulation shows about its manifold, beside the outcome, where it carries no metric.
+void look_at_manifold(const topology::Triangulation& triangulation, const SolveOptions& options,
+                      Report& report) {
+  if (report.outcome == Outcome::kGeometric || !options.evidence ||
+      !topology::all_full(options.cone_angles))
+    return;
+  report.closed_bigon = closed_bigon(triangulation);
+  if (!report.closed_bigon || !report.closed_bigon->decides()) return;
+  const std::string_view open_end = "; its manifold may.";
+  if (report.message.ends_with(open_end))
+    report.message.replace(report.message.size() - open_end.size(), open_end.size(), ".");
+  report.message += " " + message(*report.closed_bigon);
+  if (report.advice == Advice::kRetriangulate) report.advice = Advice::kNone;
+}
+
 }  // namespace
 
 Report solve(const topology::Triangulation& triangulation, const SolveOptions& options) {
@@ -336,6 +352,7 @@ Report solve(const topology::Triangulation& triangulation, const SolveOptions& o
   require_options(options);
   topology::require_solvable(triangulation, options.cone_angles);
   Report report = find_outcome(triangulation, options, start);
+  look_at_manifold(triangulation, options, report);
   report.seconds = seconds_since(start);
   return report;
 }

@@ -44,7 +44,8 @@ struct SolveOptions {
   /// Called at every iteration if set, with its number and max|gradient|; cheap.
   std::function<void(int iteration, double max_gradient)> on_iteration;
   const std::atomic<bool>* stop_requested = nullptr;  ///< polled at every iteration
-  /// Whether to decide exactly about angle structures where no metric is found.
+  /// Whether to decide exactly about angle structures where no metric is found, and to look for a
+  /// surface that proves the manifold not hyperbolic (closed_bigon.hpp).
   bool evidence = true;
   bool angle_structure = false;  ///< also decide on exact strict angles where a metric was found
 };

@@ -47,4 +47,7 @@ std::string diagram_format_names();
 /// Throws InvalidInput with the place and the remedy.
 NamedDiagram read_diagram(std::string_view text);
 
+/// "PD: V[1,2,3] X[4,2,5,1] Cone[1,3]": the diagram with its labels, as `read_diagram` reads it.
+std::string pd_text(const NamedDiagram& diagram);
+
 }  // namespace tripus::topology

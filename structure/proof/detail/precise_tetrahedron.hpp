@@ -9,17 +9,28 @@
 /// What geometry/enclosure.hpp finds in doubles, at the thread's precision in Arb.
 namespace tripus::structure::detail {
 
+/// What each vertex is: 1 hyperideal, 0 ideal.
+using Diagonal = std::array<int, 4>;
+inline constexpr Diagonal kHyperideal = {1, 1, 1, 1};
+
+/// -G_ij and its slope at the edges of a tetrahedron, theory (77).
+struct GramEntries {
+  Arb c[6], s[6];
+};
+GramEntries gram_entries(const std::array<Arb, 6>& l, const Diagonal& diagonal);
+
 struct PreciseTetrahedron {
   std::array<Arb, 6> angles;
   Arb volume;
 };
 
 /// Dihedral angles at l, and the volume if wanted; nothing unless -det G is proved > 0.
-std::optional<PreciseTetrahedron> precise_tetrahedron(const std::array<Arb, 6>& l,
-                                                      bool with_volume);
+std::optional<PreciseTetrahedron> precise_tetrahedron(const std::array<Arb, 6>& l, bool with_volume,
+                                                      const Diagonal& diagonal = kHyperideal);
 
 /// The Jacobian of theory (17) to (19), packed [21]; nothing unless -det G is proved > 0.
-std::optional<std::array<Arb, 21>> precise_jacobian(const std::array<Arb, 6>& l);
+std::optional<std::array<Arb, 21>> precise_jacobian(const std::array<Arb, 6>& l,
+                                                    const Diagonal& diagonal = kHyperideal);
 
 /// Weights w > 0 with J >= diag(w) over the box `l` of positive lengths; nothing where the
 /// precision does not prove it. Source: docs/theory.md section 9.

@@ -80,9 +80,8 @@ void add_resume_option(CLI::App& verb, CommonOptions& options, CLI::Option* batc
       ->needs(batch);
 }
 
-void require_input(const CommonOptions& options, const CLI::Option& input,
-                   const CLI::Option& batch) {
-  if (input.count() == 0 && options.input.empty() && batch.count() == 0)
+void require_input(const CommonOptions& options, const CLI::Option& batch) {
+  if (options.input.empty() && batch.count() == 0)
     throw CLI::RequiredError("INPUT or " + batch.get_name() + " FILE");
   if (!options.resume.empty() && !options.json)
     throw CLI::RequiredError("--json, whose lines can be told apart, with --resume");
@@ -101,8 +100,7 @@ void add_input_options(CLI::App& verb, CommonOptions& options, const char* answe
   input->excludes(batch);
   add_resume_option(verb, options, batch);
   verb.add_flag("--quiet", options.quiet, "no progress on standard error");
-  verb.parse_complete_callback(
-      [input, batch, &options] { require_input(options, *input, *batch); });
+  verb.parse_complete_callback([batch, &options] { require_input(options, *batch); });
 }
 
 void add_common_options(CLI::App& verb, CommonOptions& options) {

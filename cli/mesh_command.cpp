@@ -1,5 +1,6 @@
 // tripus mesh: from a boundary surface or a tetrahedral mesh to a small ideal triangulation.
 #include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -166,6 +167,9 @@ Outcome mesh_one(const MeshCommand& command, const std::string& input) {
   Progress progress(!command.common.quiet && command.common.batch.empty());
   meshing::ManifoldOptions options = command.options;
   options.stop_requested = &stop_flag();
+  // A limit of the user's is the only one; the flag comes first, with its words.
+  if (const double left = seconds_left(); std::isfinite(left))
+    options.tetrahedralize.time_limit = left + 1;
   options.progress = [&](std::string_view activity, std::size_t tetrahedra) {
     if (!progress.due()) return;
     progress.show(tetrahedra == 0 ? fmt::format("{}", activity)

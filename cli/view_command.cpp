@@ -288,9 +288,9 @@ void add_view(CLI::App& program, Command& chosen) {
       ->check(whole_number(1024));
   verb->add_flag("--quiet", command->common.quiet, "no progress on standard error");
   add_resume_option(*verb, command->common, gallery);
-  verb->parse_complete_callback([input, gallery, verb, command] {
+  verb->parse_complete_callback([gallery, verb, input, command] {
     read_discs(*verb->get_option("--discs"), *input, *command);
-    require_input(command->common, *input, *gallery);
+    require_input(command->common, *gallery);
   });
   verb->footer(std::string(kInputHelp) + "\n" + kExitStatusHelp);
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "base/stopped.hpp"
 #include "canonical/group_name.hpp"
 
 namespace tripus::canonical {
@@ -117,10 +118,12 @@ GroupTable group_table(const Decomposition& decomposition, const CanonicalOrder&
 
 }  // namespace
 
-CanonicalOrder canonical_order(const Decomposition& decomposition) {
+CanonicalOrder canonical_order(const Decomposition& decomposition,
+                               const std::atomic<bool>* stop_requested) {
   CanonicalOrder best;
   Orderer orderer(decomposition);
   for (FlagIndex start = 0; start < decomposition.flag_count(); ++start) {
+    throw_if_stopped(stop_requested);
     const int comparison = orderer.compare_from(start, best);
     if (comparison > 0) continue;
     if (comparison < 0) {

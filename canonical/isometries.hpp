@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -25,8 +26,10 @@ struct CanonicalOrder {
   std::vector<FlagIndex> starts;
 };
 
-/// Time: F starts, each abandoned where its code becomes larger: some F in practice, F^2 at worst.
-CanonicalOrder canonical_order(const Decomposition& decomposition);
+/// Time: F starts, each abandoned where its code becomes larger: some F in practice, F times the
+/// order of the isometry group at worst. Polls `stop_requested` (may be null); throws Stopped.
+CanonicalOrder canonical_order(const Decomposition& decomposition,
+                               const std::atomic<bool>* stop_requested = nullptr);
 
 /// The isometry group of a manifold: the automorphisms of its canonical decomposition.
 struct IsometryGroup {

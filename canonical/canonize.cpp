@@ -98,6 +98,9 @@ namespace {
 constexpr const char* kNotCanonical =
     "The metric was found, but no triangulation that subdivides the canonical decomposition.";
 
+constexpr const char* kNotDone =
+    "The metric was found, but the work was ended before the canonical decomposition was.";
+
 constexpr const char* kSingularEdgeInside =
     "The metric was found, but no triangulation that subdivides the canonical decomposition and "
     "has the singular edges in its faces; they may go through the inside of cells.";
@@ -133,8 +136,9 @@ class Canonizer {
       if (metric && !metric->simplified.empty()) answer_.manifold = canonical_of(*metric);
     }
     if (!answer_.manifold) {
-      answer_.message =
-          topology::all_full(options_.solve.cone_angles) ? kNotCanonical : kSingularEdgeInside;
+      answer_.message = stopped()                                        ? kNotDone
+                        : topology::all_full(options_.solve.cone_angles) ? kNotCanonical
+                                                                         : kSingularEdgeInside;
       return std::move(answer_);
     }
     answer_.manifold->simplified = std::move(metric->simplified);

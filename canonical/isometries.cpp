@@ -1,6 +1,7 @@
 #include "canonical/isometries.hpp"
 
 #include <limits>
+#include <numeric>
 
 #include "base/stopped.hpp"
 #include "canonical/group_name.hpp"
@@ -83,6 +84,33 @@ std::vector<FlagIndex> automorphism(const Decomposition& decomposition, const Ca
   return image;
 }
 
+/// The orbits of flags under the automorphisms that are known so far: orders that begin in one
+/// orbit have one code.
+class Orbits {
+ public:
+  explicit Orbits(std::size_t flag_count) : parent_(flag_count), out_(flag_count) {
+    std::iota(parent_.begin(), parent_.end(), FlagIndex{0});
+  }
+  bool same(FlagIndex p, FlagIndex q) { return root(p) == root(q); }
+  /// Whether the code from there is known to be larger than the least.
+  bool is_out(FlagIndex flag) { return out_[root(flag)] != 0; }
+  void put_out(FlagIndex flag) { out_[root(flag)] = 1; }
+  void join(FlagIndex p, FlagIndex q) {
+    p = root(p);
+    q = root(q);
+    out_[p] |= out_[q];
+    parent_[q] = p;
+  }
+
+ private:
+  FlagIndex root(FlagIndex flag) {
+    while (parent_[flag] != flag) flag = parent_[flag] = parent_[parent_[flag]];
+    return flag;
+  }
+  std::vector<FlagIndex> parent_;
+  std::vector<char> out_;
+};
+
 /// Adds to `member`, a group of automorphisms known by the images of one flag, what the generators
 /// make of it.
 void close(const std::vector<std::vector<FlagIndex>>& generators, FlagIndex base,
@@ -122,13 +150,26 @@ CanonicalOrder canonical_order(const Decomposition& decomposition,
                                const std::atomic<bool>* stop_requested) {
   CanonicalOrder best;
   Orderer orderer(decomposition);
+  Orbits orbits(decomposition.flag_count());
   for (FlagIndex start = 0; start < decomposition.flag_count(); ++start) {
     throw_if_stopped(stop_requested);
+    if (orbits.is_out(start)) continue;
+    if (start > 0 && orbits.same(start, best.flags[0])) {
+      best.starts.push_back(start);
+      continue;
+    }
     const int comparison = orderer.compare_from(start, best);
-    if (comparison > 0) continue;
+    if (comparison > 0) {
+      orbits.put_out(start);
+      continue;
+    }
     if (comparison < 0) {
+      if (start > 0) orbits.put_out(best.flags[0]);
       best.starts.clear();
       best.flags = orderer.flags();
+    } else {
+      const auto image = automorphism(decomposition, best, start);
+      for (FlagIndex flag = 0; flag < image.size(); ++flag) orbits.join(flag, image[flag]);
     }
     best.starts.push_back(start);
   }

@@ -26,8 +26,9 @@ struct CanonicalOrder {
   std::vector<FlagIndex> starts;
 };
 
-/// Time: F starts, each abandoned where its code becomes larger: some F in practice, F times the
-/// order of the isometry group at worst. Polls `stop_requested` (may be null); throws Stopped.
+/// Time: a start for each orbit of flags, abandoned where its code becomes larger, and F for each
+/// generator of the automorphisms: some F in practice, F^2 at worst.
+/// Throws Stopped.
 CanonicalOrder canonical_order(const Decomposition& decomposition,
                                const std::atomic<bool>* stop_requested = nullptr);
 

@@ -70,6 +70,24 @@ int answer_one(const CommonOptions& options,
 
 }  // namespace
 
+void add_resume_option(CLI::App& verb, CommonOptions& options, CLI::Option* batch) {
+  verb.add_option("--resume", options.resume,
+                  fmt::format("with {} and --json: write to this file, after the answers that "
+                              "an\ninterrupted run has left there",
+                              batch->get_name()))
+      ->option_text("FILE")
+      ->check(problem_of_name)
+      ->needs(batch);
+}
+
+void require_input(const CommonOptions& options, const CLI::Option& input,
+                   const CLI::Option& batch) {
+  if (input.count() == 0 && options.input.empty() && batch.count() == 0)
+    throw CLI::RequiredError("INPUT or " + batch.get_name() + " FILE");
+  if (!options.resume.empty() && !options.json)
+    throw CLI::RequiredError("--json, whose lines can be told apart, with --resume");
+}
+
 void add_input_options(CLI::App& verb, CommonOptions& options, const char* answers) {
   auto* input = verb.add_option("INPUT", options.input,
                                 "an isomorphism signature, a file, or - for standard input")
@@ -81,19 +99,10 @@ void add_input_options(CLI::App& verb, CommonOptions& options, const char* answe
                                             answers))
                     ->option_text("FILE");
   input->excludes(batch);
-  auto* resume = verb.add_option("--resume", options.resume,
-                                 "with --batch and --json: write to this file, after the answers "
-                                 "that an\ninterrupted run has left there")
-                     ->option_text("FILE")
-                     ->check(problem_of_name)
-                     ->needs(batch);
+  add_resume_option(verb, options, batch);
   verb.add_flag("--quiet", options.quiet, "no progress on standard error");
-  verb.parse_complete_callback([input, batch, resume, &options] {
-    if (input->count() == 0 && batch->count() == 0)
-      throw CLI::RequiredError("INPUT or --batch FILE");
-    if (resume->count() > 0 && !options.json)
-      throw CLI::RequiredError("--json, whose lines can be told apart, with --resume");
-  });
+  verb.parse_complete_callback(
+      [input, batch, &options] { require_input(options, *input, *batch); });
 }
 
 void add_common_options(CLI::App& verb, CommonOptions& options) {
@@ -105,8 +114,9 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
 }
 
 int answer_lines(const CommonOptions& options,
-                 const std::function<Outcome(const topology::BatchLine&)>& answer) {
-  return run_batch({options.batch, options.resume, options.threads, options.quiet},
+                 const std::function<Outcome(const topology::BatchLine&)>& answer,
+                 const BatchOutput::Earlier& earlier) {
+  return run_batch({options.batch, options.resume, options.threads, options.quiet, earlier},
                    [&](const topology::BatchLine& line) -> Answer {
                      const LineLimit limit;
                      topology::begin_work();

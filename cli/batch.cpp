@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "base/threads.hpp"
-#include "cli/batch_output.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
@@ -173,7 +172,7 @@ int run_batch(const BatchOptions& options,
   if (!options.resume.empty()) declare_output("--resume", options.resume);
   require_not_written(options.file);
   const std::vector<topology::BatchLine> lines = read_batch_file(options.file);
-  BatchOutput output(options.resume, lines);
+  BatchOutput output(options.resume, lines, AnswersPerLine::kOne, options.earlier);
   return Batch(lines, output, thread_count(options.threads), answer).run(options);
 }
 

@@ -297,8 +297,7 @@ int check_proofs(const CensusCommand& command) {
   context.threads = command.classify.threads;
   const canonical::CensusCheck check = canonical::check_census(
       census, proofs ? *proofs : canonical::shipped_census_proofs(), context);
-  if (check.stopped)
-    write_message("tripus: " + stop_text() + " before all proofs were checked\n");
+  if (check.stopped) write_message("tripus: " + stop_text() + " before all proofs were checked\n");
   for (const std::string& failure : check.failures) write_output(printable(failure) + "\n");
   write_output(
       fmt::format("{} of {} manifolds have a valid proof\n", check.valid, census.manifolds.size()));

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/stopped.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
@@ -70,6 +71,7 @@ Outcome check_one_proof(const CheckOptions& options, const std::string& text) {
       same_labels(subject, proof.cone_angles)
           ? structure::check_proof(subject.triangulation, proof, interruptible())
           : structure::ProofCheck{false, kOtherLabels};
+  if (!result && is_work_over()) throw Stopped();  // which says nothing about the proof
   return {options.json ? proof_as_json(options.input, proof, result)
                        : proof_verdict(proof, result) + "\n",
           result ? kSuccess : kNoAnswer};

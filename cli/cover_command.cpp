@@ -337,9 +337,8 @@ int run(const CoverCommand& command) {
     if (status == kInternalFailure) worst = kInternalFailure;
     if (!interrupt_requested()) {
       if (status == kSuccess && is_time_over())
-        write_message(
-            fmt::format("tripus: line {}: {}: there may be more covers\n", inputs[i].line_number,
-                        stop_text()));
+        write_message(fmt::format("tripus: line {}: {}: there may be more covers\n",
+                                  inputs[i].line_number, stop_text()));
       continue;
     }
     sink.close();

@@ -92,8 +92,7 @@ void write_mesh(const EmbedCommand& command, EmbeddedSubject& embedded,
                 const embedding::MeshFormat& format, OutputFile& file) {
   const embedding::Tessellation tessellation(
       embedded.embedding, embedded.cover.cells,
-      {model_named(command.model), command.error,
-       stop_flag() ? nullptr : &stop_flag()});
+      {model_named(command.model), command.error, stop_flag() ? nullptr : &stop_flag()});
   if (tessellation.triangle_count() > embedding::kMostTriangles) {
     throw InvalidInput(fmt::format(
         "{} cells with an error of {} take {} triangles, more than {}; ask for fewer cells or a "

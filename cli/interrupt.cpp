@@ -130,7 +130,8 @@ void make_timer(Alarm& alarm) {
 /// Throws IoError if the system has no timer left.
 void start(Alarm& alarm) {
   if (!alarm.has_timer) make_timer(alarm);
-  if (!alarm.has_timer) throw IoError(std::string("--time-limit: no timer: ") + std::strerror(errno));
+  if (!alarm.has_timer)
+    throw IoError(std::string("--time-limit: no timer: ") + std::strerror(errno));
   alarm.deadline =
       Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(
                                   std::chrono::duration<double>(std::min(limit, kLongest)));
@@ -194,7 +195,9 @@ const std::atomic<bool>& interrupt_requested() { return process.stop; }
 
 const std::atomic<bool>& stop_flag() { return own().stop; }
 
-bool is_time_over() { return own().is_time_over; }
+bool is_work_over() { return own().stop || interruptible().expired(); }
+
+bool is_time_over() { return own().is_time_over || (!own().stop && interruptible().expired()); }
 
 std::string stop_text() { return why(is_time_over()); }
 

@@ -37,6 +37,8 @@ class LineLimit {
 const std::atomic<bool>& interrupt_requested();
 /// Whether the work of this thread is to end: with the process, or by the limit of its line.
 const std::atomic<bool>& stop_flag();
+/// The same, or its deadline has passed, which comes a moment before the flag.
+bool is_work_over();
 /// Whether it is the time limit by which the work of this thread is to end.
 bool is_time_over();
 /// "interrupted", or "the time limit of 2 s was reached".

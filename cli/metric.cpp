@@ -34,7 +34,7 @@ Solved find_metric(Subject subject, structure::SolveOptions options, const Metri
   options.time_limit = seconds_left();
   structure::Report report = structure::solve(subject.triangulation, options);
   const bool geometric = report.outcome == structure::Outcome::kGeometric;
-  if (geometric || !search.retriangulate || stop_flag() || interruptible().expired())
+  if (geometric || !search.retriangulate || is_work_over())
     return {std::move(subject), std::move(report), std::nullopt};
   options.time_limit = seconds_left();
   structure::Retriangulation found =

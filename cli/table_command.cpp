@@ -164,8 +164,14 @@ void declare_outputs(const TableCommand& command) {
 int run(const TableCommand& command) {
   const std::vector<DiagramTable> tables = tables_of(command.table);
   declare_outputs(command);
-  const std::vector<DiagramRow> rows = chosen_rows(
-      command.compute ? computed(tables, command.quiet) : shipped(tables), command.names);
+  std::vector<DiagramRow> rows =
+      command.compute ? computed(tables, command.quiet) : shipped(tables);
+  if (interrupt_requested()) {
+    write_message(
+        fmt::format("tripus: {} after {} rows; nothing was written\n", stop_text(), rows.size()));
+    return kNoAnswer;
+  }
+  rows = chosen_rows(std::move(rows), command.names);
   if (!command.tsv.empty()) write_content(command.tsv, to_tsv(rows));
   if (!command.database.empty()) write_diagram_database(rows, command.database);
   if (!command.page.empty()) write_content(command.page, page_of(command.table, rows));
@@ -173,7 +179,7 @@ int run(const TableCommand& command) {
     write_output(as_json(rows));
   else if (command.tsv.empty() && command.database.empty() && command.page.empty())
     for (const DiagramRow& row : rows) write_output(line_of(row));
-  return interrupt_requested() ? kNoAnswer : kSuccess;
+  return kSuccess;
 }
 
 }  // namespace

@@ -134,11 +134,12 @@ Outcome picture_written(const Developed& developed, const ViewCommand& command, 
   const bool interrupted = drawn < command.cells && stop_flag();
   const int status = interrupted ? kNoAnswer : kSuccess;
   if (command.common.json) return {as_json(developed.subject, command.png, drawn), status};
-  return {fmt::format(
-              "{}: {} of its universal cover drawn to {}{}\n", printable(developed.subject.input),
-              counted(drawn, "cell", "cells"), printable(command.png),
-              interrupted ? fmt::format(": {}, {} were asked for", stop_text(), command.cells) : ""),
-          status};
+  return {
+      fmt::format(
+          "{}: {} of its universal cover drawn to {}{}\n", printable(developed.subject.input),
+          counted(drawn, "cell", "cells"), printable(command.png),
+          interrupted ? fmt::format(": {}, {} were asked for", stop_text(), command.cells) : ""),
+      status};
 }
 
 Outcome draw_picture(const Developed& developed, const ViewCommand& command) {
@@ -172,8 +173,8 @@ Outcome view_one(const ViewCommand& command, const std::string& input) {
     return write_page(developed.subject, developed.report, developed.embedding,
                       page_request(command));
   }
-  developed.discs = discs_for(command.disc_request, developed.subject, developed.report,
-                              developed.embedding);
+  developed.discs =
+      discs_for(command.disc_request, developed.subject, developed.report, developed.embedding);
   if (command.png.empty()) {
     viewer::WindowOptions window;
     window.picture = command.picture;
@@ -247,11 +248,10 @@ void read_discs(const CLI::Option& discs, CLI::Option& input, ViewCommand& comma
   const auto& length = command.disc_request.length;
   if (length && *length > 0 && *length <= orthospectrum::kLongestArc) return;
   if (length || input.count() > 0 || !command.common.batch.empty()) {
-    throw CLI::ValidationError("--discs",
-                               fmt::format("the length {} is not a number greater than 0 and at "
-                                           "most {}",
-                                           tripus::quoted(command.discs),
-                                           orthospectrum::kLongestArc));
+    throw CLI::ValidationError(
+        "--discs", fmt::format("the length {} is not a number greater than 0 and at "
+                               "most {}",
+                               tripus::quoted(command.discs), orthospectrum::kLongestArc));
   }
   command.common.input = command.discs;
 }
@@ -287,10 +287,10 @@ void add_view(CLI::App& program, Command& chosen) {
       ->option_text("N")
       ->check(whole_number(1024));
   verb->add_flag("--quiet", command->common.quiet, "no progress on standard error");
+  add_resume_option(*verb, command->common, gallery);
   verb->parse_complete_callback([input, gallery, verb, command] {
     read_discs(*verb->get_option("--discs"), *input, *command);
-    if (command->common.input.empty() && gallery->count() == 0)
-      throw CLI::RequiredError("INPUT or --gallery FILE");
+    require_input(command->common, *input, *gallery);
   });
   verb->footer(std::string(kInputHelp) + "\n" + kExitStatusHelp);
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });

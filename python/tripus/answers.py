@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from tripus.manifold import Manifold
+else:
+    from tripus._lazy import numpy as np
 
 
 class Isometry(Value):

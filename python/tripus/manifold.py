@@ -29,6 +29,8 @@ from tripus.verdicts import Proof, Verdict, Volume
 if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
+
+    from tripus.hyperbolic.decide import Hyperbolicity
 else:
     from tripus._lazy import numpy as np
 
@@ -592,6 +594,23 @@ class Manifold(Value):
 
     # The manifold, whatever its triangulation
 
+    def hyperbolicity(
+        self, *, time_limit: float | None = None, surfaces: bool = True
+    ) -> Hyperbolicity:
+        """Whether the manifold is hyperbolic: True, False or not decided, with a certificate.
+
+        time_limit  seconds in all, 60 if not given.
+        surfaces    whether to search with Regina (tripus[regina]) for essential surfaces, in a
+                    process of its own, if the quick tests do not decide.
+
+        >>> answer = Manifold("dLQbcbcmebs").hyperbolicity()
+        >>> answer.hyperbolic, answer.name, answer.certificate.check()
+        (False, 'handlebody of genus 2', True)
+        """
+        from tripus.hyperbolic.decide import hyperbolicity
+
+        return hyperbolicity(self, time_limit, surfaces)
+
     def canonical(self, *, time_limit: float | None = None) -> CanonicalDecomposition:
         """The canonical decomposition with isometry group and signature, or why not."""
         return CanonicalDecomposition(
@@ -738,17 +757,36 @@ class Manifold(Value):
             raise Unsupported(f"{self} was not made from a diagram")
         return Diagram(given if is_diagram(given) else self.name(), name=self.name() or None)
 
-    def view(self, cells: int = 20, model: str = "ball", height: int = 520) -> Any:
+    def view(
+        self,
+        cells: int = 20,
+        model: str = "ball",
+        height: int = 520,
+        *,
+        discs: bool | float = False,
+    ) -> Any:
         """The page that shows the manifold from outside and inside: in a notebook, live; else in
-        a browser. NoMetric if there is nothing to show."""
+        a browser. NoMetric if there is nothing to show.
+
+        discs  True, or a length: with the discs of arcs on the boundary; see basmajian_discs()
+        """
         from tripus.view import view
 
-        return view(self, cells, model, height)
+        return view(self, cells, model, height, discs=discs)
 
-    def page(self, cells: int = 20, model: str = "ball") -> str:
-        """The HTML of that page: self-contained, nothing from the network."""
+    def page(
+        self, cells: int = 20, model: str = "ball", *, discs: bool | float = False
+    ) -> str:
+        """The HTML of that page: self-contained, nothing from the network.
+
+        >>> '"discs":' in Manifold("cPcbbbihq").page(discs=2.0)
+        True
+        """
         self.metric
-        return _core.page(self._core, cells, model, NO_LIMITS).decode("utf-8", "replace")
+        length = None if isinstance(discs, bool) else float(discs)
+        wanted = discs is not False
+        page = _core.page(self._core, cells, model, wanted, length, NO_LIMITS)
+        return page.decode("utf-8", "replace")
 
     def picture(self, width: int = 240, height: int = 180) -> npt.NDArray[np.uint8]:
         """[height x width x 4] the manifold from the middle of tetrahedron 0; no display needed.

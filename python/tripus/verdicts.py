@@ -206,6 +206,13 @@ class Verdict(Value):
         return AngleStructure(text) if text else None
 
     @property
+    def closed_bigon(self) -> dict[str, Any] | None:
+        """Of a triangulation without a metric: a surface at an edge of valence 2 which proves
+        that the manifold is not hyperbolic ("decides"), or hints at it; docs/verdicts.md."""
+        found = self._fields.get("closed_bigon")
+        return None if found is None else dict(found)
+
+    @property
     def history(self) -> Any:
         """Of solve(history=True): a data frame with a row an iteration (or a structured array)."""
         rows = self._fields.get("history")

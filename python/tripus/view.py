@@ -75,9 +75,16 @@ def in_notebook() -> bool:
     return shell is not None and "IPKernelApp" in shell.config
 
 
-def view(manifold: Manifold, cells: int = 20, model: str = "ball", height: int = 520) -> Page:
+def view(
+    manifold: Manifold,
+    cells: int = 20,
+    model: str = "ball",
+    height: int = 520,
+    *,
+    discs: bool | float = False,
+) -> Page:
     """The page of a manifold; outside of notebooks it opens in a browser."""
-    page = Page(manifold.page(cells, model), height)
+    page = Page(manifold.page(cells, model, discs=discs), height)
     if not in_notebook():
         page.open()
     return page

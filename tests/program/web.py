@@ -1,5 +1,6 @@
 """tripus view -o page.html and --gallery: the pages, and what they draw in a browser."""
 
+import json
 import math
 import os
 import re
@@ -399,6 +400,46 @@ class Gallery(ProgramTest):
         self.assertEqual([f"out/{link}" for link in links], files[:len(signatures)])
         self.assertIn(f"Without a page ({len(bad)})", index)
         self.assertIn("nonsense!", index)
+
+    def test_goes_on(self):
+        lines = (DATA / "triangulations-2.txt").read_text().split()[:6]
+        self.write("list", "\n".join([*lines, "nonsense!", WITHOUT_METRIC]) + "\n")
+        arguments = ("view", "--gallery", "list", "-o", "index.html", "--json", "--resume", "done")
+        self.assertEqual(self.run_program(*arguments).status, 0)
+        whole = (self.folder / "done").read_text().splitlines(keepends=True)
+        index = (self.folder / "index.html").read_text()
+        for kept in (0, 3, len(whole) - 1, len(whole)):
+            pages = [self.folder / answer["file"] for answer in map(json.loads, whole[kept:])
+                     if "file" in answer]
+            for page in pages:
+                page.unlink()
+            self.write("index.html", "an old one")
+            self.write("done", "".join(whole[:kept]) + ('{"tripus": "0' if kept < 8 else ""))
+            result = self.run_program(*arguments)
+            self.assertEqual((result.status, result.out), (0, b""), result.err)
+            self.assertEqual((self.folder / "index.html").read_text(), index)
+            self.assertTrue(all(page.exists() for page in pages))
+            self.assertEqual(len((self.folder / "done").read_text().splitlines()), len(whole))
+
+    def test_does_not_go_on_without_its_pages(self):
+        self.write("list", TRIPUS + "\n")
+        arguments = ("view", "--gallery", "list", "-o", "index.html", "--json", "--resume", "done")
+        self.run_program(*arguments)
+        done = (self.folder / "done").read_text()
+        page = self.folder / json.loads(done)["file"]
+        page.unlink()
+        result = self.run_program(*arguments)
+        self.assertEqual(result.status, 2)
+        self.assertIn("line 1 is of a page that is gone", result.err)
+        other = ("view", "--gallery", "list", "-o", "other.html", "--json", "--resume", "done")
+        for text, says in ((done.replace(page.name, "x.html"), "is of another index"),
+                           (done.replace('"volume": 6', '"volume": "6').replace(
+                               ', "file"', '", "file"'), "line 1")):
+            self.write("done", text)
+            result = self.run_program(*other)
+            self.assertEqual(result.status, 2)
+            self.assertIn(says, result.err)
+        self.assertFalse((self.folder / "other.html").exists())
 
     def test_what_was_there_stays(self):
         self.write("list.html", TRIPUS + "\n")

@@ -470,3 +470,34 @@ def test_arcs_and_discs(M):
     assert mixed.num_cusps() == 1
     for area in (mixed.orthospectrum(length=2).area["exact"], mixed.basmajian_discs(2).boundary_area):
         assert area == pytest.approx(4 * np.pi)
+
+
+def test_discs_do_not_overlap(M):
+    discs = M.basmajian_discs(length=7)
+    assert (np.diff(discs.radii) <= 1e-12).all()
+    # Of one tile: points of the disc (x, y) are directions (x, y, 1) of the hyperboloid.
+    tile = (discs.tiles == [0, 1]).all(axis=1)
+    x, y = discs.feet[tile].T
+    z = 1 / np.sqrt(1 - x**2 - y**2)
+    points = np.stack([z * x, z * y, z], axis=1)
+    cosh = points[:, None, 2] * points[None, :, 2] - points[:, :2] @ points[:, :2].T
+    radii = discs.radii[tile]
+    apart = np.arccosh(np.maximum(cosh, 1)) - radii[:, None] - radii[None, :]
+    np.fill_diagonal(apart, 1)
+    assert tile.sum() > 100 and apart.min() > -1e-6
+
+
+def test_spectrum_with_a_cusp_counts_the_compact_boundary():
+    arcs = tripus.Manifold("dLQacccjjkg").orthospectrum(length=7)
+    assert abs(arcs.area["exact"] - 4 * np.pi) < 1e-12
+    tail, uncertainty = arcs.area["tail"]
+    assert abs(arcs.area["counted"] + tail - 4 * np.pi) < uncertainty
+
+
+def test_pages_with_discs(M):
+    assert '"discs":{' not in M.page()
+    assert '"discs":{"length":1,' in M.page(discs=1)
+    assert '"discs":{"length":4.9' in M.page(discs=True)
+    for bad in (0.0, -1.0, float("nan"), 25.0, 18.0):
+        with pytest.raises(tripus.InvalidInput):
+            M.page(discs=bad)

@@ -190,6 +190,7 @@ _CHECKS: dict[str, _Check] = {
         _list_of(_int, ""), "a list of permutations, each a list of whole numbers from 0"
     ),
     "str | Sequence[str]": _words,
+    "bool | float": lambda value: value if isinstance(value, bool) else _float(value),
     "Sequence[float] | npt.NDArray[np.float64]": _list_of(_float, "a list of numbers"),
     "Mapping[int, Any]": _mapping,
     "Mapping[int, float]": _mapping,

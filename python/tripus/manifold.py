@@ -413,6 +413,25 @@ class Manifold(Value):
             self._core.simplified(seed, effort, limits(time_limit, 0, progress))
         )
 
+    def drilled(
+        self,
+        edges: Sequence[int],
+        *,
+        seed: int = 0,
+        time_limit: float | None = None,
+        progress: Progress = None,
+    ) -> Manifold:
+        """What is left without neighbourhoods of these edge classes, simplified.
+
+        An edge between two components of the boundary joins them, one back to the same component
+        raises its genus.
+
+        >>> Manifold("cPcbbbihq").drilled([0]).links()[0]["euler_characteristic"]
+        -4
+        """
+        core = self._core.drilled(edges, seed, limits(time_limit, 0, progress))
+        return self._wrap(core)
+
     def retriangulated(
         self,
         *,

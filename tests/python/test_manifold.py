@@ -40,7 +40,7 @@ MANIFOLD = {
     "isometry_signature": "isometry_signature", "isometry_group": "symmetry_group",
     "compare": "compare", "is_isometric_to": "is_isometric_to", "identify": "identify",
     "to_json": "to_json", "write": "write", "cone_angles": "cone_angles",
-    "with_cone_angles": "with_cone_angles", "cover": "cover",
+    "with_cone_angles": "with_cone_angles", "cover": "cover", "drilled": "drilled",
 }
 METRIC = {
     "Metric": "__init__", "volume": "volume", "edge_lengths": "edge_lengths",

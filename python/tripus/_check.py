@@ -165,10 +165,13 @@ def _mapping(value: Any) -> dict[int, Any]:
 
 
 def _manifold(value: Any) -> Any:
+    from tripus.interop import package_of
     from tripus.manifold import Manifold
 
+    if not isinstance(value, Manifold) and package_of(value):
+        return Manifold(value)
     if not isinstance(value, Manifold):
-        raise _Wrong("a tripus.Manifold (tripus.Manifold(x) makes one of most things)")
+        raise _Wrong("a tripus.Manifold, or a triangulation of SnapPy or Regina")
     return value
 
 

@@ -153,6 +153,28 @@ def test_equality_never_raises_and_fits_the_hash(M):
     assert len({M, other, tripus.Manifold("cPcbbbdhq")}) == 2
 
 
+def test_habits_of_snappy():
+    M = tripus.Manifold("4_1")
+    assert M.triangulation_isosig(decorated=False) == "cPcbbbiht"
+    with pytest.raises(tripus.Unsupported):
+        M.triangulation_isosig(decorated=True)
+    with pytest.raises(AttributeError, match="links"):
+        M.cusp_info()
+    with pytest.raises(AttributeError, match=r"to_snappy\(\).complex_volume"):
+        M.complex_volume()
+    with pytest.raises(AttributeError, match="tripus.Diagram"):
+        tripus.Link
+    with pytest.raises(tripus.InvalidInput, match="snappy.Manifold"):
+        tripus.Manifold("m015")
+    # Permutations of the generators that fundamental_group() shows, or of all.
+    assert M.fundamental_group().num_generators() == 2
+    swap = [1, 0]
+    assert M.cover([[0, 1], swap]) in M.covers(2)
+    assert M.cover([[0, 1], swap]).num_tetrahedra() == 4
+    with pytest.raises(tripus.InvalidInput):
+        M.cover([swap, [0, 0]])
+
+
 def test_it_does_not_change(M):
     assert copy.copy(M) is M and copy.deepcopy(M) is M and M.copy() is M
     with pytest.raises(AttributeError):

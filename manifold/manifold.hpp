@@ -66,7 +66,7 @@ class Manifold {
   const topology::AbelianGroup& homology(const Context& context = {}) const;
   topology::FundamentalGroup fundamental_group() const;
   /// The same manifold with as few tetrahedra as were found. Throws Unsupported for cone angles
-  /// other than 2 pi, as `retriangulated` does.
+  /// other than 2 pi.
   Manifold simplified(const topology::SimplifyOptions& options = {},
                       const Context& context = {}) const;
   /// What is left without neighbourhoods of these edge classes, simplified: topology/drill.hpp.

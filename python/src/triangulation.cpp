@@ -285,6 +285,13 @@ void bind_topology(nb::class_<Manifold>& type) {
              options.effort = effort;
              return run(limits, [&](const Context& c) { return m.simplified(options, c); });
            })
+      .def("drilled",
+           [](const Manifold& m, const std::vector<std::size_t>& edges, std::uint64_t seed,
+              const Limits& limits) {
+             topology::SimplifyOptions options;
+             options.seed = seed;
+             return run(limits, [&](const Context& c) { return m.drilled(edges, options, c); });
+           })
       .def("cover", [](const Manifold& m, const std::vector<std::vector<std::uint32_t>>& images,
                        const Limits& limits) {
         return run(limits, [&](const Context& c) { return m.cover(images, c); });

@@ -63,7 +63,24 @@ _ELSEWHERE = {
     "browse": "M.view()",
     "inside_view": "M.view()",
     "normal_surfaces": "M.to_regina(), regina.NormalSurfaces",
+    "cusp_info": "M.links()",
+    "drill": "M.drilled(edges)",
+    "high_precision": "M.prove(digits=60)",
+    "filled_triangulation": "M.to_snappy().filled_triangulation()",
+    "link": "M.diagram()",
+    "plink": "M.diagram()",
+    "orientation_cover": "M.covers(2), those that are is_orientable()",
+    "boundaryComponents": "M.links()",
+    "countEdges": "M.num_edges()",
+    "edge": "M.valences, M.edge_classes",
 }
+
+#: What SnapPy alone has.
+_OF_SNAPPY = (
+    "alexander_polynomial chern_simons complex_volume cusp_areas cusp_neighborhood dirichlet_domain "
+    "exterior_to_link gluing_equations length_spectrum polished_holonomy short_slopes "
+    "splitting_surfaces tetrahedra_field_gens trace_field_gens"
+).split()
 
 
 @checked
@@ -334,14 +351,17 @@ class Manifold(Value):
         neighbours, images = self._core.arrays()
         return neighbours, images
 
-    def triangulation_isosig(self, *, oriented: bool = False) -> str:
+    def triangulation_isosig(self, *, oriented: bool = False, decorated: bool = False) -> str:
         """The isomorphism signature, Regina's; oriented=True adds the sign that keeps orientation.
 
+        decorated is for SnapPy's users: there are no curves to add, so True is Unsupported.
         Undecided where it would take too long, or where the orientation is not known.
 
         >>> Manifold("cPcbbbihq-").triangulation_isosig(oriented=True)
         'cPcbbbihq-'
         """
+        if decorated:
+            raise Unsupported("no peripheral curves are known to decorate the signature with")
         if not oriented:
             signature = self._core.signature()
             if signature is None:
@@ -413,6 +433,25 @@ class Manifold(Value):
             self._core.simplified(seed, effort, limits(time_limit, 0, progress))
         )
 
+    def drilled(
+        self,
+        edges: Sequence[int],
+        *,
+        seed: int = 0,
+        time_limit: float | None = None,
+        progress: Progress = None,
+    ) -> Manifold:
+        """What is left without neighbourhoods of these edge classes, simplified.
+
+        An edge between two components of the boundary joins them, one back to the same component
+        raises its genus.
+
+        >>> Manifold("cPcbbbihq").drilled([0]).links()[0]["euler_characteristic"]
+        -4
+        """
+        core = self._core.drilled(edges, seed, limits(time_limit, 0, progress))
+        return self._wrap(core)
+
     def retriangulated(
         self,
         *,
@@ -467,11 +506,13 @@ class Manifold(Value):
     def cover(
         self, permutation_rep: Sequence[Sequence[int]], *, time_limit: float | None = None
     ) -> Manifold:
-        """The cover on which the generators of fundamental_group(False) act by permutations.
+        """The cover on which the generators of fundamental_group() act by permutations; or those
+        of fundamental_group(False), if there are so many permutations.
 
         InvalidInput if they are no action, or not transitive.
         """
         degree = len(permutation_rep[0]) if permutation_rep else 1
+        permutation_rep = self.fundamental_group()._extended(permutation_rep)
         core = self._core.cover(permutation_rep, limits(time_limit))
         return self._wrap(_renamed(core, f"{self}~{degree}"))
 
@@ -855,7 +896,7 @@ class Manifold(Value):
         return picture_of(self)
 
     def __getattr__(self, name: str) -> Any:
-        hint = _ELSEWHERE.get(name)
+        hint = f"M.to_snappy().{name}()" if name in _OF_SNAPPY else _ELSEWHERE.get(name)
         raise AttributeError(
             f"a tripus.Manifold has no {name!r}" + (f": {hint}" if hint else "")
         )

@@ -116,7 +116,7 @@ class Verdict(Value):
             "outcome": self.outcome,
             "volume": f"{self.volume:.12g}" if self else "",
             "max|K|": f"{self.max_curvature:.3g}",
-            "method": f"{self.method}, {self.iterations} iterations",
+            "method": f"{self.method}, {self.iterations} iteration{'s'[: self.iterations != 1]}",
             "": self.message,
         }
 

@@ -156,4 +156,6 @@ def _boundary(link: dict[str, Any]) -> str:
         return "finite vertex"
     if link["kind"] == "cusp":
         return "cusp" if link["orientable"] else "cusp (Klein bottle)"
-    return f"genus {(2 - chi) // 2}" if link["orientable"] else f"Euler characteristic {chi}"
+    surface = f"genus {(2 - chi) // 2}" if link["orientable"] else f"Euler characteristic {chi}"
+    points = link["cone_points"]
+    return surface + (f" with {points} cone point{'s'[: points != 1]}" if points else "")

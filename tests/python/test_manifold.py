@@ -40,7 +40,7 @@ MANIFOLD = {
     "isometry_signature": "isometry_signature", "isometry_group": "symmetry_group",
     "compare": "compare", "is_isometric_to": "is_isometric_to", "identify": "identify",
     "to_json": "to_json", "write": "write", "cone_angles": "cone_angles",
-    "with_cone_angles": "with_cone_angles", "cover": "cover",
+    "with_cone_angles": "with_cone_angles", "cover": "cover", "drilled": "drilled",
 }
 METRIC = {
     "Metric": "__init__", "volume": "volume", "edge_lengths": "edge_lengths",
@@ -151,6 +151,28 @@ def test_equality_never_raises_and_fits_the_hash(M):
     for thing in (None, 1, "cPcbbbihq", object(), np.zeros(3)):
         assert not (M == thing) if not isinstance(thing, np.ndarray) else True
     assert len({M, other, tripus.Manifold("cPcbbbdhq")}) == 2
+
+
+def test_habits_of_snappy():
+    M = tripus.Manifold("4_1")
+    assert M.triangulation_isosig(decorated=False) == "cPcbbbiht"
+    with pytest.raises(tripus.Unsupported):
+        M.triangulation_isosig(decorated=True)
+    with pytest.raises(AttributeError, match="links"):
+        M.cusp_info()
+    with pytest.raises(AttributeError, match=r"to_snappy\(\).complex_volume"):
+        M.complex_volume()
+    with pytest.raises(AttributeError, match="tripus.Diagram"):
+        tripus.Link
+    with pytest.raises(tripus.InvalidInput, match="snappy.Manifold"):
+        tripus.Manifold("m015")
+    # Permutations of the generators that fundamental_group() shows, or of all.
+    assert M.fundamental_group().num_generators() == 2
+    swap = [1, 0]
+    assert M.cover([[0, 1], swap]) in M.covers(2)
+    assert M.cover([[0, 1], swap]).num_tetrahedra() == 4
+    with pytest.raises(tripus.InvalidInput):
+        M.cover([swap, [0, 0]])
 
 
 def test_it_does_not_change(M):

@@ -13,6 +13,7 @@ from __future__ import annotations
 import json
 import math
 import time
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from tripus._errors import InvalidInput, Undecided, Unsupported
@@ -143,6 +144,7 @@ class _Decision:
             lambda: self._by_other_metric(FAR),
         )
         objection = _objection(self.manifold)
+        tests: list[Callable[[], Hyperbolicity | None]]
         tests = [here, far] if objection else [here, self._by_group, self._by_bigon, near]
         if self.surfaces and not objection:
             tests.append(self._by_surface)

@@ -52,12 +52,14 @@ void paint(Image& image, const LegendRectangle& rectangle) {
   const auto pixel = [](float x, int most) {
     return std::clamp(static_cast<int>(std::lround(x)), 0, most);
   };
-  const int right = pixel(rectangle.right, image.width), bottom = pixel(rectangle.bottom, image.height);
+  const int right = pixel(rectangle.right, image.width),
+            bottom = pixel(rectangle.bottom, image.height);
   for (int y = pixel(rectangle.top, image.height); y < bottom; ++y) {
     for (int x = pixel(rectangle.left, image.width); x < right; ++x) {
       std::uint8_t* const at =
-          image.pixels.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                                     static_cast<std::size_t>(x));
+          image.pixels.data() +
+          4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+               static_cast<std::size_t>(x));
       for (std::size_t c = 0; c < 3; ++c) {
         const int alpha = rectangle.colour[3];
         at[c] = static_cast<std::uint8_t>(
@@ -76,8 +78,8 @@ std::vector<LegendRectangle> legend_of(const WallDiscs& discs, int width, int he
   const float long_side = std::min(200 * scale, static_cast<float>(width) - 4 * border);
   const float left = 2 * border, top = static_cast<float>(height) - 2 * border - bar - 2 * line;
   Legend legend(scale);
-  legend.fill(border, top - border, left + long_side + border,
-              static_cast<float>(height) - border, kPaper);
+  legend.fill(border, top - border, left + long_side + border, static_cast<float>(height) - border,
+              kPaper);
   constexpr int kSteps = 100;
   for (int n = 0; n < kSteps; ++n) {
     const auto rgb = orthospectrum::length_colour((n + 0.5) / kSteps);

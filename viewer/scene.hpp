@@ -66,8 +66,8 @@ Ball bounding_ball(Model model, const SceneCell& cell);
 Ball bounding_ball(Model model, const Scene& scene);
 
 /// From points centre + radius q of a model to the hyperboloid in the frame of the cell's
-/// tetrahedron: (q, |q|^2, 1) becomes the point times 1 / s, where q moves s of hyperbolic length for
-/// one of its own (exactly so in the models that keep angles).
+/// tetrahedron: (q, |q|^2, 1) becomes the point times 1 / s, where q moves s of hyperbolic length
+/// for one of its own (exactly so in the models that keep angles).
 using ToTetrahedron = Eigen::Matrix<double, 4, 5>;
 ToTetrahedron to_tetrahedron(Model model, const SceneCell& cell, const Ball& ball);
 

@@ -67,8 +67,7 @@ WallDiscs find_wall_discs(const embedding::Embedding& embedding,
     options.length = *length;
     if (!(*length > 0)) throw InvalidInput(fmt::format("the length {} is not positive", *length));
   } else {
-    options.count =
-        std::min(kMostUsualArcs, 4 * kArcsPerTile * triangulation.tetrahedron_count());
+    options.count = std::min(kMostUsualArcs, 4 * kArcsPerTile * triangulation.tetrahedron_count());
   }
   // Each arc has two discs, in more than one tile each.
   options.most_arcs = static_cast<double>(kMostDiscs) / 3;

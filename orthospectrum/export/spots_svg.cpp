@@ -166,10 +166,10 @@ std::string drawn_scale(double width, const LengthScale& scale) {
   constexpr int kLabels = 5;
   for (int n = 0; n <= kLabels; ++n) {
     const double share = static_cast<double>(n) / kLabels;
-    text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}{:.3g}</text>\n",
-                        left + span * share, top + 32,
-                        n == 0 ? "start" : (n == kLabels ? "end" : "middle"),
-                        n == kLabels ? "length " : "", scale.shortest + share * (scale.longest - scale.shortest));
+    text += fmt::format(
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}{:.3g}</text>\n", left + span * share,
+        top + 32, n == 0 ? "start" : (n == kLabels ? "end" : "middle"),
+        n == kLabels ? "length " : "", scale.shortest + share * (scale.longest - scale.shortest));
   }
   return text;
 }
@@ -195,8 +195,7 @@ std::string spots_as_svg(const topology::Triangulation& triangulation,
     DiscPicture picture((kDisc + 2 * kBorder) * static_cast<double>(place), scale);
     for (const DevelopedTile& developed : surface.develop(from, kDrawnRadius, kMostTiles)) {
       picture.tile(surface, developed);
-      for (const Spot& spot :
-           spots[BoundarySurface::index(developed.tile)])
+      for (const Spot& spot : spots[BoundarySurface::index(developed.tile)])
         picture.spot(spot, developed.isometry);
     }
     svg += picture.text(

@@ -241,8 +241,10 @@ void Renderer::Implementation::shade(std::size_t number, const PictureOptions& o
   glUniform1f(uniform.at("line_width"), static_cast<GLfloat>(std::min(widest, 0.03 * pixels)));
 
   const bool with_discs = options.discs && !discs_.empty();
-  if (with_discs) discs_.use_cell(uniform.program, product.to_tetrahedron());
-  else DrawnDiscs::use_none(uniform.program);
+  if (with_discs)
+    discs_.use_cell(uniform.program, product.to_tetrahedron());
+  else
+    DrawnDiscs::use_none(uniform.program);
 
   glDepthFunc(discarding ? GL_LESS : GL_EQUAL);
   for (std::size_t i = 0; i < walls.size(); ++i) {

@@ -36,9 +36,9 @@ Answer error_answer(const std::string& input, bool json, const std::exception& e
 
 namespace {
 
-/// What is said of an answer that the time limit may have cut short; empty if there is nothing.
-std::string time_limit_message(const Outcome& outcome) {
-  return outcome.status == kNoAnswer && is_time_over() ? stop_text() : "";
+/// What is said of an answer that may have been cut short; empty if there is nothing.
+std::string stop_message(const Outcome& outcome) {
+  return outcome.status == kNoAnswer && is_work_over() ? stop_text() : "";
 }
 
 int answer_one(const CommonOptions& options,
@@ -55,7 +55,7 @@ int answer_one(const CommonOptions& options,
   try {
     require_not_written(options.input);
     outcome = answer(options.input);
-    message = time_limit_message(outcome);
+    message = stop_message(outcome);
   } catch (const std::exception& error) {
     Answer failure = error_answer(options.input, options.json, error);
     outcome = {std::move(failure.text), status_of(error)};
@@ -123,7 +123,7 @@ int answer_lines(const CommonOptions& options,
                        Outcome outcome = answer(line);
                        std::string& answered = outcome.text;
                        if (!answered.empty() && answered.back() == '\n') answered.pop_back();
-                       return {std::move(answered), time_limit_message(outcome), kSuccess};
+                       return {std::move(answered), stop_message(outcome), kSuccess};
                      } catch (const std::exception& error) {
                        return error_answer(line.text, options.json, error);
                      }

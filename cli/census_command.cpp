@@ -308,8 +308,13 @@ int write_proofs(const CensusCommand& command) {
   const ChosenCensus chosen(command.in);
   const Context context = interruptible();
   const auto proofs = canonical::prove_census(chosen.get(), context);
+  if (context.stop_requested()) {
+    write_message(fmt::format("tripus: {} after {} proofs; nothing was written\n", stop_text(),
+                              proofs.size()));
+    return kNoAnswer;
+  }
   write_text(command.proofs.empty() ? "-" : command.proofs, canonical::to_tsv(proofs));
-  return context.stop_requested() ? kNoAnswer : kSuccess;
+  return kSuccess;
 }
 
 void add_query_options(CLI::App& verb, CensusCommand& command) {

@@ -23,7 +23,7 @@ void secure_standard_streams() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-void spare_memory() {
+void tame_libraries() {
 #ifdef M_ARENA_MAX
   // Each thread reserves 128 MB for its heap; without them every allocation is a call of the
   // system.

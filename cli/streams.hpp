@@ -11,6 +11,6 @@ void secure_standard_streams();
 
 /// Where the address space is limited, threads share one heap. OpenBLAS works with one thread,
 /// since matrices here are small, unless the user's OPENBLAS_NUM_THREADS says otherwise.
-void spare_memory();
+void tame_libraries();
 
 }  // namespace tripus::cli

@@ -31,6 +31,7 @@ void tame_libraries() {
   const bool limited = ::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY;
   if (limited) ::mallopt(M_ARENA_MAX, 1);
 #endif
+  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   if (std::getenv("OPENBLAS_NUM_THREADS") != nullptr) return;
   using SetThreads = void (*)(int);
   if (void* found = ::dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))

@@ -50,7 +50,8 @@ Comparison different(std::string by, std::string message) {
 }
 
 /// By what needs no geometry.
-std::optional<Comparison> compare_topology(const Triangulation& a, const Triangulation& b) {
+std::optional<Comparison> compare_topology(const Triangulation& a, const Triangulation& b,
+                                           const std::atomic<bool>* stop_requested) {
   if (a.component_count() != b.component_count()) {
     return different("components", fmt::format("they have {} and {} components.",
                                                a.component_count(), b.component_count()));
@@ -61,8 +62,8 @@ std::optional<Comparison> compare_topology(const Triangulation& a, const Triangu
   }
   if (a.is_orientable() != b.is_orientable())
     return different("orientability", "one is orientable, the other is not.");
-  const std::string x = to_string(topology::first_homology(a));
-  const std::string y = to_string(topology::first_homology(b));
+  const std::string x = to_string(topology::first_homology(a, stop_requested));
+  const std::string y = to_string(topology::first_homology(b, stop_requested));
   if (x != y) return different("homology", fmt::format("the first homology is {} and {}.", x, y));
   return std::nullopt;
 }
@@ -226,7 +227,7 @@ Comparison compare(const Labelled& one, const Labelled& other, const CanonizeOpt
                    Orientations orientations) {
   const Triangulation &first = one.triangulation, &second = other.triangulation;
   const bool plain = topology::all_full(one.cone_angles) && topology::all_full(other.cone_angles);
-  if (auto decided = compare_topology(first, second)) return *decided;
+  if (auto decided = compare_topology(first, second, options.solve.stop_requested)) return *decided;
   try {
     require_canonizable(first, one.cone_angles);
     require_canonizable(second, other.cone_angles);

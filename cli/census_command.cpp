@@ -128,6 +128,18 @@ void declare_outputs(const CensusCommand& command) {
   if (!command.in.empty()) require_not_written(command.in);
 }
 
+int write_proofs(const CensusCommand& command, const Census& census) {
+  const Context context = interruptible();
+  const auto proofs = canonical::prove_census(census, context);
+  if (context.stop_requested()) {
+    write_message(fmt::format("tripus: {} after {} proofs; no proofs were written\n", stop_text(),
+                              proofs.size()));
+    return kNoAnswer;
+  }
+  write_text(command.proofs.empty() ? "-" : command.proofs, canonical::to_tsv(proofs));
+  return kSuccess;
+}
+
 int make(CensusCommand& command) {
   const std::string path = journal_of(command);
   const auto rest = [&](std::size_t done, std::size_t of) {
@@ -186,6 +198,7 @@ int make(CensusCommand& command) {
         fmt::format("all of the {} were refused: no census was made",
                     counted(total + inputs.refused, "triangulation", "triangulations")));
   write_census(command, census);
+  if (command.prove && write_proofs(command, census) != kSuccess) return kNoAnswer;
   if (journal && command.journal.empty()) journal->remove();
   const std::string summary = fmt::format(
       "{} triangulations: {} manifolds; {} carry their metric, {} after moves, {} unresolved, {} "
@@ -304,19 +317,6 @@ int check_proofs(const CensusCommand& command) {
   return check.failures.empty() && !check.stopped ? kSuccess : kNoAnswer;
 }
 
-int write_proofs(const CensusCommand& command) {
-  const ChosenCensus chosen(command.in);
-  const Context context = interruptible();
-  const auto proofs = canonical::prove_census(chosen.get(), context);
-  if (context.stop_requested()) {
-    write_message(fmt::format("tripus: {} after {} proofs; nothing was written\n", stop_text(),
-                              proofs.size()));
-    return kNoAnswer;
-  }
-  write_text(command.proofs.empty() ? "-" : command.proofs, canonical::to_tsv(proofs));
-  return kSuccess;
-}
-
 void add_query_options(CLI::App& verb, CensusCommand& command) {
   CLI::Option* names =
       verb.add_option("NAME", command.names,
@@ -387,7 +387,8 @@ void add_census(CLI::App& program, Command& chosen) {
                                "check the proof of every manifold by other code than made it")
                     ->option_text(" ");
   auto* prove = verb->add_flag("--prove", command->prove,
-                               "prove the metrics of all manifolds, and write the proofs")
+                               "prove the metrics of all manifolds (with --from: of the "
+                               "new\ncensus), and write the proofs")
                     ->option_text(" ");
   check->excludes(prove);
   verb->add_option("--proofs", command->proofs,
@@ -395,16 +396,23 @@ void add_census(CLI::App& program, Command& chosen) {
                    "writes (default: standard output)")
       ->option_text("FILE");
   add_making_options(*verb, *command);
+  check->excludes(verb->get_option("--from"));
   verb->footer(kCensusHelp);
   verb->final_callback([command, verb, &chosen] {
     command->has_boundary = verb->get_option("--boundary")->count() > 0;
     command->has_homology = verb->get_option("--homology")->count() > 0;
     command->has_cells = verb->get_option("--cells")->count() > 0;
+    if (command->prove && !command->lists.empty() && command->proofs.empty() &&
+        (command->tsv.empty() || command->tsv == "-") && command->database.empty())
+      throw CLI::RequiredError(
+          "--proofs FILE, with --from and --prove where the census itself goes to standard "
+          "output,");
     chosen = [command] {
       declare_outputs(*command);
       if (command->check) return check_proofs(*command);
-      if (command->prove) return write_proofs(*command);
-      return command->lists.empty() ? look_up(*command) : make(*command);
+      if (!command->lists.empty()) return make(*command);
+      if (command->prove) return write_proofs(*command, ChosenCensus(command->in).get());
+      return look_up(*command);
     };
   });
 }

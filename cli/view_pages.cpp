@@ -210,13 +210,11 @@ std::shared_ptr<const viewer::WallDiscs> discs_for(const DiscRequest& request,
                                                    const embedding::Embedding& embedding) {
   if (!request.wanted) return nullptr;
   try {
-    return std::make_shared<const viewer::WallDiscs>(
-        viewer::find_wall_discs(embedding, subject.triangulation, report.edge_lengths,
-                                request.length, interruptible()));
+    return std::make_shared<const viewer::WallDiscs>(viewer::find_wall_discs(
+        embedding, subject.triangulation, report.edge_lengths, request.length, interruptible()));
   } catch (const InvalidInput& error) {
-    throw InvalidInput(fmt::format("--discs{}: {}",
-                                   request.length ? fmt::format(" {}", *request.length) : "",
-                                   error.what()));
+    throw InvalidInput(fmt::format(
+        "--discs{}: {}", request.length ? fmt::format(" {}", *request.length) : "", error.what()));
   }
 }
 

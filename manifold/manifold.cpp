@@ -205,9 +205,10 @@ std::optional<std::string> Manifold::oriented_signature() const {
   return make_subject({}, std::move(given)).oriented_isosig;
 }
 
-const topology::AbelianGroup& Manifold::homology() const {
+const topology::AbelianGroup& Manifold::homology(const Context& context) const {
+  const StopFlag stop(context);
   return state_->homology.get(
-      [&] { return std::pair(topology::first_homology(triangulation()), true); });
+      [&] { return std::pair(topology::first_homology(triangulation(), stop.get()), true); });
 }
 
 topology::FundamentalGroup Manifold::fundamental_group() const {
@@ -286,15 +287,15 @@ Manifold Manifold::retriangulated(const structure::RetriangulateOptions& options
                                   const Context& context) const {
   const structure::Report& start = verdict(context);
   if (start.outcome == structure::Outcome::kGeometric) return *this;
-  require_plain(*this, "retriangulation");
   const StopFlag stop(context);
   structure::SolveOptions solve_options;
+  solve_options.cone_angles = state_->cone_angles;
   solve_options.stop_requested = stop.get();
   solve_options.time_limit = context.seconds_left();
   structure::Retriangulation found =
       structure::retriangulate(triangulation(), start, solve_options, options);
   Manifold result(topology::Triangulation(std::move(found.gluings)), name(), {},
-                  state_->orientation_known);
+                  state_->orientation_known, std::move(found.cone_angles));
   // Nothing new was found: the answer says what was tried, and is not looked for again.
   result.state_->solved.get([&] {
     return std::pair(std::make_unique<State::Solved>(*result.state_, std::move(found.report)),

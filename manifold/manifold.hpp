@@ -62,10 +62,11 @@ class Manifold {
   /// The signature with its sign, which keeps the orientation; nothing where the orientation is not
   /// known, and for triangulations that are not connected or not orientable.
   std::optional<std::string> oriented_signature() const;
-  const topology::AbelianGroup& homology() const;
+  /// Throws Stopped.
+  const topology::AbelianGroup& homology(const Context& context = {}) const;
   topology::FundamentalGroup fundamental_group() const;
   /// The same manifold with as few tetrahedra as were found. Throws Unsupported for cone angles
-  /// other than 2 pi, as `retriangulated` does.
+  /// other than 2 pi.
   Manifold simplified(const topology::SimplifyOptions& options = {},
                       const Context& context = {}) const;
   /// What is left without neighbourhoods of these edge classes, simplified: topology/drill.hpp.

@@ -113,12 +113,6 @@ std::vector<topology::ConeAngle> labels_of(const Manifold& manifold) {
   return topology::completed(manifold.cone_angles(), manifold.triangulation().edge_count());
 }
 
-nb::tuple isomorphism_tuple(const topology::Isomorphism& isomorphism) {
-  std::vector<std::array<int, 4>> perms;
-  for (const Perm4 p : isomorphism.perms) perms.push_back({p(0), p(1), p(2), p(3)});
-  return nb::make_tuple(isomorphism.tetrahedron_images, perms);
-}
-
 bool keeps_labels(const Manifold& from, const topology::Isomorphism& isomorphism,
                   const Manifold& to) {
   const auto carried = topology::relabelled_edges(from.triangulation(), labels_of(from),
@@ -126,27 +120,42 @@ bool keeps_labels(const Manifold& from, const topology::Isomorphism& isomorphism
   return carried == labels_of(to);
 }
 
-/// All isomorphisms that keep the cone angles, as (tetrahedron images, vertex images).
-nb::list isomorphisms_of(const Manifold& from, const Manifold& to, const Limits& limits) {
-  const auto found = run(limits, [&](const Context&) {
-    auto all =
-        topology::all_isomorphisms(from.triangulation().gluings(), to.triangulation().gluings());
-    std::erase_if(all, [&](const auto& each) { return !keeps_labels(from, each, to); });
-    return all;
+/// All isomorphisms that keep the cone angles: images of tetrahedra [n x T] and of their vertices
+/// [n x T x 4].
+nb::tuple isomorphisms_of(const Manifold& from, const Manifold& to, const Limits& limits) {
+  struct Found {
+    std::size_t count = 0;
+    std::vector<std::uint32_t> tetrahedra;
+    std::vector<std::uint8_t> vertices;
+  };
+  Found found = run(limits, [&](const Context& context) {
+    const StopFlag stop(context);
+    Found made;
+    for (const auto& each : topology::all_isomorphisms(from.triangulation().gluings(),
+                                                       to.triangulation().gluings(), stop.get())) {
+      if (!keeps_labels(from, each, to)) continue;
+      ++made.count;
+      const auto& images = each.tetrahedron_images;
+      made.tetrahedra.insert(made.tetrahedra.end(), images.begin(), images.end());
+      for (const Perm4 p : each.perms)
+        for (int i = 0; i < 4; ++i) made.vertices.push_back(std::uint8_t(p(i)));
+    }
+    return made;
   });
-  nb::list result;
-  for (const auto& each : found) result.append(isomorphism_tuple(each));
-  return result;
+  const std::size_t count = from.tetrahedron_count();
+  return nb::make_tuple(owned(std::move(found.tetrahedra), {found.count, count}),
+                        owned(std::move(found.vertices), {found.count, count, 4}));
 }
 
 /// Whether there is an isomorphism that keeps the cone angles.
 bool is_isomorphic_to(const Manifold& from, const Manifold& to) {
-  return quickly([&] {
+  return run({}, [&](const Context& context) {
+    const StopFlag stop(context);
     const auto &a = from.triangulation().gluings(), &b = to.triangulation().gluings();
     if (topology::all_full(from.cone_angles()) && topology::all_full(to.cone_angles()))
       return topology::is_isomorphic(a, b);
     if (!from.triangulation().is_connected() || !to.triangulation().is_connected()) return false;
-    const auto all = topology::all_isomorphisms(a, b);
+    const auto all = topology::all_isomorphisms(a, b, stop.get());
     return std::ranges::any_of(all, [&](const auto& each) { return keeps_labels(from, each, to); });
   });
 }
@@ -240,7 +249,8 @@ void bind_topology(nb::class_<Manifold>& type) {
            [](const Manifold& m) { return quickly([&] { return m.oriented_signature(); }); })
       .def("homology",
            [](const Manifold& m) {
-             const topology::AbelianGroup group = quickly([&] { return m.homology(); });
+             const topology::AbelianGroup group =
+                 run({}, [&](const Context& c) { return m.homology(c); });
              return nb::make_tuple(group.rank, group.invariant_factors);
            })
       .def("fundamental_group", group_of)
@@ -274,6 +284,13 @@ void bind_topology(nb::class_<Manifold>& type) {
              options.seed = seed;
              options.effort = effort;
              return run(limits, [&](const Context& c) { return m.simplified(options, c); });
+           })
+      .def("drilled",
+           [](const Manifold& m, const std::vector<std::size_t>& edges, std::uint64_t seed,
+              const Limits& limits) {
+             topology::SimplifyOptions options;
+             options.seed = seed;
+             return run(limits, [&](const Context& c) { return m.drilled(edges, options, c); });
            })
       .def("cover", [](const Manifold& m, const std::vector<std::vector<std::uint32_t>>& images,
                        const Limits& limits) {

@@ -65,7 +65,17 @@ def __getattr__(name: str) -> object:
         import importlib
 
         return importlib.import_module(f"tripus.{name}")
-    raise AttributeError(f"module 'tripus' has no attribute {name!r}")
+    hints = {
+        "Link": "tripus.Diagram",
+        "Triangulation": "tripus.Manifold",
+        "Triangulation3": "tripus.Manifold",
+        "ManifoldHP": "Manifold.prove(digits=60)",
+        "OrientableCuspedCensus": "tripus.census(), tripus.diagrams.table()",
+        "OrientableClosedCensus": "tripus.census()",
+        "LinkExteriors": "tripus.diagrams.table('links')",
+    }
+    hint = f": {hints[name]}" if name in hints else ""
+    raise AttributeError(f"module 'tripus' has no attribute {name!r}{hint}")
 
 
 __all__ = [

@@ -165,10 +165,13 @@ def _mapping(value: Any) -> dict[int, Any]:
 
 
 def _manifold(value: Any) -> Any:
+    from tripus.interop import package_of
     from tripus.manifold import Manifold
 
+    if not isinstance(value, Manifold) and package_of(value):
+        return Manifold(value)
     if not isinstance(value, Manifold):
-        raise _Wrong("a tripus.Manifold (tripus.Manifold(x) makes one of most things)")
+        raise _Wrong("a tripus.Manifold, or a triangulation of SnapPy or Regina")
     return value
 
 
@@ -190,6 +193,7 @@ _CHECKS: dict[str, _Check] = {
         _list_of(_int, ""), "a list of permutations, each a list of whole numbers from 0"
     ),
     "str | Sequence[str]": _words,
+    "bool | float": lambda value: value if isinstance(value, bool) else _float(value),
     "Sequence[float] | npt.NDArray[np.float64]": _list_of(_float, "a list of numbers"),
     "Mapping[int, Any]": _mapping,
     "Mapping[int, float]": _mapping,

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from tripus.manifold import Manifold
+else:
+    from tripus._lazy import numpy as np
 
 
 class Isometry(Value):
@@ -27,7 +29,7 @@ class Isometry(Value):
     >>> M = tripus.Manifold("cPcbbbihq")
     >>> isometries = M.is_isometric_to(M, return_isometries=True)
     >>> len(isometries), isometries[0]
-    (6, <Isometry 0 -> 0>)
+    (6, <Isometry 0 -> 0; cell 0 to 0 by 0123>)
     """
 
     def __init__(
@@ -79,7 +81,8 @@ class Isometry(Value):
         return ", ".join(f"{i} -> {image}" for i, image in enumerate(self._boundary))
 
     def __repr__(self) -> str:
-        return f"<Isometry {self._arrows()}>"
+        vertices = "".join(map(str, self._vertices[0]))
+        return f"<Isometry {self._arrows()}; cell 0 to {self._cells[0]} by {vertices}>"
 
 
 class Comparison(Value):

@@ -230,6 +230,23 @@ class FundamentalGroup(Value):
         """The presentation as the triangulation gives it: a relator an edge class."""
         return FundamentalGroup(self._manifold, simplify=False)
 
+    def _extended(self, images: Sequence[Sequence[int]]) -> Sequence[Sequence[int]]:
+        """Permutations for the generators of original(), if they are given for these."""
+        if len(images) != len(self._generators) or len(images) == self._original_count:
+            return images
+        degree = len(images[0]) if images else 1
+        if any(sorted(image) != list(range(degree)) for image in images):
+            raise InvalidInput(f"the images are no permutations of 0 to {degree - 1}")
+        inverses = [[list(image).index(i) for i in range(degree)] for image in images]
+        extended = []
+        for g in range(self._original_count):
+            places = list(range(degree))
+            for x in self._words[g]:
+                image = images[x - 1] if x > 0 else inverses[-x - 1]
+                places = [image[i] for i in places]
+            extended.append(places)
+        return extended
+
     def original_generators(self) -> list[str]:
         """The generators of `original()` as words in these."""
         return [self.word(self._words[g]) for g in range(self._original_count)]

@@ -29,6 +29,8 @@ from tripus.verdicts import Proof, Verdict, Volume
 if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
+
+    from tripus.hyperbolic.decide import Hyperbolicity
 else:
     from tripus._lazy import numpy as np
 
@@ -61,7 +63,24 @@ _ELSEWHERE = {
     "browse": "M.view()",
     "inside_view": "M.view()",
     "normal_surfaces": "M.to_regina(), regina.NormalSurfaces",
+    "cusp_info": "M.links()",
+    "drill": "M.drilled(edges)",
+    "high_precision": "M.prove(digits=60)",
+    "filled_triangulation": "M.to_snappy().filled_triangulation()",
+    "link": "M.diagram()",
+    "plink": "M.diagram()",
+    "orientation_cover": "M.covers(2), those that are is_orientable()",
+    "boundaryComponents": "M.links()",
+    "countEdges": "M.num_edges()",
+    "edge": "M.valences, M.edge_classes",
 }
+
+#: What SnapPy alone has.
+_OF_SNAPPY = (
+    "alexander_polynomial chern_simons complex_volume cusp_areas cusp_neighborhood dirichlet_domain "
+    "exterior_to_link gluing_equations length_spectrum polished_holonomy short_slopes "
+    "splitting_surfaces tetrahedra_field_gens trace_field_gens"
+).split()
 
 
 @checked
@@ -332,14 +351,17 @@ class Manifold(Value):
         neighbours, images = self._core.arrays()
         return neighbours, images
 
-    def triangulation_isosig(self, *, oriented: bool = False) -> str:
+    def triangulation_isosig(self, *, oriented: bool = False, decorated: bool = False) -> str:
         """The isomorphism signature, Regina's; oriented=True adds the sign that keeps orientation.
 
+        decorated is for SnapPy's users: there are no curves to add, so True is Unsupported.
         Undecided where it would take too long, or where the orientation is not known.
 
         >>> Manifold("cPcbbbihq-").triangulation_isosig(oriented=True)
         'cPcbbbihq-'
         """
+        if decorated:
+            raise Unsupported("no peripheral curves are known to decorate the signature with")
         if not oriented:
             signature = self._core.signature()
             if signature is None:
@@ -369,8 +391,11 @@ class Manifold(Value):
 
     # Other triangulations and manifolds
 
-    def isomorphisms_to(self, other: Manifold) -> list[tuple[list[int], list[list[int]]]]:
-        """All isomorphisms (tetrahedron images, vertex images) of triangulations; [] if none.
+    def isomorphisms_to(
+        self, other: Manifold, *, time_limit: float | None = None
+    ) -> list[tuple[npt.NDArray[np.uint32], npt.NDArray[np.uint8]]]:
+        """All isomorphisms of triangulations, as (images of tetrahedra [T], images of their vertices
+        [T x 4]); [] if there is none.
 
         Those that reverse the orientation count too, as in ==; cone angles are kept.
 
@@ -380,8 +405,8 @@ class Manifold(Value):
         """
         if not (self.is_connected() and other.is_connected()):
             raise Unsupported("isomorphisms are listed for connected triangulations only")
-        found: Any = self._core.isomorphisms_to(other._core, NO_LIMITS)
-        return list(found)
+        tetrahedra, vertices = self._core.isomorphisms_to(other._core, limits(time_limit))
+        return list(zip(tetrahedra, vertices))
 
     def mirrored(self) -> Manifold:
         """The mirror image."""
@@ -407,6 +432,25 @@ class Manifold(Value):
         return self._wrap(
             self._core.simplified(seed, effort, limits(time_limit, 0, progress))
         )
+
+    def drilled(
+        self,
+        edges: Sequence[int],
+        *,
+        seed: int = 0,
+        time_limit: float | None = None,
+        progress: Progress = None,
+    ) -> Manifold:
+        """What is left without neighbourhoods of these edge classes, simplified.
+
+        An edge between two components of the boundary joins them, one back to the same component
+        raises its genus.
+
+        >>> Manifold("cPcbbbihq").drilled([0]).links()[0]["euler_characteristic"]
+        -4
+        """
+        core = self._core.drilled(edges, seed, limits(time_limit, 0, progress))
+        return self._wrap(core)
 
     def retriangulated(
         self,
@@ -462,11 +506,13 @@ class Manifold(Value):
     def cover(
         self, permutation_rep: Sequence[Sequence[int]], *, time_limit: float | None = None
     ) -> Manifold:
-        """The cover on which the generators of fundamental_group(False) act by permutations.
+        """The cover on which the generators of fundamental_group() act by permutations; or those
+        of fundamental_group(False), if there are so many permutations.
 
         InvalidInput if they are no action, or not transitive.
         """
         degree = len(permutation_rep[0]) if permutation_rep else 1
+        permutation_rep = self.fundamental_group()._extended(permutation_rep)
         core = self._core.cover(permutation_rep, limits(time_limit))
         return self._wrap(_renamed(core, f"{self}~{degree}"))
 
@@ -588,6 +634,23 @@ class Manifold(Value):
         return self.metric.basmajian_discs(length, **options)
 
     # The manifold, whatever its triangulation
+
+    def hyperbolicity(
+        self, *, time_limit: float | None = None, surfaces: bool = True
+    ) -> Hyperbolicity:
+        """Whether the manifold is hyperbolic: True, False or not decided, with a certificate.
+
+        time_limit  seconds in all, 60 if not given.
+        surfaces    whether to search with Regina (tripus[regina]) for essential surfaces, in a
+                    process of its own, if the quick tests do not decide.
+
+        >>> answer = Manifold("dLQbcbcmebs").hyperbolicity()
+        >>> answer.hyperbolic, answer.name, answer.certificate.check()
+        (False, 'handlebody of genus 2', True)
+        """
+        from tripus.hyperbolic.decide import hyperbolicity
+
+        return hyperbolicity(self, time_limit, surfaces)
 
     def canonical(self, *, time_limit: float | None = None) -> CanonicalDecomposition:
         """The canonical decomposition with isometry group and signature, or why not."""
@@ -735,17 +798,36 @@ class Manifold(Value):
             raise Unsupported(f"{self} was not made from a diagram")
         return Diagram(given if is_diagram(given) else self.name(), name=self.name() or None)
 
-    def view(self, cells: int = 20, model: str = "ball", height: int = 520) -> Any:
+    def view(
+        self,
+        cells: int = 20,
+        model: str = "ball",
+        height: int = 520,
+        *,
+        discs: bool | float = False,
+    ) -> Any:
         """The page that shows the manifold from outside and inside: in a notebook, live; else in
-        a browser. NoMetric if there is nothing to show."""
+        a browser. NoMetric if there is nothing to show.
+
+        discs  True, or a length: with the discs of arcs on the boundary; see basmajian_discs()
+        """
         from tripus.view import view
 
-        return view(self, cells, model, height)
+        return view(self, cells, model, height, discs=discs)
 
-    def page(self, cells: int = 20, model: str = "ball") -> str:
-        """The HTML of that page: self-contained, nothing from the network."""
+    def page(
+        self, cells: int = 20, model: str = "ball", *, discs: bool | float = False
+    ) -> str:
+        """The HTML of that page: self-contained, nothing from the network.
+
+        >>> '"discs":' in Manifold("cPcbbbihq").page(discs=2.0)
+        True
+        """
         self.metric
-        return _core.page(self._core, cells, model, NO_LIMITS).decode("utf-8", "replace")
+        length = None if isinstance(discs, bool) else float(discs)
+        wanted = discs is not False
+        page = _core.page(self._core, cells, model, wanted, length, NO_LIMITS)
+        return page.decode("utf-8", "replace")
 
     def picture(self, width: int = 240, height: int = 180) -> npt.NDArray[np.uint8]:
         """[height x width x 4] the manifold from the middle of tetrahedron 0; no display needed.
@@ -814,7 +896,7 @@ class Manifold(Value):
         return picture_of(self)
 
     def __getattr__(self, name: str) -> Any:
-        hint = _ELSEWHERE.get(name)
+        hint = f"M.to_snappy().{name}()" if name in _OF_SNAPPY else _ELSEWHERE.get(name)
         raise AttributeError(
             f"a tripus.Manifold has no {name!r}" + (f": {hint}" if hint else "")
         )

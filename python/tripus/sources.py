@@ -54,7 +54,11 @@ def load_text(source: str, time_limit: float | None, progress: Progress) -> Core
         return _core.from_text(encoded, True, limits(time_limit, 0, progress))
     try:
         return _core.load(os.fsencode(source), limits(time_limit, 0, progress))
-    except InvalidInput:
+    except InvalidInput as error:
+        if "is a SnapPy name" in str(error):
+            raise InvalidInput(
+                f"{shown(source)} is a SnapPy name: tripus.Manifold(snappy.Manifold({source!r}))"
+            ) from None
         mesh = interop.read_by_meshio(source) if os.path.isfile(source) else None
         if mesh is None:
             raise

@@ -116,7 +116,7 @@ class Verdict(Value):
             "outcome": self.outcome,
             "volume": f"{self.volume:.12g}" if self else "",
             "max|K|": f"{self.max_curvature:.3g}",
-            "method": f"{self.method}, {self.iterations} iterations",
+            "method": f"{self.method}, {self.iterations} iteration{'s'[: self.iterations != 1]}",
             "": self.message,
         }
 
@@ -204,6 +204,13 @@ class Verdict(Value):
         """An exact strict angle structure, where one was decided to exist, or asked for."""
         text = self._fields.get("angle_structure")
         return AngleStructure(text) if text else None
+
+    @property
+    def closed_bigon(self) -> dict[str, Any] | None:
+        """Of a triangulation without a metric: a surface at an edge of valence 2 which proves
+        that the manifold is not hyperbolic ("decides"), or hints at it; docs/verdicts.md."""
+        found = self._fields.get("closed_bigon")
+        return None if found is None else dict(found)
 
     @property
     def history(self) -> Any:

@@ -22,6 +22,8 @@ else:
 
 #: Tables in notebooks have a picture for manifolds up to this size.
 MOST_TETRAHEDRA_FOR_PICTURE = 200
+#: The homology of large covers takes long.
+MOST_TETRAHEDRA_FOR_HOMOLOGY = 1000
 
 
 @checked
@@ -73,9 +75,16 @@ def in_notebook() -> bool:
     return shell is not None and "IPKernelApp" in shell.config
 
 
-def view(manifold: Manifold, cells: int = 20, model: str = "ball", height: int = 520) -> Page:
+def view(
+    manifold: Manifold,
+    cells: int = 20,
+    model: str = "ball",
+    height: int = 520,
+    *,
+    discs: bool | float = False,
+) -> Page:
     """The page of a manifold; outside of notebooks it opens in a browser."""
-    page = Page(manifold.page(cells, model), height)
+    page = Page(manifold.page(cells, model, discs=discs), height)
     if not in_notebook():
         page.open()
     return page
@@ -115,7 +124,8 @@ def rows_of(manifold: Manifold) -> dict[str, str]:
         "cone orders": ", ".join(f"edge {e}: {k}" for e, k in manifold.cone_orders.items()),
     }
     try:
-        rows["H1"] = str(manifold.homology())
+        if manifold.num_tetrahedra() <= MOST_TETRAHEDRA_FOR_HOMOLOGY:
+            rows["H1"] = str(manifold.homology())
         verdict = manifold.verdict()
         rows["volume" if verdict else "outcome"] = (
             f"{verdict.volume:.12g}" if verdict else f"{verdict.outcome}: {verdict.message}"
@@ -146,4 +156,6 @@ def _boundary(link: dict[str, Any]) -> str:
         return "finite vertex"
     if link["kind"] == "cusp":
         return "cusp" if link["orientable"] else "cusp (Klein bottle)"
-    return f"genus {(2 - chi) // 2}" if link["orientable"] else f"Euler characteristic {chi}"
+    surface = f"genus {(2 - chi) // 2}" if link["orientable"] else f"Euler characteristic {chi}"
+    points = link["cone_points"]
+    return surface + (f" with {points} cone point{'s'[: points != 1]}" if points else "")

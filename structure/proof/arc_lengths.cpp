@@ -22,11 +22,9 @@ using Row4 = std::array<Arb, 4>;
 using Gram = std::array<Row4, 4>;
 
 Gram gram_of(const detail::ConeMetric& metric, const std::vector<Arb>& lengths, std::size_t t) {
-  std::array<Arb, 6> l;
-  for (std::size_t e = 0; e < 6; ++e)
-    l[e] = lengths[metric.triangulation().edge_class(t, static_cast<int>(e))];
   const detail::Diagonal diagonal = metric.diagonal(t);
-  const detail::GramEntries entries = detail::gram_entries(l, diagonal);
+  const detail::GramEntries entries =
+      detail::gram_entries(detail::lengths_of(metric.triangulation(), lengths, t), diagonal);
   Gram gram;
   for (std::size_t i = 0; i < 4; ++i) gram[i][i] = Arb(diagonal[i]);
   for (std::size_t e = 0; e < 6; ++e) {

@@ -60,9 +60,7 @@ struct DigitsRun {
   }
 
   std::array<Arb, 6> lengths_of(std::size_t t) const {
-    std::array<Arb, 6> l;
-    for (std::size_t e = 0; e < 6; ++e) l[e] = x[triangulation.edge_class(t, static_cast<int>(e))];
-    return l;
+    return detail::lengths_of(triangulation, x, t);
   }
 
   /// What `compute(lengths, diagonal)` gives for every tetrahedron; those with the same edge

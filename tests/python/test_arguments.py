@@ -70,7 +70,7 @@ def required(function):
             "permutation_rep": [[0, 1]] * 3, "mesh": None, "drawing": [[(0, 0, 0), (1, 0, 0), (0, 1, 0)]],
             "path": "/nonexistent/x", "name": "convergence", "word": "a", "letters": [1],
             "inputs": ["cPcbbbihq"], "lines": [[(0, 0, 0), (1, 0, 0), (0, 1, 0)]], "arcs": M,
-            "many": [M], "rank": 1, "diagram": "4_1"}
+            "many": [M], "rank": 1, "edges": [0], "diagram": "4_1"}
     return {name: good[name] for name, p in inspect.signature(function).parameters.items()
             if p.default is p.empty and p.kind not in (p.VAR_POSITIONAL, p.VAR_KEYWORD)}
 

@@ -40,7 +40,7 @@ MANIFOLD = {
     "isometry_signature": "isometry_signature", "isometry_group": "symmetry_group",
     "compare": "compare", "is_isometric_to": "is_isometric_to", "identify": "identify",
     "to_json": "to_json", "write": "write", "cone_angles": "cone_angles",
-    "with_cone_angles": "with_cone_angles", "cover": "cover",
+    "with_cone_angles": "with_cone_angles", "cover": "cover", "drilled": "drilled",
 }
 METRIC = {
     "Metric": "__init__", "volume": "volume", "edge_lengths": "edge_lengths",
@@ -151,6 +151,28 @@ def test_equality_never_raises_and_fits_the_hash(M):
     for thing in (None, 1, "cPcbbbihq", object(), np.zeros(3)):
         assert not (M == thing) if not isinstance(thing, np.ndarray) else True
     assert len({M, other, tripus.Manifold("cPcbbbdhq")}) == 2
+
+
+def test_habits_of_snappy():
+    M = tripus.Manifold("4_1")
+    assert M.triangulation_isosig(decorated=False) == "cPcbbbiht"
+    with pytest.raises(tripus.Unsupported):
+        M.triangulation_isosig(decorated=True)
+    with pytest.raises(AttributeError, match="links"):
+        M.cusp_info()
+    with pytest.raises(AttributeError, match=r"to_snappy\(\).complex_volume"):
+        M.complex_volume()
+    with pytest.raises(AttributeError, match="tripus.Diagram"):
+        tripus.Link
+    with pytest.raises(tripus.InvalidInput, match="snappy.Manifold"):
+        tripus.Manifold("m015")
+    # Permutations of the generators that fundamental_group() shows, or of all.
+    assert M.fundamental_group().num_generators() == 2
+    swap = [1, 0]
+    assert M.cover([[0, 1], swap]) in M.covers(2)
+    assert M.cover([[0, 1], swap]).num_tetrahedra() == 4
+    with pytest.raises(tripus.InvalidInput):
+        M.cover([swap, [0, 0]])
 
 
 def test_it_does_not_change(M):
@@ -470,3 +492,34 @@ def test_arcs_and_discs(M):
     assert mixed.num_cusps() == 1
     for area in (mixed.orthospectrum(length=2).area["exact"], mixed.basmajian_discs(2).boundary_area):
         assert area == pytest.approx(4 * np.pi)
+
+
+def test_discs_do_not_overlap(M):
+    discs = M.basmajian_discs(length=7)
+    assert (np.diff(discs.radii) <= 1e-12).all()
+    # Of one tile: points of the disc (x, y) are directions (x, y, 1) of the hyperboloid.
+    tile = (discs.tiles == [0, 1]).all(axis=1)
+    x, y = discs.feet[tile].T
+    z = 1 / np.sqrt(1 - x**2 - y**2)
+    points = np.stack([z * x, z * y, z], axis=1)
+    cosh = points[:, None, 2] * points[None, :, 2] - points[:, :2] @ points[:, :2].T
+    radii = discs.radii[tile]
+    apart = np.arccosh(np.maximum(cosh, 1)) - radii[:, None] - radii[None, :]
+    np.fill_diagonal(apart, 1)
+    assert tile.sum() > 100 and apart.min() > -1e-6
+
+
+def test_spectrum_with_a_cusp_counts_the_compact_boundary():
+    arcs = tripus.Manifold("dLQacccjjkg").orthospectrum(length=7)
+    assert abs(arcs.area["exact"] - 4 * np.pi) < 1e-12
+    tail, uncertainty = arcs.area["tail"]
+    assert abs(arcs.area["counted"] + tail - 4 * np.pi) < uncertainty
+
+
+def test_pages_with_discs(M):
+    assert '"discs":{' not in M.page()
+    assert '"discs":{"length":1,' in M.page(discs=1)
+    assert '"discs":{"length":4.9' in M.page(discs=True)
+    for bad in (0.0, -1.0, float("nan"), 25.0, 18.0):
+        with pytest.raises(tripus.InvalidInput):
+            M.page(discs=bad)

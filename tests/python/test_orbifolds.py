@@ -74,15 +74,24 @@ def test_covers_keep_them():
         assert N.volume() == pytest.approx(3 * M.volume(), abs=1e-10)
 
 
+def test_they_are_proved(M):
+    assert M.prove() and M.prove().check() and 0 < M.volume().error < 1e-12
+    irrational = tripus.Manifold("cPcbbbiht", cone_angles={0: 1.25, 1: 1.5})
+    assert irrational.volume() > 0 and irrational.prove().message
+
+
+def test_retriangulation_keeps_them():
+    M = tripus.Manifold("dLQbcbcaekw", cone_orders={0: 3})
+    N = M.retriangulated(budget=200)
+    assert N.verdict().outcome == "unresolved" and "200 other" in N.verdict().message
+    assert sorted(N.cone_orders.values()) == [3]
+
+
 def test_what_does_not_know_them_says_so(M, tmp_path):
     for work in (M.simplified, M.to_snappy, M.to_regina, M.page, M.picture,
                  M.metric.embedding, M.metric.holonomy, M.metric.universal_cover):
         with pytest.raises(tripus.Unsupported, match="cone angles"):
             work()
-    assert not M.prove() and "cone angles" in M.prove().message
-    assert not M.volume().is_proved
-    with pytest.raises(tripus.Undecided, match="cone angles"):
-        M.volume().error
     assert "img" not in M._repr_html_() and "edge 0: 2" in M._repr_html_()
     for ending in ("rga", "tri", "sig"):
         with pytest.raises(tripus.Unsupported, match="cone angles"):

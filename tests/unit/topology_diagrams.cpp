@@ -82,7 +82,7 @@ TEST(Diagrams, TheFigureEightKnotIsReadInAllItsForms) {
 
 TEST(Diagrams, SignaturesAndTriangulationsAreNoDiagrams) {
   for (const char* text : {"cPcbbbihq", "8_19", "", "{\"gluings\": [[[1,\"1230\"]]]}",
-                           "% Triangulation", "[1, 2]", "PDaXX", "DTa", "Braids"})
+                           "% Triangulation", "[1]", "PDaXX", "DTa", "Braids"})
     EXPECT_FALSE(looks_like_diagram(text)) << text;
 }
 
@@ -101,6 +101,9 @@ TEST(Diagrams, ClockwiseOrdersGiveTheMirrorImage) {
   const Diagram plain = read_diagram("PD: " + trefoil).diagram;
   EXPECT_EQ(plain.mirror_image(), read_diagram("PD clockwise: " + trefoil).diagram);
   EXPECT_EQ(plain.mirror_image().mirror_image(), plain);
+  for (const char* heading :
+       {"PD counterclockwise: ", "PD counter-clockwise: ", "PD Anticlockwise "})
+    EXPECT_EQ(read_diagram(heading + trefoil).diagram, plain) << heading;
 }
 
 TEST(Diagrams, WhatIsWrongIsSaidWithPlaceAndRemedy) {
@@ -121,7 +124,11 @@ TEST(Diagrams, WhatIsWrongIsSaidWithPlaceAndRemedy) {
       {"PD: Loop[1] Loop[1]", "the last time in Loop[1] (line 1, column 13)"},
       {"PD: Loop[1,2]", "a circle is Loop[1]"},
       {"PD: X[4,2,5,1] Y[1]", "is no kind of node"},
-      {"PD: X[4,two,5,1]", "add ] before \"two,5,1]\""},
+      {"PD: X[4,two,5,1]", "expected a whole number, found \"two,5,1]\""},
+      {"PD: X[a,b,c,d]", "expected a whole number, found \"a,b,c,d]\" (line 1, column 7)"},
+      {"PD: X[4,2,5,1] Cone[1]", "a comma and a cone order, as in Cone[1,3]"},
+      {"[1,-2,1,-2]", "numbers alone do not say what they are; write Braid: [1,-2,1,-2]"},
+      {"{'diagram': [[4,2,5,1]]}", "keys stand in double quotes"},
       {"PD: X[4,2,5,99999999999999999999]", "is too large"},
       {"PD: V[]", "has no arcs"},
       {"PD:", "has no nodes"},
@@ -169,6 +176,7 @@ TEST(Diagrams, WhatIsWrongIsSaidWithPlaceAndRemedy) {
       {"a=V(b0) b=V(a1)", "node a names b0, which is not met from the other side"},
       {"a=X(b0) b=V(a0)", "a=X(b0) (line 1, column 1) has 1 arcs; a crossing X has four"},
       {R"({"diagram": 3})", "no list of nodes"},
+      {R"({"diagram": [["Loop",[1,2]]]})", "Loop (with one arc) a circle"},
       {R"({"diagram": [["Y",[1,2]]]})", "no kind of node"},
       {R"({"diagram": [["X",[1,"a"]]]})", "node 0"},
       {R"({"diagram": [["X",[1,)", "JSON"},
@@ -186,6 +194,7 @@ TEST(Diagrams, WhatIsWrongIsSaidWithPlaceAndRemedy) {
 TEST(Diagrams, WhatHasNoCrossingsIsReadAllTheSame) {
   for (const auto& [text, homology] : std::vector<std::pair<const char*, const char*>>{
            {"Loop[1]", "Z"},
+           {R"({"diagram": [["Loop",[1]], ["Loop",[2]]]})", "2 Z"},
            {"V[1,1]", "Z"},
            {"V[1] V[1]", "0"},
            {"V[1,2,3] V[1,3,2]", "2 Z"},

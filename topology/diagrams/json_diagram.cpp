@@ -35,9 +35,12 @@ DiagramNode json_node(const json& entry, std::size_t n) {
   if (with_kind) {
     const std::string kind = entry[0].get<std::string>();
     const bool is_crossing = kind == "X" || kind == "x";
-    if (!is_crossing && kind != "V" && kind != "v")
-      throw InvalidInput(at_node(n) + quoted(kind) +
-                         " is no kind of node; X is a crossing, V a vertex");
+    const bool is_circle = kind == "Loop" && node.arcs.size() == 1;
+    if (is_circle) node.arcs.push_back(node.arcs.front());
+    if (!is_crossing && !is_circle && kind != "V" && kind != "v")
+      throw InvalidInput(
+          at_node(n) + quoted(kind) +
+          " is no kind of node; X is a crossing, V a vertex, Loop (with one arc) a circle");
     node.kind = is_crossing ? NodeKind::kCrossing : NodeKind::kVertex;
   }
   node.place = at_node(n) + to_text(node);
@@ -82,6 +85,10 @@ void require_known_keys(const json& document) {
 }  // namespace
 
 NamedDiagram read_diagram_json(std::string_view text) {
+  if (text.find("\"diagram\"") == std::string_view::npos)
+    throw InvalidInput(
+        "JSON: keys stand in double quotes, as in {\"diagram\": [...]}; Python's json.dumps writes "
+        "them");
   json document;
   try {
     const auto stop_deep = [](int depth, json::parse_event_t, json&) {

@@ -31,7 +31,10 @@ class PdReader {
     const std::size_t bracket = scan_.position();
     const bool parenthesis = scan_.take('(');
     const bool clockwise = scan_.take_whole_word("clockwise");
-    const bool said = clockwise || scan_.take_whole_word("counterclockwise");
+    bool said = clockwise || scan_.take_whole_word("counterclockwise") ||
+                scan_.take_whole_word("anticlockwise");
+    if (!said && scan_.take_whole_word("counter") && scan_.take('-'))
+      said = scan_.take_whole_word("clockwise");
     if (said) clockwise_ = clockwise;
     if (parenthesis && !said) scan_.go_to(bracket);  // it is the list's
     if (parenthesis && said) scan_.expect(')');
@@ -76,13 +79,21 @@ class PdReader {
     DiagramNode node;
     while (!is_closing(scan_.peek())) {
       if (!node.arcs.empty()) scan_.take(',');
-      if (scan_.at_end() || is_opening(scan_.peek()) || Scanner::is_letter(scan_.peek()))
-        brackets_.fail_open(scan_);
+      if (scan_.at_end() || is_opening(scan_.peek()) || next_is_node()) brackets_.fail_open(scan_);
       if (is_closing(scan_.peek())) break;
       arc(node, word, subscript);
     }
     brackets_.close(scan_);
     add(std::move(node), word, at);
+  }
+
+  /// Whether a word with a bracket comes next.
+  bool next_is_node() {
+    const std::size_t at = scan_.position();
+    const bool is_word = !scan_.letters().empty();
+    const char behind = scan_.peek_raw();
+    scan_.go_to(at);
+    return is_word && (is_opening(behind) || behind == '_' || Scanner::is_digit(behind));
   }
 
   /// X1425, X4,12,5,11: as the Knot Atlas shows them.
@@ -142,7 +153,8 @@ class PdReader {
 
   void label(std::size_t at) {
     const std::int64_t arc = scan_.integer();
-    scan_.expect(',');
+    if (!scan_.take(','))
+      scan_.fail("expected a comma and a cone order, as in Cone[1,3]" + scan_.found());
     const std::string order(scan_.until("])}"));
     if (scan_.at_end()) brackets_.fail_open(scan_);
     brackets_.close(scan_);

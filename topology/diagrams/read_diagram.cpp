@@ -81,21 +81,34 @@ bool is_pd(std::string_view text) {
   return scan.at_number();
 }
 bool is_json(std::string_view text) {
-  return text[0] == '{' && text.find("\"diagram\"") != std::string_view::npos;
+  return text[0] == '{' &&
+         (text.find("\"diagram\"") != std::string_view::npos || text.starts_with("{'diagram'"));
 }
-/// DT:, DTCode[, and KnotInfo's [4, 6, 8, 2]: even numbers alone in a square or curly bracket.
 bool is_dt(std::string_view text) {
-  for (const std::string_view word : {"DT", "DTCode"})
-    if (detail::has_heading(text, word)) return true;
+  return detail::has_heading(text, "DT") || detail::has_heading(text, "DTCode");
+}
+/// Numbers alone in one square or curly bracket: KnotInfo's [4, 6, 8, 2] is a DT code.
+bool is_list(std::string_view text) {
   if (text[0] != '[' && text[0] != '{') return false;
   Scanner scan(text.substr(1));
-  bool even = scan.at_number();
-  while (scan.at_number() && even) {
-    const std::string_view digits = scan.until(", ]}");
-    even = std::string_view("02468").find(digits.back()) != std::string_view::npos;
+  std::size_t count = 0;
+  for (; scan.at_number(); ++count) {
+    (void)scan.until(", ]}\n");
     scan.take(',');
   }
-  return even && detail::is_closing(scan.peek());
+  return count > 1 && detail::is_closing(scan.peek());
+}
+NamedDiagram read_list(std::string_view text) {
+  Scanner scan(text.substr(1));
+  while (scan.at_number()) {
+    if (scan.integer() % 2 != 0)
+      throw InvalidInput(
+          "numbers alone do not say what they are; write Braid: [1,-2,1,-2], DT: [4,6,8,2] or "
+          "Gauss: "
+          "[1,-2,3,-1,2,-3]");
+    scan.take(',');
+  }
+  return detail::read_dt_code(text);
 }
 bool is_braid(std::string_view text) {
   return detail::has_heading(text, "Braid") || detail::has_heading(text, "BR");
@@ -125,6 +138,7 @@ constexpr std::array kForms{
     Form{"Gauss code (Gauss:)", is_gauss, detail::read_gauss_code},
     Form{"planar diagram (PD: X[...] V[...])", is_pd, detail::read_pd_text},
     Form{"Dowker-Thistlethwaite code (DT:)", is_dt, detail::read_dt_code},
+    Form{"list of even numbers (a DT code)", is_list, read_list},
     Form{"braid (Braid:)", is_braid, detail::read_braid},
     Form{"embedding of appcontour", is_embedding, detail::read_embedding},
     Form{"picture of appcontour (knot {)", is_picture, detail::read_knot_picture},

@@ -12,18 +12,6 @@ namespace {
 using topology::Triangulation;
 using topology::VertexKind;
 
-/// The first classes of an edge's two ends.
-std::vector<std::array<std::uint32_t, 2>> edge_ends(const Triangulation& triangulation) {
-  std::vector<std::array<std::uint32_t, 2>> ends(triangulation.edge_count());
-  for (std::size_t e = 0; e < ends.size(); ++e) {
-    const topology::EdgeCorner corner = triangulation.corners(e)[0];
-    const auto& [a, b] = topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())];
-    ends[e] = {triangulation.vertex_class(corner.tetrahedron(), a),
-               triangulation.vertex_class(corner.tetrahedron(), b)};
-  }
-  return ends;
-}
-
 /// Cusps joined by the edges chosen so far. The numbers of ends of these edges at the cusps are a
 /// matrix of full rank as long as no component has more than one odd cycle; a loop is one, and so
 /// is an edge that ends elsewhere.
@@ -95,9 +83,8 @@ ConeMetric::ConeMetric(const Triangulation& triangulation,
 
 void ConeMetric::find_pins() {
   EvenCycleForest forest(kinds_.size());
-  const auto ends = edge_ends(triangulation_);
-  for (std::size_t e = 0; e < ends.size(); ++e) {
-    const auto [a, b] = ends[e];
+  for (std::size_t e = 0; e < triangulation_.edge_count(); ++e) {
+    const auto [a, b] = ends(e);
     const bool ideal_a = kinds_[a] == VertexKind::kIdeal, ideal_b = kinds_[b] == VertexKind::kIdeal;
     if (!ideal_a && !ideal_b) continue;
     ideal_end_[e] = true;
@@ -105,6 +92,13 @@ void ConeMetric::find_pins() {
         ideal_a && ideal_b ? forest.join(a, b) : forest.add_odd_cycle(ideal_a ? a : b);
     if (raised) pins_.push_back(e);
   }
+}
+
+std::array<std::uint32_t, 2> ConeMetric::ends(std::size_t e) const {
+  const topology::EdgeCorner corner = triangulation_.corners(e)[0];
+  const auto& [a, b] = topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())];
+  return {triangulation_.vertex_class(corner.tetrahedron(), a),
+          triangulation_.vertex_class(corner.tetrahedron(), b)};
 }
 
 Diagonal ConeMetric::diagonal(std::size_t t) const {

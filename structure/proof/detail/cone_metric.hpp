@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "structure/proof/detail/arb_number.hpp"
@@ -28,6 +30,8 @@ class ConeMetric {
   Arb target(std::size_t e) const;
   /// A parabolic edge: its length is 0 and stays so.
   bool is_fixed(std::size_t e) const { return cone_angles_[e].is_parabolic(); }
+  /// The vertex classes at the ends of an edge class.
+  std::array<std::uint32_t, 2> ends(std::size_t e) const;
   /// Whether an end is ideal: such a length may be any real number.
   bool may_be_negative(std::size_t e) const { return ideal_end_[e]; }
   /// Whether every tetrahedron is strictly convex in all its lengths.

@@ -4,19 +4,10 @@
 
 #include <Eigen/Dense>
 
-#include "geometry/enclosure_formulae.hpp"
-#include "topology/triangulation.hpp"
-
 namespace tripus::structure::detail {
 namespace {
 
 using geometry::packed_index;
-
-geometry::GramDiagonal gram_diagonal(const Diagonal& diagonal) {
-  geometry::GramDiagonal result;
-  std::ranges::copy(diagonal, result.d);
-  return result;
-}
 
 geometry::GramEnclosure<Arb> gram_of(const std::array<Arb, 6>& l, const Diagonal& diagonal) {
   const GramEntries g = gram_entries(l, diagonal);
@@ -24,6 +15,20 @@ geometry::GramEnclosure<Arb> gram_of(const std::array<Arb, 6>& l, const Diagonal
 }
 
 }  // namespace
+
+geometry::GramDiagonal gram_diagonal(const Diagonal& diagonal) {
+  geometry::GramDiagonal result;
+  std::ranges::copy(diagonal, result.d);
+  return result;
+}
+
+std::array<Arb, 6> lengths_of(const topology::Triangulation& triangulation,
+                              const std::vector<Arb>& lengths, std::size_t t) {
+  std::array<Arb, 6> l;
+  for (std::size_t e = 0; e < 6; ++e)
+    l[e] = lengths[triangulation.edge_class(t, static_cast<int>(e))];
+  return l;
+}
 
 GramEntries gram_entries(const std::array<Arb, 6>& l, const Diagonal& diagonal) {
   GramEntries entries;

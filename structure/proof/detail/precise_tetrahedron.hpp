@@ -1,10 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
+#include "geometry/enclosure_formulae.hpp"
 #include "geometry/truncated_tetrahedron.hpp"
 #include "structure/proof/detail/arb_number.hpp"
+#include "topology/triangulation.hpp"
 
 /// What geometry/enclosure.hpp finds in doubles, at the thread's precision in Arb.
 namespace tripus::structure::detail {
@@ -12,6 +16,12 @@ namespace tripus::structure::detail {
 /// What each vertex is: 1 hyperideal, 0 ideal.
 using Diagonal = std::array<int, 4>;
 inline constexpr Diagonal kHyperideal = {1, 1, 1, 1};
+
+geometry::GramDiagonal gram_diagonal(const Diagonal& diagonal);
+
+/// The lengths of tetrahedron t out of those of the edge classes [E].
+std::array<Arb, 6> lengths_of(const topology::Triangulation& triangulation,
+                              const std::vector<Arb>& lengths, std::size_t t);
 
 /// -G_ij and its slope at the edges of a tetrahedron, theory (77).
 struct GramEntries {

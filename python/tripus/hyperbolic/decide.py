@@ -1,0 +1,352 @@
+"""Hyperbolic or not: the tests in order, the cheapest first, and the answer.
+
+1.  a metric on the triangulation, or on one a few moves away: hyperbolic;
+2.  a fundamental group that is free or splits freely: a disc or a sphere (a hyperbolic manifold with
+    boundary is irreducible, its boundary incompressible, and its group splits in no such way);
+3.  a closed bigon: a disc, an annulus or a Moebius band;
+4.  a normal surface found by Regina, in a process of its own, while this one goes on looking for a
+    metric.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from tripus._errors import InvalidInput, Undecided, Unsupported
+from tripus.hyperbolic import presentation
+from tripus.hyperbolic.certificate import HyperbolicityCertificate
+from tripus.hyperbolic.pieces import group_name
+from tripus.hyperbolic.tables import Table
+
+if TYPE_CHECKING:
+    from tripus.manifold import Manifold
+
+#: Seconds in all where no limit is given.
+TIME_LIMIT = 60.0
+#: Triangulations tried for a metric before surfaces are looked for: those that have one nearby
+#: were all a single move away in the lists of up to four tetrahedra.
+NEAR = 40
+#: And while they are looked for, so many in so many seconds, after a wait.
+FAR = 5000
+FAR_SECONDS = 3.0
+WAIT = 3.0
+
+_ARTICLES = {"annulus": "an essential annulus", "disc": "an essential disc"}
+
+
+class Hyperbolicity:
+    """Whether a manifold is hyperbolic: True, False, or None where it was not decided.
+
+    bool() raises Undecided where it was not decided, for False would be wrong.
+
+    >>> import tripus
+    >>> answer = tripus.Manifold("cPcbbbihq").hyperbolicity()
+    >>> answer.hyperbolic, answer.proved, answer.by
+    (True, True, 'metric')
+    >>> tripus.Manifold("dLQbcbcaekw").hyperbolicity()
+    not hyperbolic: an essential annulus, certificate attached
+    """
+
+    def __init__(self, fields: dict[str, Any]) -> None:
+        self._fields = fields
+
+    @property
+    def hyperbolic(self) -> bool | None:
+        """True, False or None."""
+        return self._fields["hyperbolic"]  # type: ignore[no-any-return]
+
+    def __bool__(self) -> bool:
+        if self.hyperbolic is None:
+            raise Undecided(f"it was not decided: {self.message}", self)
+        return self.hyperbolic
+
+    @property
+    def proved(self) -> bool:
+        """Whether the certificate is a proof: all of those for "not hyperbolic" are."""
+        return bool(self._fields["proved"])
+
+    @property
+    def by(self) -> str | None:
+        """What decided: "metric", "free group", "free product", "closed bigon", "surface",
+        "compressing disc"; None where nothing did."""
+        return self._fields["by"]  # type: ignore[no-any-return]
+
+    @property
+    def kind(self) -> str | None:
+        """The kind of the surface, where there is one: "disc", "annulus", "moebius band", ..."""
+        return self._fields["kind"]  # type: ignore[no-any-return]
+
+    @property
+    def certificate(self) -> HyperbolicityCertificate | None:
+        """The evidence; its check() shares nothing with the search."""
+        data = self._fields["certificate"]
+        return None if data is None else HyperbolicityCertificate(data)
+
+    @property
+    def pieces(self) -> list[dict[str, Any]]:
+        """Where a disc or a sphere was found, what it cuts the manifold into: "signature" of an ideal
+        triangulation (None for balls and handlebodies), "name" if it is known."""
+        return list(self._fields["pieces"])
+
+    @property
+    def name(self) -> str | None:
+        """What the manifold is, if it was recognised: "handlebody of genus 2", ..."""
+        return self._fields["name"]  # type: ignore[no-any-return]
+
+    @property
+    def tried(self) -> list[str]:
+        """The tests that were made, with what came out, in words."""
+        return list(self._fields["tried"])
+
+    @property
+    def seconds(self) -> float:
+        """Time it took."""
+        return float(self._fields["seconds"])
+
+    @property
+    def message(self) -> str:
+        """One sentence for a person."""
+        return str(self._fields["message"])
+
+    def to_json(self) -> str:
+        """One object, without a line end; docs/verdicts.md has its keys."""
+        return json.dumps(self._fields)
+
+    def __repr__(self) -> str:
+        return self.message
+
+
+class _Decision:
+    def __init__(self, manifold: Manifold, time_limit: float, surfaces: bool) -> None:
+        self.began = time.monotonic()
+        self.deadline = self.began + time_limit
+        self.surfaces = surfaces
+        self.tried: list[str] = []
+        if manifold.has_finite_vertices() and len(manifold.links()) > sum(
+            link["euler_characteristic"] > 0 for link in manifold.links()
+        ):
+            manifold = manifold.simplified(time_limit=time_limit)
+        self.manifold = manifold
+        self.table = Table(manifold.gluings)
+
+    def left(self) -> float:
+        return max(1e-3, self.deadline - time.monotonic())
+
+    def run(self, metric: bool = True) -> Hyperbolicity:
+        self.metric = metric
+        here, near, far = (
+            lambda: self._by_metric(self.manifold),
+            lambda: self._by_other_metric(NEAR),
+            lambda: self._by_other_metric(FAR),
+        )
+        objection = _objection(self.manifold)
+        tests: list[Callable[[], Hyperbolicity | None]]
+        tests = [here, far] if objection else [here, self._by_group, self._by_bigon, near]
+        if self.surfaces and not objection:
+            tests.append(self._by_surface)
+        for test in tests:
+            answer = test()
+            if answer is not None:  # an answer of "no" is one, too
+                return answer
+        if objection:
+            self.tried.append(objection)
+        return self._not_decided()
+
+    # Yes
+
+    def _by_metric(self, manifold: Manifold) -> Hyperbolicity | None:
+        if not self.metric or manifold.verdict(time_limit=self.left()).outcome != "geometric":
+            return None
+        proof, reason = None, ""
+        try:
+            found = manifold.prove(time_limit=self.left())
+            proof, reason = (json.loads(found.to_json()), "") if found else (None, found.reason)
+        except InvalidInput as error:  # cusps and the like, which proofs do not know so far
+            reason = str(error)
+        certificate = {
+            "by": "metric",
+            "gluings": self.table.rows(),
+            "triangulation": manifold.gluings,
+            "proof": proof,
+            "reason": reason,
+        }
+        volume = f"volume {manifold.volume():.12g}"
+        message = f"hyperbolic: a metric of {volume}, " + (
+            "proved" if proof else "in floating point, not proved"
+        )
+        return self._answer(True, "metric", message, certificate, proved=proof is not None)
+
+    def _by_other_metric(self, budget: int) -> Hyperbolicity | None:
+        if not self.metric or time.monotonic() >= self.deadline:
+            return None
+        seconds = self.left() if budget == NEAR else min(self.left(), FAR_SECONDS)
+        other = self.manifold.retriangulated(budget=budget, time_limit=seconds)
+        answer = self._by_metric(other)
+        if answer is None:
+            self.tried.append(
+                f"a metric on other triangulations: none on {budget}, or as many as were reached in "
+                f"{seconds:.2g} s"
+            )
+        return answer
+
+    # No
+
+    def _by_group(self) -> Hyperbolicity | None:
+        group = presentation.of_table(self.table, self.deadline)
+        start = [list(group.generators), [list(word) for word in group.relators]]
+        group.simplify()
+        group.shorten()
+        parts: list[list[int]] | None
+        if not group.relators and len(group.generators) > 1:
+            by, parts = "free group", [group.generators]
+        else:
+            by, split = "free product", group.splitting()
+            parts = None if split is None else list(split)
+        if parts is None:
+            count = f"{len(group.generators)} generators, {len(group.relators)} relators"
+            self.tried.append(f"the fundamental group: {count}, seen neither free nor a free product")
+            return None
+        certificate = {
+            "by": by,
+            "gluings": self.table.rows(),
+            "group": {
+                "generators": start[0],
+                "relators": start[1],
+                "moves": group.moves,
+                "factors": parts,
+            },
+        }
+        name = group_name(group, self.table.link_characteristics.values())
+        message = "not hyperbolic: an essential disc, as the fundamental group is free"
+        if by == "free product":
+            message = "not hyperbolic: an essential disc or sphere, as the fundamental group is a free product"
+        if name:
+            message += f" ({name})"
+        return self._answer(False, by, message + ", certificate attached", certificate, name=name)
+
+    def _by_bigon(self) -> Hyperbolicity | None:
+        bigon = self.manifold.verdict().closed_bigon
+        if bigon is None or not bigon["decides"]:
+            hint = "none" if bigon is None else "an annulus, which may be trivial"
+            self.tried.append(f"closed bigons: {hint}")
+            return None
+        certificate = {"by": "closed bigon", "gluings": self.table.rows(), "bigon": bigon}
+        kind = str(bigon["surface"])
+        what = {
+            "moebius band": "a Moebius band",
+            "disc": "an essential disc",
+            "essential annulus": "an essential annulus",
+        }[bigon["consequence"]]
+        message = f"not hyperbolic: {what}, certificate attached"
+        return self._answer(False, "closed bigon", message, certificate, kind=kind)
+
+    def _by_surface(self) -> Hyperbolicity | None:
+        from tripus.hyperbolic.worker import worker
+
+        if time.monotonic() >= self.deadline:
+            return None
+        try:
+            searcher = worker()
+        except Unsupported as error:
+            self.tried.append(str(error))
+            return self._by_other_metric(FAR)
+        searcher.start(self.table.rows(), self.left())
+        try:
+            found, told = searcher.wait(min(self.deadline, time.monotonic() + WAIT))
+            if found is None and not told.get("over"):
+                answer = self._by_other_metric(FAR)
+                if answer is not None:
+                    searcher.end()
+                    return answer
+                found, told = searcher.wait(self.deadline)
+        except BaseException:
+            searcher.end()
+            raise
+        if found is None:
+            searcher.end()
+            self.tried.append(_surfaces_tried(told))
+            return None
+        return self._surface_answer(found)
+
+    def _surface_answer(self, found: dict[str, Any]) -> Hyperbolicity:
+        pieces = found.pop("pieces", [])
+        if "surface" not in found:
+            certificate = {"by": "compressing disc", "gluings": self.table.rows(), **found}
+            message = "not hyperbolic: an essential disc, by Regina's hasCompressingDisc"
+            return self._answer(False, "compressing disc", message, certificate, kind="disc")
+        certificate = {"by": "surface", "gluings": self.table.rows(), **found}
+        kind = str(found["surface"]["kind"])
+        what = _ARTICLES.get(kind, f"a {kind.replace('moebius', 'Moebius').replace('klein', 'Klein')}")
+        chi = found["surface"]["euler_characteristic"]
+        message = f"not hyperbolic: {what}, Euler characteristic {chi}, certificate attached"
+        return self._answer(False, "surface", message, certificate, kind=kind, pieces=pieces)
+
+    # The answer
+
+    def _not_decided(self) -> Hyperbolicity:
+        message = "not decided; tried: " + "; ".join(self.tried)
+        return self._answer(None, None, message, None, proved=False)
+
+    def _answer(
+        self,
+        hyperbolic: bool | None,
+        by: str | None,
+        message: str,
+        certificate: dict[str, Any] | None,
+        *,
+        proved: bool = True,
+        kind: str | None = None,
+        pieces: list[dict[str, Any]] | None = None,
+        name: str | None = None,
+    ) -> Hyperbolicity:
+        return Hyperbolicity(
+            {
+                "hyperbolic": hyperbolic,
+                "proved": proved,
+                "by": by,
+                "kind": kind,
+                "certificate": certificate,
+                "pieces": pieces or [],
+                "name": name,
+                "tried": self.tried,
+                "seconds": round(time.monotonic() - self.began, 6),
+                "message": message,
+            }
+        )
+
+
+def _objection(manifold: Manifold) -> str:
+    """Why only a metric is looked for; empty if the other tests know such manifolds."""
+    links = [link["euler_characteristic"] for link in manifold.links()]
+    if not manifold.is_connected():
+        return "only connected manifolds are decided"
+    if not manifold.is_orientable():
+        return "surfaces and groups: not tried, as the manifold is not orientable; its orientable double cover may be"
+    if any(chi > 0 for chi in links) or all(chi == 0 for chi in links):
+        return "surfaces and groups: not tried, as no boundary component has genus 2 or more"
+    return ""
+
+
+def _surfaces_tried(told: dict[str, Any]) -> str:
+    searches, surfaces = told.get("searched", [0, 0])
+    number = told.get("round", [0])[0] + 1
+    return f"normal surfaces: {surfaces} in {searches} searches of {number} triangulations"
+
+
+def hyperbolicity(
+    manifold: Manifold, time_limit: float | None = None, surfaces: bool = True
+) -> Hyperbolicity:
+    """See Manifold.hyperbolicity."""
+    seconds = TIME_LIMIT if time_limit is None else time_limit
+    if not (seconds > 0 and math.isfinite(seconds)):
+        raise InvalidInput(f"time_limit is a number of seconds > 0, not {time_limit!r}")
+    return _Decision(manifold, seconds, surfaces).run()
+
+
+def without_metric(manifold: Manifold, time_limit: float) -> Hyperbolicity:
+    """All the tests but the metric: for hyperbolic manifolds, where none may say "no"."""
+    return _Decision(manifold, time_limit, True).run(metric=False)

@@ -36,9 +36,9 @@ Answer error_answer(const std::string& input, bool json, const std::exception& e
 
 namespace {
 
-/// What is said of an answer that the time limit may have cut short; empty if there is nothing.
-std::string time_limit_message(const Outcome& outcome) {
-  return outcome.status == kNoAnswer && is_time_over() ? stop_text() : "";
+/// What is said of an answer that may have been cut short; empty if there is nothing.
+std::string stop_message(const Outcome& outcome) {
+  return outcome.status == kNoAnswer && is_work_over() ? stop_text() : "";
 }
 
 int answer_one(const CommonOptions& options,
@@ -55,7 +55,7 @@ int answer_one(const CommonOptions& options,
   try {
     require_not_written(options.input);
     outcome = answer(options.input);
-    message = time_limit_message(outcome);
+    message = stop_message(outcome);
   } catch (const std::exception& error) {
     Answer failure = error_answer(options.input, options.json, error);
     outcome = {std::move(failure.text), status_of(error)};
@@ -72,16 +72,16 @@ int answer_one(const CommonOptions& options,
 
 void add_resume_option(CLI::App& verb, CommonOptions& options, CLI::Option* batch) {
   verb.add_option("--resume", options.resume,
-                  fmt::format("with {} and --json: write to this file, after the answers that "
-                              "an\ninterrupted run has left there",
+                  fmt::format("with {} and --json: write to this file, after the answers\n"
+                              "that an interrupted run has left there",
                               batch->get_name()))
       ->option_text("FILE")
       ->check(problem_of_name)
       ->needs(batch);
 }
 
-void require_input(const CommonOptions& options, const CLI::Option& batch) {
-  if (options.input.empty() && batch.count() == 0)
+void require_input(const CommonOptions& options, bool has_input, const CLI::Option& batch) {
+  if (!has_input && batch.count() == 0)
     throw CLI::RequiredError("INPUT or " + batch.get_name() + " FILE");
   if (!options.resume.empty() && !options.json)
     throw CLI::RequiredError("--json, whose lines can be told apart, with --resume");
@@ -100,7 +100,8 @@ void add_input_options(CLI::App& verb, CommonOptions& options, const char* answe
   input->excludes(batch);
   add_resume_option(verb, options, batch);
   verb.add_flag("--quiet", options.quiet, "no progress on standard error");
-  verb.parse_complete_callback([batch, &options] { require_input(options, *batch); });
+  verb.parse_complete_callback(
+      [input, batch, &options] { require_input(options, input->count() > 0, *batch); });
 }
 
 void add_common_options(CLI::App& verb, CommonOptions& options) {
@@ -123,7 +124,7 @@ int answer_lines(const CommonOptions& options,
                        Outcome outcome = answer(line);
                        std::string& answered = outcome.text;
                        if (!answered.empty() && answered.back() == '\n') answered.pop_back();
-                       return {std::move(answered), time_limit_message(outcome), kSuccess};
+                       return {std::move(answered), stop_message(outcome), kSuccess};
                      } catch (const std::exception& error) {
                        return error_answer(line.text, options.json, error);
                      }

@@ -131,8 +131,13 @@ void declare_outputs(const CensusCommand& command) {
 int write_proofs(const CensusCommand& command, const Census& census) {
   const Context context = interruptible();
   const auto proofs = canonical::prove_census(census, context);
+  if (context.stop_requested()) {
+    write_message(fmt::format("tripus: {} after {} proofs; no proofs were written\n", stop_text(),
+                              proofs.size()));
+    return kNoAnswer;
+  }
   write_text(command.proofs.empty() ? "-" : command.proofs, canonical::to_tsv(proofs));
-  return context.stop_requested() ? kNoAnswer : kSuccess;
+  return kSuccess;
 }
 
 int make(CensusCommand& command) {
@@ -193,10 +198,7 @@ int make(CensusCommand& command) {
         fmt::format("all of the {} were refused: no census was made",
                     counted(total + inputs.refused, "triangulation", "triangulations")));
   write_census(command, census);
-  if (command.prove && write_proofs(command, census) != kSuccess) {
-    write_message("tripus: " + stop_text() + " before all metrics were proved\n");
-    return kNoAnswer;
-  }
+  if (command.prove && write_proofs(command, census) != kSuccess) return kNoAnswer;
   if (journal && command.journal.empty()) journal->remove();
   const std::string summary = fmt::format(
       "{} triangulations: {} manifolds; {} carry their metric, {} after moves, {} unresolved, {} "

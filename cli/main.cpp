@@ -46,6 +46,6 @@ void ask_for_one_blas_thread(int, char** argv, char** environment) {
 
 int main(int argc, char** argv) {
   tripus::cli::secure_standard_streams();
-  tripus::cli::spare_memory();
+  tripus::cli::tame_libraries();
   return tripus::cli::run_program({argv + std::min(argc, 1), argv + argc});
 }

@@ -23,7 +23,7 @@ void secure_standard_streams() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-void spare_memory() {
+void tame_libraries() {
 #ifdef M_ARENA_MAX
   // Each thread reserves 128 MB for its heap; without them every allocation is a call of the
   // system.
@@ -31,6 +31,7 @@ void spare_memory() {
   const bool limited = ::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY;
   if (limited) ::mallopt(M_ARENA_MAX, 1);
 #endif
+  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   if (std::getenv("OPENBLAS_NUM_THREADS") != nullptr) return;
   using SetThreads = void (*)(int);
   if (void* found = ::dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))

@@ -9,8 +9,10 @@ namespace tripus::cli {
 /// like a full disk instead of a signal.
 void secure_standard_streams();
 
-/// Where the address space is limited, threads share one heap. OpenBLAS works with one thread,
-/// since matrices here are small, unless the user's OPENBLAS_NUM_THREADS says otherwise.
-void spare_memory();
+/// What libraries would do by themselves. Where the address space is limited, threads share one
+/// heap. OpenBLAS works with one thread, since matrices here are small, unless the user's
+/// OPENBLAS_NUM_THREADS says otherwise. Mesa keeps no shaders on the disk: the thread that does it
+/// has the least priority, so that on a busy machine the process could not end for seconds.
+void tame_libraries();
 
 }  // namespace tripus::cli

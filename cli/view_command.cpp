@@ -290,7 +290,7 @@ void add_view(CLI::App& program, Command& chosen) {
   add_resume_option(*verb, command->common, gallery);
   verb->parse_complete_callback([gallery, verb, input, command] {
     read_discs(*verb->get_option("--discs"), *input, *command);
-    require_input(command->common, *gallery);
+    require_input(command->common, input->count() > 0 || !command->common.input.empty(), *gallery);
   });
   verb->footer(std::string(kInputHelp) + "\n" + kExitStatusHelp);
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });

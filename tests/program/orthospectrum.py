@@ -212,7 +212,8 @@ class OrthospectrumRefusals(ProgramTest):
 class OrthospectrumEnds(ProgramTest):
     def test_time_limit(self):
         answer = self.json_answer("orthospectrum", TRIPUS, "--length", "19", "--force", "--summary",
-                                  "--time-limit", "0.3", status=1)
+                                  "--time-limit", "0.3", status=1,
+                                  err="tripus: the time limit of 0.3 s was reached\n")
         self.assertEqual(answer["end"], "time-limit")
         self.assertLess(answer["length"], 19)
 

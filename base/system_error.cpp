@@ -3,8 +3,6 @@
 #include <cerrno>
 #include <cstring>
 
-#include "base/error.hpp"
-
 namespace tripus {
 namespace {
 
@@ -33,7 +31,7 @@ bool is_about_the_name(int error) {
 
 void fail_on_file(const std::string& what, const std::string& path, int error) {
   const std::string text = what + " " + quoted(path) + ": " + std::strerror(error);
-  if (is_about_the_name(error)) throw InvalidInput(text);
+  if (is_about_the_name(error)) throw UnusableFile(text);
   throw IoError(text);
 }
 

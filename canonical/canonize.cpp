@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "base/stopped.hpp"
 #include "topology/isosig.hpp"
 #include "topology/labelled_isosig.hpp"
 #include "topology/orientation.hpp"
@@ -51,7 +52,7 @@ std::optional<CanonicalManifold> canonize_metric(const Triangulation& triangulat
   if (!proto.found) return std::nullopt;
   if (edge_inside_cell(proto.triangulation, proto.faces, proto.cone_angles)) return std::nullopt;
   Decomposition decomposition(proto.triangulation.gluings(), proto.faces, proto.cone_angles);
-  CanonicalOrder order = canonical_order(decomposition);
+  CanonicalOrder order = canonical_order(decomposition, options.stop_requested);
   IsometryGroup isometries =
       isometry_group(decomposition, order, proto.triangulation.vertex_count());
   IsometrySignature signature =
@@ -97,6 +98,9 @@ namespace {
 constexpr const char* kNotCanonical =
     "The metric was found, but no triangulation that subdivides the canonical decomposition.";
 
+constexpr const char* kNotDone =
+    "The metric was found, but the work was ended before the canonical decomposition was.";
+
 constexpr const char* kSingularEdgeInside =
     "The metric was found, but no triangulation that subdivides the canonical decomposition and "
     "has the singular edges in its faces; they may go through the inside of cells.";
@@ -132,8 +136,9 @@ class Canonizer {
       if (metric && !metric->simplified.empty()) answer_.manifold = canonical_of(*metric);
     }
     if (!answer_.manifold) {
-      answer_.message =
-          topology::all_full(options_.solve.cone_angles) ? kNotCanonical : kSingularEdgeInside;
+      answer_.message = stopped()                                        ? kNotDone
+                        : topology::all_full(options_.solve.cone_angles) ? kNotCanonical
+                                                                         : kSingularEdgeInside;
       return std::move(answer_);
     }
     answer_.manifold->simplified = std::move(metric->simplified);
@@ -152,6 +157,8 @@ class Canonizer {
     if (proto.stop_requested == nullptr) proto.stop_requested = solve_.stop_requested;
     try {
       return canonize_metric(metric.triangulation, metric.report, proto);
+    } catch (const Stopped&) {
+      return std::nullopt;
     } catch (const InternalError&) {
       // Tilts that contradict each other: by rounding, if another triangulation agrees.
       if (!metric.simplified.empty() || !options_.retriangulate) throw;

@@ -50,7 +50,8 @@ Comparison different(std::string by, std::string message) {
 }
 
 /// By what needs no geometry.
-std::optional<Comparison> compare_topology(const Triangulation& a, const Triangulation& b) {
+std::optional<Comparison> compare_topology(const Triangulation& a, const Triangulation& b,
+                                           const std::atomic<bool>* stop_requested) {
   if (a.component_count() != b.component_count()) {
     return different("components", fmt::format("they have {} and {} components.",
                                                a.component_count(), b.component_count()));
@@ -61,8 +62,8 @@ std::optional<Comparison> compare_topology(const Triangulation& a, const Triangu
   }
   if (a.is_orientable() != b.is_orientable())
     return different("orientability", "one is orientable, the other is not.");
-  const std::string x = to_string(topology::first_homology(a));
-  const std::string y = to_string(topology::first_homology(b));
+  const std::string x = to_string(topology::first_homology(a, stop_requested));
+  const std::string y = to_string(topology::first_homology(b, stop_requested));
   if (x != y) return different("homology", fmt::format("the first homology is {} and {}.", x, y));
   return std::nullopt;
 }
@@ -123,6 +124,10 @@ std::optional<Comparison> compare_arcs(const Triangulation& a, const Triangulati
   return std::nullopt;
 }
 
+bool have_equal_codes(const CanonicalManifold& a, const CanonicalManifold& b) {
+  return a.order.code == b.order.code && a.order.cone_angles == b.order.cone_angles;
+}
+
 void compare_manifolds(Comparison& result) {
   const CanonicalManifold &a = *result.first, &b = *result.second;
   const double difference = std::fabs(a.report.volume - b.report.volume);
@@ -137,7 +142,7 @@ void compare_manifolds(Comparison& result) {
     return;
   }
   result.decided_by = "decomposition";
-  if (a.order.code != b.order.code || a.order.cone_angles != b.order.cone_angles) {
+  if (!have_equal_codes(a, b)) {
     result.verdict = Verdict::kDifferent;
     result.message =
         a.cells == b.cells
@@ -187,6 +192,20 @@ void compare_triangulations(Comparison& result, const Triangulation& a, const Tr
 
 }  // namespace
 
+std::vector<Isometry> isometries(const CanonicalManifold& from, const CanonicalManifold& to) {
+  std::vector<Isometry> all;
+  if (!have_equal_codes(from, to)) return all;
+  const Decomposition &a = from.decomposition, &b = to.decomposition;
+  for (const std::vector<FlagIndex>& images : all_isomorphisms(from.order, b, to.order)) {
+    Isometry isometry{as_cell_map(a, b, images), {}, a.is_negative(0) == b.is_negative(images[0])};
+    isometry.boundary_images.resize(from.triangulation.vertex_count());
+    for (FlagIndex flag = 0; flag < a.flag_count(); ++flag)
+      isometry.boundary_images[a.boundary_component(flag)] = b.boundary_component(images[flag]);
+    all.push_back(std::move(isometry));
+  }
+  return all;
+}
+
 std::string_view to_string(Verdict verdict) {
   switch (verdict) {
     case Verdict::kHomeomorphic:
@@ -208,7 +227,7 @@ Comparison compare(const Labelled& one, const Labelled& other, const CanonizeOpt
                    Orientations orientations) {
   const Triangulation &first = one.triangulation, &second = other.triangulation;
   const bool plain = topology::all_full(one.cone_angles) && topology::all_full(other.cone_angles);
-  if (auto decided = compare_topology(first, second)) return *decided;
+  if (auto decided = compare_topology(first, second, options.solve.stop_requested)) return *decided;
   try {
     require_canonizable(first, one.cone_angles);
     require_canonizable(second, other.cone_angles);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +32,19 @@ struct Comparison {
   /// The two manifolds as far as they had to be computed.
   std::optional<CanonicalManifold> first, second;
 };
+
+/// An isometry between two manifolds, by what it does to their canonical decompositions.
+struct Isometry {
+  CellMap cells;
+  std::vector<std::uint32_t> boundary_images;  ///< [V] of the vertex classes of `triangulation`
+  /// Whether it keeps the orientations that the labels 0123 of tetrahedron 0 give; meaningless for
+  /// manifolds that are not orientable.
+  bool keeps_orientation = false;
+};
+
+/// All isometries, as many as the isometry group has elements; none if the manifolds, or their cone
+/// angles, are not the same.
+std::vector<Isometry> isometries(const CanonicalManifold& from, const CanonicalManifold& to);
 
 /// Whether the labels of both triangulations mean orientations. A signature without a sign says
 /// nothing about them; an isometry of chiral manifolds then may keep or reverse them.

@@ -4,6 +4,8 @@
 #include <initializer_list>
 #include <limits>
 #include <map>
+#include <unordered_set>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -255,6 +257,17 @@ const std::vector<NamedType>& named_types() {
   return kTypes;
 }
 
+/// The steps 0, 1 and 2 stay in the cell and reach all of it.
+std::vector<FlagIndex> flags_of_cell(const Decomposition& decomposition, std::size_t cell) {
+  std::vector<FlagIndex> flags{decomposition.first_flag(cell)};
+  std::unordered_set<FlagIndex> known{flags[0]};
+  for (std::size_t k = 0; k < flags.size(); ++k)
+    for (int i = 0; i < 3; ++i)
+      if (const FlagIndex next = decomposition.step(i, flags[k]); known.insert(next).second)
+        flags.push_back(next);
+  return flags;
+}
+
 std::string plural(const std::string& name) {
   if (name == "tetrahedron" || name == "octahedron") return name.substr(0, name.size() - 2) + "a";
   return name + "s";
@@ -266,8 +279,7 @@ CellType cell_type(const Decomposition& decomposition, std::size_t cell) {
   CellType type;
   // Every orbit is met once for each of its flags.
   std::map<std::size_t, std::size_t> flags_in_faces, flags_at_vertices;
-  for (FlagIndex flag = 0; flag < decomposition.flag_count(); ++flag) {
-    if (decomposition.cell(flag) != cell) continue;
+  for (const FlagIndex flag : flags_of_cell(decomposition, cell)) {
     ++flags_in_faces[orbit_size(decomposition, flag, 0, 1)];
     ++flags_at_vertices[orbit_size(decomposition, flag, 1, 2)];
   }

@@ -1,7 +1,9 @@
 #include "canonical/isometries.hpp"
 
 #include <limits>
+#include <numeric>
 
+#include "base/stopped.hpp"
 #include "canonical/group_name.hpp"
 
 namespace tripus::canonical {
@@ -82,6 +84,33 @@ std::vector<FlagIndex> automorphism(const Decomposition& decomposition, const Ca
   return image;
 }
 
+/// The orbits of flags under the automorphisms that are known so far: orders that begin in one
+/// orbit have one code.
+class Orbits {
+ public:
+  explicit Orbits(std::size_t flag_count) : parent_(flag_count), out_(flag_count) {
+    std::iota(parent_.begin(), parent_.end(), FlagIndex{0});
+  }
+  bool same(FlagIndex p, FlagIndex q) { return root(p) == root(q); }
+  /// Whether the code from there is known to be larger than the least.
+  bool is_out(FlagIndex flag) { return out_[root(flag)] != 0; }
+  void put_out(FlagIndex flag) { out_[root(flag)] = 1; }
+  void join(FlagIndex p, FlagIndex q) {
+    p = root(p);
+    q = root(q);
+    out_[p] |= out_[q];
+    parent_[q] = p;
+  }
+
+ private:
+  FlagIndex root(FlagIndex flag) {
+    while (parent_[flag] != flag) flag = parent_[flag] = parent_[parent_[flag]];
+    return flag;
+  }
+  std::vector<FlagIndex> parent_;
+  std::vector<char> out_;
+};
+
 /// Adds to `member`, a group of automorphisms known by the images of one flag, what the generators
 /// make of it.
 void close(const std::vector<std::vector<FlagIndex>>& generators, FlagIndex base,
@@ -117,15 +146,30 @@ GroupTable group_table(const Decomposition& decomposition, const CanonicalOrder&
 
 }  // namespace
 
-CanonicalOrder canonical_order(const Decomposition& decomposition) {
+CanonicalOrder canonical_order(const Decomposition& decomposition,
+                               const std::atomic<bool>* stop_requested) {
   CanonicalOrder best;
   Orderer orderer(decomposition);
+  Orbits orbits(decomposition.flag_count());
   for (FlagIndex start = 0; start < decomposition.flag_count(); ++start) {
+    throw_if_stopped(stop_requested);
+    if (orbits.is_out(start)) continue;
+    if (start > 0 && orbits.same(start, best.flags[0])) {
+      best.starts.push_back(start);
+      continue;
+    }
     const int comparison = orderer.compare_from(start, best);
-    if (comparison > 0) continue;
+    if (comparison > 0) {
+      orbits.put_out(start);
+      continue;
+    }
     if (comparison < 0) {
+      if (start > 0) orbits.put_out(best.flags[0]);
       best.starts.clear();
       best.flags = orderer.flags();
+    } else {
+      const auto image = automorphism(decomposition, best, start);
+      for (FlagIndex flag = 0; flag < image.size(); ++flag) orbits.join(flag, image[flag]);
     }
     best.starts.push_back(start);
   }
@@ -169,6 +213,20 @@ std::vector<FlagIndex> isomorphism(const CanonicalOrder& from, const CanonicalOr
   std::vector<FlagIndex> image(from.flags.size());
   for (std::size_t k = 0; k < image.size(); ++k) image[from.flags[k]] = to.flags[k];
   return image;
+}
+
+std::vector<std::vector<FlagIndex>> all_isomorphisms(const CanonicalOrder& from,
+                                                     const Decomposition& to,
+                                                     const CanonicalOrder& to_order) {
+  const std::vector<FlagIndex> first = isomorphism(from, to_order);
+  std::vector<std::vector<FlagIndex>> all;
+  for (const FlagIndex start : to_order.starts) {
+    std::vector<FlagIndex> image = automorphism(to, to_order, start);
+    std::vector<FlagIndex> composed(first.size());
+    for (std::size_t flag = 0; flag < first.size(); ++flag) composed[flag] = image[first[flag]];
+    all.push_back(std::move(composed));
+  }
+  return all;
 }
 
 CellMap as_cell_map(const Decomposition& from, const Decomposition& to,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -25,8 +26,11 @@ struct CanonicalOrder {
   std::vector<FlagIndex> starts;
 };
 
-/// Time: F starts, each abandoned where its code becomes larger: some F in practice, F^2 at worst.
-CanonicalOrder canonical_order(const Decomposition& decomposition);
+/// Time: a start for each orbit of flags, abandoned where its code becomes larger, and F for each
+/// generator of the automorphisms: some F in practice, F^2 at worst.
+/// Throws Stopped.
+CanonicalOrder canonical_order(const Decomposition& decomposition,
+                               const std::atomic<bool>* stop_requested = nullptr);
 
 /// The isometry group of a manifold: the automorphisms of its canonical decomposition.
 struct IsometryGroup {
@@ -49,6 +53,12 @@ IsometryGroup isometry_group(const Decomposition& decomposition, const Canonical
 /// The isomorphism that carries flag order `from` to `to`: [F] images of the flags of `from`.
 /// Needs equal codes.
 std::vector<FlagIndex> isomorphism(const CanonicalOrder& from, const CanonicalOrder& to);
+
+/// All isomorphisms to a decomposition with this order, one for each of its automorphisms; the
+/// first is `isomorphism`. Needs equal codes.
+std::vector<std::vector<FlagIndex>> all_isomorphisms(const CanonicalOrder& from,
+                                                     const Decomposition& to,
+                                                     const CanonicalOrder& to_order);
 
 /// A map of flags as a relabelling: cell c goes to cell_images[c], its vertex v to
 /// vertex_images[c][v] there.

@@ -24,8 +24,10 @@ std::string named(const std::vector<FaceOfTetrahedron>& faces) {
 
 CanonicalProof prove_canonical(const CanonicalManifold& manifold, const Context& context) {
   CanonicalProof result;
+  structure::ProveOptions options;
+  options.cone_angles = manifold.cone_angles;
   result.metric =
-      structure::prove(manifold.triangulation, manifold.report.edge_lengths, {}, context);
+      structure::prove(manifold.triangulation, manifold.report.edge_lengths, options, context);
   if (!result.metric.proved) {
     result.reason = result.metric.reason;
     return result;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "base/stopped.hpp"
 #include "cli/arguments.hpp"
 #include "cli/batch.hpp"
 #include "cli/interrupt.hpp"
@@ -29,7 +28,7 @@ Answer error_answer(const std::string& input, bool json, const std::exception& e
   answer.status = status_of(error);
   if (json) {
     JsonText out;
-    append_error(out, input, error_kind(error), message);
+    append_error(out, input, failure_kind(error), message);
     answer.text = fmt::to_string(out);
   }
   return answer;
@@ -37,22 +36,32 @@ Answer error_answer(const std::string& input, bool json, const std::exception& e
 
 namespace {
 
+/// What is said of an answer that may have been cut short; empty if there is nothing.
+std::string stop_message(const Outcome& outcome) {
+  return outcome.status == kNoAnswer && is_work_over() ? stop_text() : "";
+}
+
 int answer_one(const CommonOptions& options,
                const std::function<Outcome(const std::string&)>& answer) {
   Outcome outcome;
   std::string message;
-  const Answer interrupted = error_answer(options.input, options.json, Stopped());
-  set_last_words(fmt::format("tripus: {}\n", interrupted.message),
-                 options.json ? interrupted.text + '\n' : "");
+  set_last_words("; there is no answer yet", [&](std::string_view why, bool is_time_over) {
+    if (!options.json) return std::string();
+    JsonText out;
+    append_error(out, options.input, is_time_over ? "time-limit" : "interrupted", why);
+    out.push_back('\n');
+    return fmt::to_string(out);
+  });
   try {
     require_not_written(options.input);
     outcome = answer(options.input);
+    message = stop_message(outcome);
   } catch (const std::exception& error) {
     Answer failure = error_answer(options.input, options.json, error);
     outcome = {std::move(failure.text), status_of(error)};
-    message = fmt::format("tripus: {}\n", failure.message);
+    message = std::move(failure.message);
   }
-  write_message(message);
+  if (!message.empty()) write_message(fmt::format("tripus: {}\n", message));
   write_output(outcome.text);
   if (options.json) write_output("\n");
   flush_output();
@@ -60,6 +69,23 @@ int answer_one(const CommonOptions& options,
 }
 
 }  // namespace
+
+void add_resume_option(CLI::App& verb, CommonOptions& options, CLI::Option* batch) {
+  verb.add_option("--resume", options.resume,
+                  fmt::format("with {} and --json: write to this file, after the answers\n"
+                              "that an interrupted run has left there",
+                              batch->get_name()))
+      ->option_text("FILE")
+      ->check(problem_of_name)
+      ->needs(batch);
+}
+
+void require_input(const CommonOptions& options, bool has_input, const CLI::Option& batch) {
+  if (!has_input && batch.count() == 0)
+    throw CLI::RequiredError("INPUT or " + batch.get_name() + " FILE");
+  if (!options.resume.empty() && !options.json)
+    throw CLI::RequiredError("--json, whose lines can be told apart, with --resume");
+}
 
 void add_input_options(CLI::App& verb, CommonOptions& options, const char* answers) {
   auto* input = verb.add_option("INPUT", options.input,
@@ -72,19 +98,10 @@ void add_input_options(CLI::App& verb, CommonOptions& options, const char* answe
                                             answers))
                     ->option_text("FILE");
   input->excludes(batch);
-  auto* resume = verb.add_option("--resume", options.resume,
-                                 "with --batch and --json: write to this file, after the answers "
-                                 "that an\ninterrupted run has left there")
-                     ->option_text("FILE")
-                     ->check(problem_of_name)
-                     ->needs(batch);
+  add_resume_option(verb, options, batch);
   verb.add_flag("--quiet", options.quiet, "no progress on standard error");
-  verb.parse_complete_callback([input, batch, resume, &options] {
-    if (input->count() == 0 && batch->count() == 0)
-      throw CLI::RequiredError("INPUT or --batch FILE");
-    if (resume->count() > 0 && !options.json)
-      throw CLI::RequiredError("--json, whose lines can be told apart, with --resume");
-  });
+  verb.parse_complete_callback(
+      [input, batch, &options] { require_input(options, input->count() > 0, *batch); });
 }
 
 void add_common_options(CLI::App& verb, CommonOptions& options) {
@@ -96,16 +113,18 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
 }
 
 int answer_lines(const CommonOptions& options,
-                 const std::function<Outcome(const topology::BatchLine&)>& answer) {
-  return run_batch({options.batch, options.resume, options.threads, options.quiet},
+                 const std::function<Outcome(const topology::BatchLine&)>& answer,
+                 const BatchOutput::Earlier& earlier) {
+  return run_batch({options.batch, options.resume, options.threads, options.quiet, earlier},
                    [&](const topology::BatchLine& line) -> Answer {
+                     const LineLimit limit;
                      topology::begin_work();
                      try {
                        require_not_written(line.text);
                        Outcome outcome = answer(line);
                        std::string& answered = outcome.text;
                        if (!answered.empty() && answered.back() == '\n') answered.pop_back();
-                       return {std::move(answered), {}, kSuccess};
+                       return {std::move(answered), stop_message(outcome), kSuccess};
                      } catch (const std::exception& error) {
                        return error_answer(line.text, options.json, error);
                      }

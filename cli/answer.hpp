@@ -25,7 +25,8 @@ int answer_inputs(const CommonOptions& options,
 
 /// The same for every line of the file options.batch, with its number.
 int answer_lines(const CommonOptions& options,
-                 const std::function<Outcome(const topology::BatchLine& line)>& answer);
+                 const std::function<Outcome(const topology::BatchLine& line)>& answer,
+                 const BatchOutput::Earlier& earlier = {});
 
 /// An exception as an answer: a JSON object for standard output, a line for standard error.
 Answer error_answer(const std::string& input, bool json, const std::exception& error);

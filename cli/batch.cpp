@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "base/threads.hpp"
-#include "cli/batch_output.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
@@ -58,7 +57,7 @@ class Batch {
     std::size_t answered = first_;
     int status = kSuccess;
     for (std::size_t k = 0; k < chunks_.size(); ++k) {
-      set_last_words(interrupted_text(answered, options));
+      set_last_words(rest_text(answered, options));
       const Chunk chunk = wait_for(k, progress, answered);
       answered += chunk.answered;
       output_.write(chunk.text);
@@ -67,7 +66,7 @@ class Batch {
       if (chunk.answered < lines_of(k)) break;
     }
     if (answered == lines_.size()) return status;
-    write_message(interrupted_text(answered, options));
+    write_message(fmt::format("tripus: {}{}\n", stop_text(), rest_text(answered, options)));
     return kNoAnswer;
   }
 
@@ -81,9 +80,9 @@ class Batch {
     Batch& batch;
   };
 
-  std::string interrupted_text(std::size_t answered, const BatchOptions& options) const {
-    return fmt::format("tripus: interrupted: {} of {} inputs answered, none after these; {}\n",
-                       answered, lines_.size(),
+  /// What an interruption leaves.
+  std::string rest_text(std::size_t answered, const BatchOptions& options) const {
+    return fmt::format(": {} of {} inputs answered, none after these; {}", answered, lines_.size(),
                        options.resume.empty()
                            ? "--json --resume FILE, with these answers in FILE, goes on from there"
                            : "the same command goes on from there");
@@ -170,11 +169,10 @@ class Batch {
 
 int run_batch(const BatchOptions& options,
               const std::function<Answer(const topology::BatchLine&)>& answer) {
-  catch_interrupts();
   if (!options.resume.empty()) declare_output("--resume", options.resume);
   require_not_written(options.file);
   const std::vector<topology::BatchLine> lines = read_batch_file(options.file);
-  BatchOutput output(options.resume, lines);
+  BatchOutput output(options.resume, lines, AnswersPerLine::kOne, options.earlier);
   return Batch(lines, output, thread_count(options.threads), answer).run(options);
 }
 

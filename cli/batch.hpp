@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "cli/batch_output.hpp"
 #include "topology/formats/formats.hpp"
 
 namespace tripus::cli {
@@ -19,6 +20,7 @@ struct BatchOptions {
   std::string resume;    ///< see BatchOutput
   unsigned threads = 0;  ///< 0: all cores
   bool quiet = false;
+  BatchOutput::Earlier earlier = {};
 };
 
 /// Answers every line, on all threads, and writes the answers in the order of the input.

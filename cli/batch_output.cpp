@@ -15,8 +15,8 @@ namespace {
 class Answers {
  public:
   Answers(const std::string& path, const std::vector<topology::BatchLine>& lines,
-          AnswersPerLine answers)
-      : path_(path), lines_(lines), answers_(answers) {}
+          AnswersPerLine answers, const BatchOutput::Earlier& earlier)
+      : path_(path), lines_(lines), answers_(answers), earlier_(earlier) {}
 
   void read(std::string_view text) {
     std::size_t number = 1;
@@ -44,6 +44,8 @@ class Answers {
       refuse(number, "is no answer of this version to line " +
                          std::to_string(lines_[answered_].line_number) + " of the batch, " +
                          quoted(lines_[answered_].text));
+    const std::string problem = earlier_ ? earlier_(lines_[answered_], line) : "";
+    if (!problem.empty()) refuse(number, problem);
     ++answered_;
   }
 
@@ -68,20 +70,21 @@ class Answers {
   const std::string& path_;
   const std::vector<topology::BatchLine>& lines_;
   const AnswersPerLine answers_;
+  const BatchOutput::Earlier& earlier_;
   std::size_t at_ = 0, answered_ = 0, last_begins_ = 0;
 };
 
 }  // namespace
 
 BatchOutput::BatchOutput(const std::string& resume, const std::vector<topology::BatchLine>& lines,
-                         AnswersPerLine answers) {
+                         AnswersPerLine answers, const Earlier& earlier) {
   if (resume.empty()) return;
   file_.emplace(resume);
   const std::string text = file_->read();
-  Answers earlier(resume, lines, answers);
-  earlier.read(text);
-  answered_ = earlier.answered();
-  if (earlier.bytes() != text.size()) file_->cut(earlier.bytes());
+  Answers known(resume, lines, answers, earlier);
+  known.read(text);
+  answered_ = known.answered();
+  if (known.bytes() != text.size()) file_->cut(known.bytes());
 }
 
 void BatchOutput::write(std::string_view text) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,13 +19,17 @@ enum class AnswersPerLine { kOne, kAnyNumber };
 /// in a file already (--resume FILE).
 class BatchOutput {
  public:
+  /// Told of an answer that is there already; says what keeps it from being used, or nothing.
+  using Earlier =
+      std::function<std::string(const topology::BatchLine& line, std::string_view answer)>;
+
   /// With a file: reads which lines have their answers there, as JSON objects, one a line, in the
   /// order of the batch. A torn last line is cut off; of lines with any number of answers the last
   /// that has some is answered anew, since more may belong to it.
   /// Throws InvalidInput, naming the line of the file, for one that is no answer to its line of the
   /// batch by this version; and what AppendFile throws.
   BatchOutput(const std::string& resume, const std::vector<topology::BatchLine>& lines,
-              AnswersPerLine answers = AnswersPerLine::kOne);
+              AnswersPerLine answers = AnswersPerLine::kOne, const Earlier& earlier = {});
 
   /// How many lines of the batch need no answer any more.
   std::size_t answered() const { return answered_; }

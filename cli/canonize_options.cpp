@@ -20,6 +20,11 @@ void add_canonize_options(CLI::App& verb, canonical::CanonizeOptions& options) {
       ->check(whole_number(std::numeric_limits<int>::max()));
 }
 
+void limit_work(canonical::CanonizeOptions& options) {
+  options.solve.stop_requested = &stop_flag();
+  options.solve.time_limit = seconds_left();
+}
+
 void add_prove_option(CLI::App& verb, bool& prove, const char* what) {
   verb.add_flag("--prove", prove, what)->option_text(" ");
 }
@@ -35,7 +40,6 @@ void add_canonical_verb(CLI::App& program, const char* name, const char* descrip
                         bool can_prove) {
   CLI::App* verb = program.add_subcommand(name, description);
   auto command = std::make_shared<CanonicalCommand>();
-  command->canonize.solve.stop_requested = &interrupt_requested();
   add_common_options(*verb, command->common);
   add_canonize_options(*verb, command->canonize);
   if (can_prove)
@@ -47,8 +51,9 @@ void add_canonical_verb(CLI::App& program, const char* name, const char* descrip
       return answer_inputs(command->common, [command, answer](const std::string& input) {
         const Subject subject = load_ideal_subject(input, Balls::kRefused, interruptible(),
                                                    require_canonizable_with_remedy);
-        catch_interrupts();
-        return answer(*command, subject);
+        CanonicalCommand limited = *command;
+        limit_work(limited.canonize);
+        return answer(limited, subject);
       });
     };
   });

@@ -14,6 +14,9 @@ namespace tripus::cli {
 /// Adds what the verbs that look for canonical decompositions have in common.
 void add_canonize_options(CLI::App& verb, canonical::CanonizeOptions& options);
 
+/// Has the work end as interrupts and the time limit want it.
+void limit_work(canonical::CanonizeOptions& options);
+
 /// The exit status of these verbs, for their help.
 extern const char* const kCanonicalStatusHelp;
 

@@ -128,10 +128,22 @@ void declare_outputs(const CensusCommand& command) {
   if (!command.in.empty()) require_not_written(command.in);
 }
 
+int write_proofs(const CensusCommand& command, const Census& census) {
+  const Context context = interruptible();
+  const auto proofs = canonical::prove_census(census, context);
+  if (context.stop_requested()) {
+    write_message(fmt::format("tripus: {} after {} proofs; no proofs were written\n", stop_text(),
+                              proofs.size()));
+    return kNoAnswer;
+  }
+  write_text(command.proofs.empty() ? "-" : command.proofs, canonical::to_tsv(proofs));
+  return kSuccess;
+}
+
 int make(CensusCommand& command) {
   const std::string path = journal_of(command);
-  const auto interrupted = [&](std::size_t done, std::size_t of) {
-    return fmt::format("tripus: interrupted after {} of {} triangulations{}\n", done, of,
+  const auto rest = [&](std::size_t done, std::size_t of) {
+    return fmt::format(" after {} of {} triangulations{}", done, of,
                        path.empty() ? "" : "; the same command goes on from there");
   };
   const Inputs inputs = read_lists(command.lists);
@@ -155,22 +167,21 @@ int make(CensusCommand& command) {
   for (const std::string& text : list)
     if (done.insert(text).second) todo.push_back(text);
   const std::size_t total = lines.size() + todo.size(), resumed = lines.size();
-  catch_interrupts();
   Progress progress(!command.quiet);
   std::size_t count = resumed;
-  set_last_words(interrupted(count, total));
+  set_last_words(rest(count, total));
   command.classify.stop_requested = &interrupt_requested();
   command.classify.canonize.solve.stop_requested = &interrupt_requested();
   command.classify.on_line = [&](const CensusLine& line) {
     if (journal) journal->add(canonical::to_journal(line));
     ++count;
-    set_last_words(interrupted(count, total));
+    set_last_words(rest(count, total));
     if (progress.due()) progress.show(fmt::format("{} of {} triangulations", count, total));
   };
   for (CensusLine& line : canonical::classify(todo, command.classify))
     lines.push_back(std::move(line));
   if (lines.size() < total) {
-    write_message(interrupted(lines.size(), total));
+    write_message("tripus: " + stop_text() + rest(lines.size(), total) + "\n");
     return kNoAnswer;
   }
   std::size_t own = 0, moved = 0, refused = inputs.refused;
@@ -187,6 +198,7 @@ int make(CensusCommand& command) {
         fmt::format("all of the {} were refused: no census was made",
                     counted(total + inputs.refused, "triangulation", "triangulations")));
   write_census(command, census);
+  if (command.prove && write_proofs(command, census) != kSuccess) return kNoAnswer;
   if (journal && command.journal.empty()) journal->remove();
   const std::string summary = fmt::format(
       "{} triangulations: {} manifolds; {} carry their metric, {} after moves, {} unresolved, {} "
@@ -298,19 +310,11 @@ int check_proofs(const CensusCommand& command) {
   context.threads = command.classify.threads;
   const canonical::CensusCheck check = canonical::check_census(
       census, proofs ? *proofs : canonical::shipped_census_proofs(), context);
-  if (check.stopped) write_message("tripus: interrupted before all proofs were checked\n");
+  if (check.stopped) write_message("tripus: " + stop_text() + " before all proofs were checked\n");
   for (const std::string& failure : check.failures) write_output(printable(failure) + "\n");
   write_output(
       fmt::format("{} of {} manifolds have a valid proof\n", check.valid, census.manifolds.size()));
   return check.failures.empty() && !check.stopped ? kSuccess : kNoAnswer;
-}
-
-int write_proofs(const CensusCommand& command) {
-  const ChosenCensus chosen(command.in);
-  const Context context = interruptible();
-  const auto proofs = canonical::prove_census(chosen.get(), context);
-  write_text(command.proofs.empty() ? "-" : command.proofs, canonical::to_tsv(proofs));
-  return context.stop_requested() ? kNoAnswer : kSuccess;
 }
 
 void add_query_options(CLI::App& verb, CensusCommand& command) {
@@ -383,7 +387,8 @@ void add_census(CLI::App& program, Command& chosen) {
                                "check the proof of every manifold by other code than made it")
                     ->option_text(" ");
   auto* prove = verb->add_flag("--prove", command->prove,
-                               "prove the metrics of all manifolds, and write the proofs")
+                               "prove the metrics of all manifolds (with --from: of the "
+                               "new\ncensus), and write the proofs")
                     ->option_text(" ");
   check->excludes(prove);
   verb->add_option("--proofs", command->proofs,
@@ -391,16 +396,23 @@ void add_census(CLI::App& program, Command& chosen) {
                    "writes (default: standard output)")
       ->option_text("FILE");
   add_making_options(*verb, *command);
+  check->excludes(verb->get_option("--from"));
   verb->footer(kCensusHelp);
   verb->final_callback([command, verb, &chosen] {
     command->has_boundary = verb->get_option("--boundary")->count() > 0;
     command->has_homology = verb->get_option("--homology")->count() > 0;
     command->has_cells = verb->get_option("--cells")->count() > 0;
+    if (command->prove && !command->lists.empty() && command->proofs.empty() &&
+        (command->tsv.empty() || command->tsv == "-") && command->database.empty())
+      throw CLI::RequiredError(
+          "--proofs FILE, with --from and --prove where the census itself goes to standard "
+          "output,");
     chosen = [command] {
       declare_outputs(*command);
       if (command->check) return check_proofs(*command);
-      if (command->prove) return write_proofs(*command);
-      return command->lists.empty() ? look_up(*command) : make(*command);
+      if (!command->lists.empty()) return make(*command);
+      if (command->prove) return write_proofs(*command, ChosenCensus(command->in).get());
+      return look_up(*command);
     };
   });
 }

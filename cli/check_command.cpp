@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/stopped.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
@@ -36,8 +37,9 @@ auto parse_file(const std::string& path, const std::string& text, Parse parse) {
 std::string proof_verdict(const structure::ProofText& proof, const structure::ProofCheck& result) {
   if (!result) return "not valid: " + result.reason;
   return proof.claim == structure::Proof::Claim::kMetric
-             ? "valid: this triangulation carries the hyperbolic metric with geodesic boundary, "
-               "and all that the proof says of it"
+             ? "valid: this triangulation carries the hyperbolic metric, and all that the proof "
+               "says "
+               "of it"
              : "valid: the co-volume has a minimiser with these tetrahedra flat, so this "
                "triangulation carries no metric";
 }
@@ -54,11 +56,22 @@ std::string proof_as_json(const std::string& input, const structure::ProofText& 
   return fmt::to_string(out);
 }
 
+constexpr const char* kOtherLabels =
+    "its cone angles are not those of INPUT; label INPUT as in \"FILE 0=3,1=2\"";
+
+bool same_labels(const Subject& subject, std::span<const topology::ConeAngle> cone_angles) {
+  return topology::same_angles(subject.cone_angles, cone_angles,
+                               subject.triangulation.edge_count());
+}
+
 Outcome check_one_proof(const CheckOptions& options, const std::string& text) {
   const structure::ProofText proof = parse_file(options.certificate, text, structure::parse_proof);
-  const topology::Triangulation triangulation(load_input(options.input, interruptible()).gluings);
+  const Subject subject = load_labelled_subject(options.input, Balls::kAllowed, interruptible());
   const structure::ProofCheck result =
-      structure::check_proof(triangulation, proof, interruptible());
+      same_labels(subject, proof.cone_angles)
+          ? structure::check_proof(subject.triangulation, proof, interruptible())
+          : structure::ProofCheck{false, kOtherLabels};
+  if (!result && is_work_over()) throw Stopped();  // which says nothing about the proof
   return {options.json ? proof_as_json(options.input, proof, result)
                        : proof_verdict(proof, result) + "\n",
           result ? kSuccess : kNoAnswer};
@@ -87,9 +100,6 @@ std::string as_json(const std::string& input, const Certificate& certificate,
   return fmt::to_string(out);
 }
 
-constexpr const char* kOtherLabels =
-    "its cone angles are not those of INPUT; label INPUT as in \"FILE 0=3,1=2\"";
-
 Outcome check_one(const CheckOptions& options) {
   if (options.certificate == "-" && options.input == "-")
     throw InvalidInput("the certificate and INPUT cannot both come from standard input");
@@ -98,10 +108,7 @@ Outcome check_one(const CheckOptions& options) {
   const Certificate certificate =
       parse_file(options.certificate, text, structure::parse_certificate);
   const Subject subject = load_labelled_subject(options.input, Balls::kAllowed, interruptible());
-  const bool same_labels =
-      topology::completed(subject.cone_angles, subject.triangulation.edge_count()) ==
-      topology::completed(certificate.cone_angles, subject.triangulation.edge_count());
-  const structure::CheckResult result = same_labels
+  const structure::CheckResult result = same_labels(subject, certificate.cone_angles)
                                             ? structure::check(subject.triangulation, certificate)
                                             : structure::CheckResult{false, kOtherLabels};
   return {options.json ? as_json(options.input, certificate, result)

@@ -19,6 +19,11 @@ struct CommonOptions {
 
 /// Adds INPUT, --batch (`answers` says what comes for each line) and --quiet to a verb.
 void add_input_options(CLI::App& verb, CommonOptions& options, const char* answers);
+/// Adds --resume to a verb whose batch is given by the option `batch`.
+void add_resume_option(CLI::App& verb, CommonOptions& options, CLI::Option* batch);
+/// To be called when the options are known: INPUT or the batch is there, and --resume has its JSON.
+/// Throws CLI::RequiredError.
+void require_input(const CommonOptions& options, bool has_input, const CLI::Option& batch);
 /// Adds INPUT and all the common options to a verb.
 void add_common_options(CLI::App& verb, CommonOptions& options);
 

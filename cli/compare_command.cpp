@@ -134,9 +134,8 @@ Outcome compare_two(const CompareCommand& command) {
   };
   const Subject first = load(command.common.input);
   const Subject second = load(command.second);
-  catch_interrupts();
   canonical::CanonizeOptions options = command.canonize;
-  options.solve.stop_requested = &interrupt_requested();
+  limit_work(options);
   const Comparison comparison = compare_subjects(first, second, options);
   std::optional<canonical::ComparisonProof> proof;
   if (command.prove) proof = canonical::prove_comparison(comparison, interruptible());

@@ -15,6 +15,7 @@
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/batch_output.hpp"
+#include "cli/canonize_options.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
@@ -45,6 +46,7 @@ struct CoverCommand {
   int limit = 0;  ///< 0: none
   bool orientable = false;
   bool distinct = false;
+  canonical::CanonizeOptions canonize;  ///< to tell them apart
   std::string output;
 
   std::size_t sheets() const {
@@ -230,12 +232,14 @@ std::string no_cover(const CoverCommand& command, const topology::Triangulation&
 /// of their triangulations.
 class DistinctManifolds {
  public:
+  explicit DistinctManifolds(const canonical::CanonizeOptions& options) : options_(options) {}
+
   /// Whether the manifold is none of those before, as far as can be told.
   bool add(const Subject& subject) {
     if (!subject.isosig) return true;
     if (!triangulations_.insert(*subject.isosig).second) return false;
-    canonical::CanonizeOptions options;
-    options.solve.stop_requested = &interrupt_requested();
+    canonical::CanonizeOptions options = options_;
+    limit_work(options);
     options.solve.evidence = false;
     try {
       const auto answer = canonical::canonize(subject.triangulation, options);
@@ -246,6 +250,7 @@ class DistinctManifolds {
   }
 
  private:
+  const canonical::CanonizeOptions& options_;
   std::unordered_set<std::string> triangulations_, manifolds_;
 };
 
@@ -254,19 +259,18 @@ int write_covers(const CoverCommand& command, const std::string& input, Sink& si
                  Progress& progress) {
   const topology::NamedGluings loaded = load_manifold_input(input, interruptible());
   const topology::Triangulation base(loaded.gluings);
-  catch_interrupts();
   if (command.sheets() > kMostTetrahedra / base.tetrahedron_count())
     throw InvalidInput(fmt::format(
         "degree {}: the cover would have {} tetrahedra; at most {} are made here", command.sheets(),
         command.sheets() * base.tetrahedron_count(), kMostTetrahedra));
   topology::note_work_size(command.sheets() * base.tetrahedron_count());
   std::size_t number = 0, written = 0;
-  DistinctManifolds distinct;
+  DistinctManifolds distinct(command.canonize);
   const auto visit = [&](const Cover& cover) {
     ++number;
     const Subject subject = make_subject(
         input, {loaded.name, cover.gluings, {}, loaded.notes, loaded.orientation_known});
-    if (command.distinct && !distinct.add(subject)) return !interrupt_requested();
+    if (command.distinct && !distinct.add(subject)) return !stop_flag();
     ++written;
     sink.add(
         command.common.json ? as_json(subject, cover, number) : as_text(subject, cover, number),
@@ -274,9 +278,9 @@ int write_covers(const CoverCommand& command, const std::string& input, Sink& si
                      cover.degree, number),
          cover.gluings});
     if (progress.due()) progress.show(fmt::format("{} covers", sink.count()));
-    return written != static_cast<std::size_t>(command.limit) && !interrupt_requested();
+    return written != static_cast<std::size_t>(command.limit) && !stop_flag();
   };
-  const std::atomic<bool>* stop = &interrupt_requested();
+  const std::atomic<bool>* stop = &stop_flag();
   if (command.orientable) {
     visit(topology::orientable_double_cover(base));
   } else if (command.cyclic_class) {
@@ -290,7 +294,7 @@ int write_covers(const CoverCommand& command, const std::string& input, Sink& si
   if (written < number && !command.common.quiet)
     write_message(fmt::format("tripus: {}: {} left out: the same manifolds as others\n",
                               printable(input), counted(number - written, "cover", "covers")));
-  if (number > 0 || interrupt_requested()) return kSuccess;
+  if (number > 0 || stop_flag()) return kSuccess;
   write_message(fmt::format("tripus: {}: {}\n", printable(input), no_cover(command, base)));
   return kNoAnswer;
 }
@@ -305,12 +309,13 @@ int run(const CoverCommand& command) {
   int status = kSuccess, worst = kSuccess;
   for (std::size_t i = sink.first(); i < inputs.size(); ++i) {
     const std::string& input = inputs[i].text;
-    const auto interrupted = [&] {
+    const auto rest = [&] {
       return fmt::format(
-          "tripus: interrupted after {}{}\n", counted(sink.count(), "cover", "covers"),
+          " after {}{}", counted(sink.count(), "cover", "covers"),
           batch ? fmt::format(", of the first {} of {} inputs", i, inputs.size()) : "");
     };
-    set_last_words(interrupted());
+    set_last_words(rest());
+    const LineLimit limit;
     topology::begin_work();
     try {
       require_not_written(input);
@@ -330,9 +335,14 @@ int run(const CoverCommand& command) {
                   : fmt::format("tripus: {}\n", answer.message));
     }
     if (status == kInternalFailure) worst = kInternalFailure;
-    if (!interrupt_requested()) continue;
+    if (!interrupt_requested()) {
+      if (status == kSuccess && is_time_over())
+        write_message(fmt::format("tripus: line {}: {}: there may be more covers\n",
+                                  inputs[i].line_number, stop_text()));
+      continue;
+    }
     sink.close();
-    write_message(interrupted());
+    write_message("tripus: " + stop_text() + rest() + "\n");
     return kNoAnswer;
   }
   sink.close();
@@ -375,10 +385,13 @@ void add_cover(CLI::App& program, Command& chosen) {
       ->option_text(" ")
       ->excludes(cyclic)
       ->excludes(degree);
-  verb->add_flag("--distinct", command->distinct,
-                 "leave out covers that are homeomorphic to one before, mirror images\n"
-                 "too; where there is no metric, that have the same triangulation")
-      ->option_text(" ");
+  auto* distinct =
+      verb->add_flag("--distinct", command->distinct,
+                     "leave out covers that are homeomorphic to one before, mirror images\n"
+                     "too; where there is no metric, that have the same triangulation")
+          ->option_text(" ");
+  add_canonize_options(*verb, command->canonize);
+  verb->get_option("--budget")->needs(distinct);
   verb->add_option("--class", command->cyclic_class,
                    "only the cyclic cover of this class: its values modulo N on the\n"
                    "summands of H1, in the order in which `tripus info` prints them")

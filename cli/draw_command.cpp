@@ -2,8 +2,6 @@
 #include <memory>
 #include <optional>
 
-#include <fmt/format.h>
-
 #include "base/output_file.hpp"
 #include "cli/diagram_commands.hpp"
 #include "cli/exit_status.hpp"
@@ -35,13 +33,6 @@ struct DrawCommand {
   bool polylines = false, black = false, text = false;
 };
 
-std::string pd_text(const topology::NamedDiagram& loaded) {
-  std::string text = "PD: " + to_text(loaded.diagram);
-  for (const topology::DiagramLabel& label : loaded.labels)
-    text += fmt::format(" Cone[{},{}]", label.arc, label.angle.order_text());
-  return text + "\n";
-}
-
 int run(const DrawCommand& command) {
   if (command.output != "-") {
     const bool is_picture = !command.text && !command.polylines;
@@ -58,7 +49,7 @@ int run(const DrawCommand& command) {
   options.size = command.size;
   options.title = loaded.name;
   options.colours = !command.black;
-  const std::string content = command.text        ? pd_text(loaded)
+  const std::string content = command.text        ? topology::pd_text(loaded) + "\n"
                               : command.polylines ? drawing::to_polylines(loaded.diagram)
                                                   : drawing::to_svg(loaded.diagram, options);
   if (file) {

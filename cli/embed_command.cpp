@@ -77,7 +77,7 @@ embedding::UniversalCover cells_of(const EmbedCommand& command, const Subject& s
   if (command.cells > 0) options.max_cells = command.cells;
   if (command.depth >= 0) options.max_depth = static_cast<std::uint32_t>(command.depth);
   if (command.radius > 0) options.max_radius = command.radius;
-  options.stop_requested = &interrupt_requested();
+  options.stop_requested = &stop_flag();
   embedding::UniversalCover cover =
       embedding::grow_universal_cover(embedded, subject.triangulation, options);
   // All the cells that were asked for are there: nothing ended early.
@@ -92,8 +92,7 @@ void write_mesh(const EmbedCommand& command, EmbeddedSubject& embedded,
                 const embedding::MeshFormat& format, OutputFile& file) {
   const embedding::Tessellation tessellation(
       embedded.embedding, embedded.cover.cells,
-      {model_named(command.model), command.error,
-       interrupt_requested() ? nullptr : &interrupt_requested()});
+      {model_named(command.model), command.error, stop_flag() ? nullptr : &stop_flag()});
   if (tessellation.triangle_count() > embedding::kMostTriangles) {
     throw InvalidInput(fmt::format(
         "{} cells with an error of {} take {} triangles, more than {}; ask for fewer cells or a "
@@ -133,7 +132,6 @@ Outcome embed_one(const EmbedCommand& command, const std::string& input) {
   if (!command.output.empty()) file.emplace(command.output);
   if (!command.circles.empty()) circles.emplace(command.circles);
   Subject loaded = load_solvable_subject(input, interruptible(), require_boundary_with_remedy);
-  catch_interrupts();
   const Solved solved = find_metric(std::move(loaded), {}, command.search);
   const Subject& subject = solved.subject;
   const structure::Report& report = solved.report;

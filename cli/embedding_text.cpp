@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cli/describe.hpp"
+#include "cli/interrupt.hpp"
 #include "embedding/holonomy.hpp"
 
 namespace tripus::cli {
@@ -21,14 +22,14 @@ constexpr std::string_view kRelatorsDoNotHold =
     "do not hold in double precision in the frame of tetrahedron 0: the fundamental domain is too "
     "large for that; use face_pairings, which are exact to local_defect";
 
-std::string_view end_remark(CoverEnd end) {
+std::string end_remark(CoverEnd end) {
   switch (end) {
     case CoverEnd::kComplete:
       break;
     case CoverEnd::kCells:
       return ": no more are grown; what was asked for is not complete";
     case CoverEnd::kInterrupted:
-      return ": interrupted, what was asked for is not complete";
+      return ": " + stop_text() + ", what was asked for is not complete";
     case CoverEnd::kPrecision:
       return ": further out, double precision cannot tell cells apart; what was asked for is not "
              "complete";

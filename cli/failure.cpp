@@ -9,6 +9,8 @@
 #include "base/error.hpp"
 #include "base/stopped.hpp"
 #include "cli/exit_status.hpp"
+#include "cli/interrupt.hpp"
+#include "manifold/json_text.hpp"
 #include "topology/work_size.hpp"
 
 namespace tripus::cli {
@@ -26,6 +28,10 @@ bool is_out_of_memory(const std::exception& error) {
                                system->code() == std::errc::not_enough_memory);
 }
 
+bool is_stop(const std::exception& error) {
+  return dynamic_cast<const Stopped*>(&error) != nullptr;
+}
+
 std::string bytes_text(double bytes) {
   return bytes >= 1e9 ? fmt::format("{:.1f} GB", bytes / 1e9)
                       : fmt::format("{:.0f} MB", bytes / 1e6);
@@ -34,6 +40,7 @@ std::string bytes_text(double bytes) {
 }  // namespace
 
 std::string failure_text(const std::exception& error) {
+  if (is_stop(error)) return stop_text();
   if (!is_out_of_memory(error)) return error.what();
   const std::size_t tetrahedra = topology::work_size();
   if (tetrahedra == 0) return "not enough memory, even to begin";
@@ -41,8 +48,12 @@ std::string failure_text(const std::exception& error) {
                      bytes_text(double(tetrahedra) * kBytesPerTetrahedron + kBytesAtLeast));
 }
 
+std::string_view failure_kind(const std::exception& error) {
+  return is_stop(error) && is_time_over() ? "time-limit" : error_kind(error);
+}
+
 int status_of(const std::exception& error) {
-  if (dynamic_cast<const Stopped*>(&error) != nullptr) return kNoAnswer;
+  if (is_stop(error)) return kNoAnswer;
   return dynamic_cast<const InvalidInput*>(&error) != nullptr ? kBadInput : kInternalFailure;
 }
 

@@ -68,9 +68,9 @@ Outcome identify_one(const IdentifyCommand& command, const Census& census,
                      const std::string& input) {
   const Subject subject =
       load_ideal_subject(input, Balls::kRefused, interruptible(), require_canonizable_with_remedy);
-  catch_interrupts();
   canonical::CanonizeOptions options = command.canonize;
   options.solve.cone_angles = subject.cone_angles;
+  limit_work(options);
   const Identification found = canonical::identify(subject.triangulation, census, options);
   const std::string message = message_of(found, command, census);
   std::string text = fmt::format("{}: {}\n", printable(subject.input), message);
@@ -86,7 +86,6 @@ Outcome identify_one(const IdentifyCommand& command, const Census& census,
 void add_identify(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand("identify", "the name of a manifold in the census");
   auto command = std::make_shared<IdentifyCommand>();
-  command->canonize.solve.stop_requested = &interrupt_requested();
   command->canonize.solve.evidence = false;
   add_common_options(*verb, command->common);
   add_canonize_options(*verb, command->canonize);

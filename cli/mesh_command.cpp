@@ -1,5 +1,6 @@
 // tripus mesh: from a boundary surface or a tetrahedral mesh to a small ideal triangulation.
 #include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -163,10 +164,12 @@ std::string as_text(const meshing::Manifold& manifold, const Subject& subject) {
 Outcome mesh_one(const MeshCommand& command, const std::string& input) {
   meshing::MeshFile file = load_mesh(input);
   const std::string source = input == "-" ? "standard input" : tripus::quoted(input);
-  catch_interrupts();
   Progress progress(!command.common.quiet && command.common.batch.empty());
   meshing::ManifoldOptions options = command.options;
-  options.stop_requested = &interrupt_requested();
+  options.stop_requested = &stop_flag();
+  // A limit of the user's is the only one; the flag comes first, with its words.
+  if (const double left = seconds_left(); std::isfinite(left))
+    options.tetrahedralize.time_limit = left + 1;
   options.progress = [&](std::string_view activity, std::size_t tetrahedra) {
     if (!progress.due()) return;
     progress.show(tetrahedra == 0 ? fmt::format("{}", activity)
@@ -227,10 +230,6 @@ void add_mesh(CLI::App& program, Command& chosen) {
       ->option_text("V")
       ->check(positive_number())
       ->excludes(aim);
-  verb->add_option("--time-limit", filling.time_limit,
-                   fmt::format("seconds for filling a surface (default: {})", filling.time_limit))
-      ->option_text("S")
-      ->check(positive_number());
   verb->add_option("--seed", command->options.seed, "of the search for fewer (default: 0)")
       ->option_text("N")
       ->check(whole_number(std::numeric_limits<int>::max()));

@@ -30,12 +30,13 @@ void add_metric_search(CLI::App& verb, MetricSearch& search) {
 }
 
 Solved find_metric(Subject subject, structure::SolveOptions options, const MetricSearch& search) {
-  options.stop_requested = &interrupt_requested();
+  options.stop_requested = &stop_flag();
+  options.time_limit = seconds_left();
   structure::Report report = structure::solve(subject.triangulation, options);
   const bool geometric = report.outcome == structure::Outcome::kGeometric;
-  options.time_limit -= report.seconds;
-  if (geometric || !search.retriangulate || !(options.time_limit > 0) || interrupt_requested())
+  if (geometric || !search.retriangulate || is_work_over())
     return {std::move(subject), std::move(report), std::nullopt};
+  options.time_limit = seconds_left();
   structure::Retriangulation found =
       structure::retriangulate(subject.triangulation, std::move(report), options, search.options);
   Subject result = make_subject(subject, found.gluings);

@@ -1,5 +1,4 @@
 // tripus orthospectrum: the arcs that meet the boundary at right angles at both ends.
-#include <chrono>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "canonical/canonize.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
+#include "cli/canonize_options.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
@@ -28,12 +28,11 @@ namespace tripus::cli {
 namespace {
 
 constexpr std::size_t kDefaultCount = 100;
-constexpr double kNoTimeLimit = 1e9;  // seconds: thirty years
 
 struct OrthospectrumCommand {
   CommonOptions common;
   orthospectrum::SpectrumOptions spectrum;
-  double time_limit = kNoTimeLimit;
+  canonical::CanonizeOptions canonize;
   bool words = false, summary = false, canonical = false, force = false, prove = false;
   std::string table, picture, plot;
 };
@@ -50,11 +49,6 @@ orthospectrum::SpectrumOptions options_for(const OrthospectrumCommand& command) 
 
 Context context_for(const OrthospectrumCommand& command, Progress& progress) {
   Context context = interruptible();
-  if (command.time_limit < kNoTimeLimit) {
-    context.deadline =
-        Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(
-                                    std::chrono::duration<double>(command.time_limit));
-  }
   context.threads = command.common.batch.empty() ? command.common.threads : 1;
   context.progress = [&progress](std::string_view activity, std::size_t) {
     if (progress.due()) progress.show(std::string(activity));
@@ -77,12 +71,27 @@ orthospectrum::Spectrum spectrum_of(const OrthospectrumCommand& command, const S
   }
 }
 
-std::optional<std::vector<double>> canonical_edges_of(const Subject& subject) {
-  canonical::CanonizeOptions options;
-  options.solve.stop_requested = &interrupt_requested();
+std::optional<std::vector<double>> canonical_edges_of(const OrthospectrumCommand& command,
+                                                      const Subject& subject) {
+  canonical::CanonizeOptions options = command.canonize;
+  limit_work(options);
   const canonical::CanonizeAnswer answer = canonical::canonize(subject.triangulation, options);
   if (!answer.manifold) return std::nullopt;
   return canonical::cell_edge_lengths(*answer.manifold);
+}
+
+/// Before any work: lengths are proved without cusps only.
+void require_arcs(const OrthospectrumCommand& command,
+                  const topology::Triangulation& triangulation) {
+  require_boundary_beside_cusps_with_remedy(triangulation);
+  if (!command.prove) return;
+  for (std::size_t v = 0; v < triangulation.vertex_count(); ++v) {
+    if (triangulation.link(v).euler_characteristic == 0)
+      throw Unsupported(fmt::format(
+          "the link of vertex class {} is a torus, a cusp, and --prove knows none so far; without "
+          "it the lengths are computed",
+          v));
+  }
 }
 
 void write_text(std::optional<OutputFile>& file, const std::string& text) {
@@ -96,11 +105,12 @@ Outcome spectrum_one(const OrthospectrumCommand& command, const std::string& inp
   if (!command.table.empty()) table.emplace(command.table);
   if (!command.picture.empty()) picture.emplace(command.picture);
   if (!command.plot.empty()) plot.emplace(command.plot);
-  const Subject subject =
-      load_solvable_subject(input, interruptible(), require_boundary_beside_cusps_with_remedy);
-  catch_interrupts();
+  const Subject subject = load_solvable_subject(
+      input, interruptible(),
+      [&](const topology::Triangulation& loaded) { require_arcs(command, loaded); });
   structure::SolveOptions solve;
-  solve.stop_requested = &interrupt_requested();
+  solve.stop_requested = &stop_flag();
+  solve.time_limit = seconds_left();
   const structure::Report report = structure::solve(subject.triangulation, solve);
   if (report.outcome != structure::Outcome::kGeometric) {
     return {command.common.json
@@ -118,7 +128,7 @@ Outcome spectrum_one(const OrthospectrumCommand& command, const std::string& inp
   if (command.prove)
     answer.proved = orthospectrum::prove_lengths(subject.triangulation, report.edge_lengths,
                                                  answer.spectrum, interruptible());
-  if (command.canonical) answer.canonical_edges = canonical_edges_of(subject);
+  if (command.canonical) answer.canonical_edges = canonical_edges_of(command, subject);
   if (table) {
     write_arc_table(table->open(), answer);
     table->close();
@@ -154,10 +164,6 @@ void add_bounds(CLI::App& verb, OrthospectrumCommand& command) {
       ->check(positive_number())
       ->excludes(length);
   verb.add_flag("--force", command.force, "also where there would be more than 10^9 arcs");
-  verb.add_option("--time-limit", command.time_limit,
-                  "end after so many seconds with what is complete")
-      ->option_text("S")
-      ->check(positive_number());
 }
 
 void add_outputs(CLI::App& verb, OrthospectrumCommand& command) {
@@ -167,11 +173,15 @@ void add_outputs(CLI::App& verb, OrthospectrumCommand& command) {
                                 "counts, sums and estimates only, in memory that does not grow")
                       ->option_text(" ");
   verb.add_flag("--prove", command.prove,
-                "prove the metric and the length of each arc, every rounding accounted for")
+                "prove the metric and the length of each arc, every rounding accounted for, but\n"
+                "not that there are no others; without cusps only")
       ->option_text(" ")
       ->excludes(summary);
-  verb.add_flag("--canonical", command.canonical,
-                "say how many edges of the canonical decomposition have each length");
+  auto* canonical =
+      verb.add_flag("--canonical", command.canonical,
+                    "say how many edges of the canonical decomposition have each length");
+  add_canonize_options(verb, command.canonize);
+  verb.get_option("--budget")->needs(canonical);
   CLI::Option* batch = verb.get_option("--batch");
   verb.add_option("--tsv", command.table, "write a table with a line for each arc")
       ->option_text("FILE")

@@ -102,8 +102,8 @@ std::string spectrum_as_text(const SpectrumAnswer& answer) {
          answer.proved->proved
              ? "the metric, and the length of each of these arcs; not that there are no others"
              : answer.proved->reason);
-  if (!spectrum.arcs.empty())
-    line("shortest return", fmt::format("{:.15g}", spectrum.arcs.front().length));
+  if (const auto shortest = spectrum.sums.shortest())
+    line("shortest return", fmt::format("{:.15g}", *shortest));
   const orthospectrum::Identities& identities = answer.identities;
   line("boundary area", identity_text(identities.area));
   line("volume", identity_text(identities.volume));

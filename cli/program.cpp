@@ -18,6 +18,7 @@
 #include "cli/failure.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/streams.hpp"
 #include "manifold/json_text.hpp"
@@ -102,6 +103,29 @@ void add_verbs(CLI::App& program, Command& command) {
   program.footer(std::string(kInputHelp) + kExamples + "\n" + kExitStatusHelp);
 }
 
+/// All verbs but those that are done in no time end when they are told to.
+void add_time_limit(CLI::App& program, double& seconds) {
+  for (CLI::App* verb : program.get_subcommands(nullptr)) {
+    if (verb->get_name() == "help" || verb->get_name() == "methods") continue;
+    verb->add_option("--time-limit", seconds,
+                     verb->get_option_no_throw("INPUT") != nullptr
+                         ? "end after S seconds, in a batch for each INPUT, with what is known"
+                         : "end after S seconds, with what is known")
+        ->option_text("S")
+        ->check(positive_number());
+  }
+}
+
+/// The verb's options are known.
+void start_time_limit(const CLI::App& verb, double seconds) {
+  const auto is_given = [&](const char* name) {
+    const CLI::Option* option = verb.get_option_no_throw(name);
+    return option != nullptr && option->count() > 0;
+  };
+  if (is_given("--time-limit"))
+    set_time_limit(seconds, is_given("--batch") || is_given("--gallery"));
+}
+
 /// Throws ExtrasError for `tripus help banana`.
 void require_verb_to_help(const CLI::App& program, const std::vector<std::string>& given) {
   if (given.size() < 2 || given.front() != "help" || given[1].starts_with("-")) return;
@@ -123,6 +147,8 @@ int run(const std::vector<std::string>& given) {
   CLI::App program{kDescription, "tripus"};
   Command command;
   add_verbs(program, command);
+  double time_limit = 0;
+  add_time_limit(program, time_limit);
   if (arguments.empty()) {
     write_message(program.help());
     return kBadInput;
@@ -144,6 +170,7 @@ int run(const std::vector<std::string>& given) {
     report_failure(wants_json(arguments), "usage", usage_message(program, error));
     return kBadInput;
   }
+  start_time_limit(*program.get_subcommands().front(), time_limit);
   const int status = command();
   flush_output();
   return status;
@@ -160,7 +187,7 @@ int run_program(const std::vector<std::string>& arguments) {
     write_message(fmt::format("tripus: {}\n", error.what()));
   } catch (const std::exception& error) {
     try {
-      report_failure(wants_json(arguments), tripus::error_kind(error), failure_text(error));
+      report_failure(wants_json(arguments), failure_kind(error), failure_text(error));
     } catch (const OutputError&) {
       return kInternalFailure;
     }

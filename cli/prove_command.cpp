@@ -1,5 +1,4 @@
 // tripus prove: a proof that the metric exists, with every rounding accounted for.
-#include <chrono>
 #include <memory>
 
 #include <fmt/format.h>
@@ -23,7 +22,6 @@ constexpr int kMostDigitsAsked = 100000;
 struct ProveCommandOptions {
   CommonOptions common;
   int digits = 0;
-  double time_limit = 0;
 };
 
 std::string proof_table(const structure::ProofText& proof) {
@@ -41,20 +39,18 @@ std::string proof_table(const structure::ProofText& proof) {
 }
 
 Outcome prove_one(const ProveCommandOptions& command, const std::string& input) {
-  const auto start = Context::Clock::now();
   const Subject subject =
-      load_solvable_subject(input, interruptible(), require_boundary_with_remedy);
+      load_ideal_subject(input, Balls::kRefused, interruptible(), require_with_remedy);
   structure::SolveOptions solve;
-  solve.stop_requested = &interrupt_requested();
-  if (command.time_limit > 0) solve.time_limit = command.time_limit;
+  solve.cone_angles = subject.cone_angles;
+  solve.stop_requested = &stop_flag();
+  solve.time_limit = seconds_left();
   structure::Report report = structure::solve(subject.triangulation, solve);
   Context context = interruptible();
-  if (command.time_limit > 0 && command.time_limit < 1e8)
-    context.deadline = start + std::chrono::duration_cast<Context::Clock::duration>(
-                                   std::chrono::duration<double>(command.time_limit));
   context.threads = command.common.batch.empty() ? command.common.threads : 1;
-  const structure::ProofText proof =
-      structure::prove_report(subject.triangulation, report, command.digits, context);
+  const structure::ProofText proof = structure::prove_report(
+      subject.triangulation, report, {.digits = command.digits, .cone_angles = subject.cone_angles},
+      context);
   const bool metric = proof.proved && proof.claim == structure::Proof::Claim::kMetric;
   if (command.common.json) {
     report.message = structure::proof_message(proof);
@@ -79,12 +75,11 @@ void add_prove(CLI::App& program, Command& chosen) {
                    "triangulations with few edge classes")
       ->option_text("N")
       ->check(whole_number(kMostDigitsAsked));
-  verb->add_option("--time-limit", command->time_limit, "stop after so many seconds for one INPUT")
-      ->option_text("S")
-      ->check(positive_number());
   verb->footer(
       std::string(kInputHelp) +
-      "\n\"Proved\" accounts for every rounding: docs/theory.md section 9 and docs/proof.md. "
+      "\nCusps are welcome, and cone orders behind the INPUT as in \"cPcbbbiht 0=2,1=2\" (0: a "
+      "parabolic "
+      "edge).\n\"Proved\" accounts for every rounding: docs/theory.md section 9 and docs/proof.md. "
       "`tripus "
       "check`\nverifies what --json prints by other code.\n\n"
       "Exit status: 0 proved geometric (for --batch: the run finished), 1 proved to carry no "

@@ -1,4 +1,5 @@
 // tripus simplify: a small triangulation of the same manifold.
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -7,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/error.hpp"
 #include "base/output_file.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
@@ -20,6 +22,7 @@
 #include "cli/triangulation_file.hpp"
 #include "manifold/load.hpp"
 #include "topology/cone.hpp"
+#include "topology/drill.hpp"
 #include "topology/orientation.hpp"
 #include "topology/simplify/simplify.hpp"
 
@@ -34,6 +37,12 @@ constexpr const char* kSimplifyHelp =
     "spheres (one vertex, if there are none), moves that make it smaller are made while there are\n"
     "any, and a random search looks for more. Ctrl-C ends the search with the best so far.\n"
     "\n"
+    "--drill takes neighbourhoods of edges away first: an edge joins the boundary components at "
+    "its\n"
+    "ends by a tube. It undoes a 2-handle, such as `Cone[1,1]` fills in along a meridian of arc "
+    "1.\n"
+    "Edge classes are numbered as in `info`, from 0. \"singular\": all edges with a cone order.\n"
+    "\n"
     "Exit status: 0 an answer (for --batch: the run finished), 1 interrupted (the answer is what\n"
     "there was), 2 bad usage or bad input, 3 a failure of the program itself.";
 
@@ -41,6 +50,7 @@ struct SimplifyCommand {
   CommonOptions common;
   topology::SimplifyOptions options;
   std::string output;
+  std::vector<std::string> drill;
 };
 
 /// T after every stage, by name.
@@ -48,7 +58,8 @@ using Stages = std::vector<std::pair<std::string_view, std::size_t>>;
 
 std::string message_of(const topology::Simplified& result, const Subject& subject) {
   std::string text = one_line(subject.triangulation);
-  if (result.stopped) text += "; interrupted, so this may not be the smallest that can be found";
+  if (result.stopped)
+    text += "; " + stop_text() + ", so this may not be the smallest that can be found";
   if (result.finite_vertices_left > 0)
     text += fmt::format("; {} left that should have gone: try another --seed or more --effort",
                         counted(result.finite_vertices_left, "finite vertex", "finite vertices"));
@@ -84,10 +95,61 @@ std::string as_text(const topology::Simplified& result, const Stages& stages,
   return text;
 }
 
+/// The edges that are named, each by one of its places. All that have a label must be among them:
+/// the search keeps no labels.
+std::vector<topology::EdgePlace> edges_to_drill(const topology::NamedGluings& loaded,
+                                                const std::vector<std::string>& names) {
+  const topology::Triangulation triangulation(loaded.gluings);
+  std::vector<bool> chosen(triangulation.edge_count(), false);
+  for (const std::string& name : names) {
+    if (name == "singular") {
+      if (topology::all_full(loaded.cone_angles))
+        throw InvalidInput("--drill singular: no edge has a cone order");
+      for (std::size_t e = 0; e < chosen.size(); ++e)
+        if (!loaded.cone_angles[e].is_full()) chosen[e] = true;
+      continue;
+    }
+    const auto number = parse_number(name);
+    if (!number || *number < 0 || *number >= double(chosen.size()) ||
+        *number != std::floor(*number))
+      throw InvalidInput(fmt::format("--drill {}: expected an edge class from 0 to {}, or singular",
+                                     tripus::quoted(name), chosen.size() - 1));
+    chosen[std::size_t(*number)] = true;
+  }
+  std::vector<topology::EdgePlace> places;
+  for (std::size_t e = 0; e < chosen.size(); ++e) {
+    if (chosen[e])
+      places.push_back({topology::TetrahedronIndex(triangulation.corners(e)[0].tetrahedron()),
+                        triangulation.corners(e)[0].edge()});
+    else if (!loaded.cone_angles.empty() && !loaded.cone_angles[e].is_full())
+      throw InvalidInput(
+          fmt::format("edge class {} has the cone order {} and would lose it: drill it too, or "
+                      "leave it to solve",
+                      e, loaded.cone_angles[e].order_text()));
+  }
+  return places;
+}
+
+/// The input, closed up, with what is to be drilled taken away.
+topology::NamedGluings load_and_drill(const SimplifyCommand& command, const std::string& input,
+                                      Stages& stages) {
+  if (command.drill.empty()) {
+    topology::NamedGluings loaded = load_unconed_input(input, interruptible());
+    stages.emplace_back("given", loaded.gluings.tetrahedron_count());
+    return loaded;
+  }
+  topology::NamedGluings loaded = load_labelled_input(input, Balls::kAllowed, interruptible());
+  stages.emplace_back("given", loaded.gluings.tetrahedron_count());
+  loaded.gluings = topology::cone_boundary(loaded.gluings);  // keeps the numbers of edges
+  loaded.gluings = topology::drilled(loaded.gluings, edges_to_drill(loaded, command.drill));
+  loaded.cone_angles.clear();
+  stages.emplace_back("drilled", loaded.gluings.tetrahedron_count());
+  return loaded;
+}
+
 Outcome simplify_one(const SimplifyCommand& command, const std::string& input) {
-  topology::NamedGluings loaded = load_unconed_input(input, interruptible());
-  catch_interrupts();
-  Stages stages{{"given", loaded.gluings.tetrahedron_count()}};
+  Stages stages;
+  topology::NamedGluings loaded = load_and_drill(command, input, stages);
   const topology::Gluings coned = topology::oriented(topology::cone_boundary(loaded.gluings));
   if (coned.tetrahedron_count() != loaded.gluings.tetrahedron_count())
     stages.emplace_back("coned", coned.tetrahedron_count());
@@ -95,7 +157,7 @@ Outcome simplify_one(const SimplifyCommand& command, const std::string& input) {
 
   Progress progress(!command.common.quiet && command.common.batch.empty());
   topology::SimplifyOptions options = command.options;
-  options.stop_requested = &interrupt_requested();
+  options.stop_requested = &stop_flag();
   options.progress = [&](std::string_view stage, std::size_t tetrahedra) {
     if (progress.due()) progress.show(fmt::format("{}: {} tetrahedra", stage, tetrahedra));
   };
@@ -139,6 +201,12 @@ void add_simplify(CLI::App& program, Command& chosen) {
                    "how long to search, a factor; 0: not at all (default: 1)")
       ->option_text("X")
       ->check(effort_number());
+  verb->add_option("--drill", command->drill,
+                   "edge classes to drill out first, or singular: all "
+                   "with a cone order")
+      ->option_text("N,N,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   verb->add_option("-o,--output", command->output,
                    "write the triangulation, to a file .json or .sig")
       ->option_text("FILE")

@@ -63,8 +63,8 @@ void write_solved(const SolveCommandOptions& command, const Solved& solved) {
 Outcome answer_of(const SolveCommandOptions& command, const Solved& solved) {
   std::optional<structure::ProofText> proof;
   if (command.prove) {
-    proof =
-        structure::prove_report(solved.subject.triangulation, solved.report, 0, interruptible());
+    proof = structure::prove_report(solved.subject.triangulation, solved.report,
+                                    {.cone_angles = solved.subject.cone_angles}, interruptible());
   }
   const structure::ProofText* given = proof ? &*proof : nullptr;
   return {command.common.json
@@ -76,7 +76,6 @@ Outcome answer_of(const SolveCommandOptions& command, const Solved& solved) {
 Outcome solve_subject(const SolveCommandOptions& command, Subject subject) {
   structure::SolveOptions options = command.solve;
   options.cone_angles = subject.cone_angles;
-  catch_interrupts();
   std::optional<HistoryFile> history;
   if (!command.history.empty()) history.emplace(command.history);
   const bool single = command.common.batch.empty();
@@ -111,7 +110,7 @@ Subject without_finite_vertices(Subject subject) {
                                 .gluings = subject.triangulation.gluings(),
                                 .notes = subject.notes,
                                 .orientation_known = subject.orientation_known};
-  make_ideal(loaded, topology::FiniteVertices::kRemove, &interrupt_requested());
+  make_ideal(loaded, topology::FiniteVertices::kRemove, &stop_flag());
   if (loaded.notes.size() == subject.notes.size()) return subject;
   write_message(
       fmt::format("tripus: note: {}: {}\n", printable(subject.input), loaded.notes.back()));
@@ -141,11 +140,6 @@ Subject load_subject_with(const SolveCommandOptions& command, const std::string&
   if (subject.cone_angles.empty()) subject = without_finite_vertices(std::move(subject));
   try {
     require_with_remedy(subject.triangulation, subject.cone_angles);
-    if (command.prove) {
-      topology::require_geodesic_boundary(subject.triangulation);
-      if (!topology::all_full(subject.cone_angles))
-        throw Unsupported("--prove does not know cone angles other than 2 pi so far");
-    }
   } catch (const Unsupported& error) {
     throw Unsupported(fmt::format("{}: {}", tripus::quoted(input), error.what()));
   } catch (const InvalidInput& error) {
@@ -252,9 +246,6 @@ void add_solve(CLI::App& program, Command& chosen) {
                    "stop after N iterations; 0: the method's own limit")
       ->option_text("N")
       ->check(whole_number(std::numeric_limits<int>::max()));
-  verb->add_option("--time-limit", solve.time_limit, "stop after so many seconds for one INPUT")
-      ->option_text("S")
-      ->check(positive_number());
   verb->add_option("--cone-order", command->cone_orders,
                    "make an edge class singular of order N = 2, 3, ... or a fraction\n"
                    "such as 5/2 (cone angle 2pi/N), or parabolic (N = 0): 0=2,1=3;\n"

@@ -23,21 +23,16 @@ void secure_standard_streams() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-void limit_blas_threads(char** argv) {
-  constexpr const char* kThreads = "OPENBLAS_NUM_THREADS";
-  rlimit space{};
-  const bool limited = ::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY;
+void tame_libraries() {
 #ifdef M_ARENA_MAX
   // Each thread reserves 128 MB for its heap; without them every allocation is a call of the
   // system.
+  rlimit space{};
+  const bool limited = ::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY;
   if (limited) ::mallopt(M_ARENA_MAX, 1);
 #endif
-  if (std::getenv(kThreads) != nullptr) return;
-  if (limited) {
-    ::setenv(kThreads, "1", 0);
-    ::execv("/proc/self/exe", argv);  // where there is no such file, as if nothing had been
-    return;
-  }
+  ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+  if (std::getenv("OPENBLAS_NUM_THREADS") != nullptr) return;
   using SetThreads = void (*)(int);
   if (void* found = ::dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))
     reinterpret_cast<SetThreads>(found)(1);

@@ -9,10 +9,10 @@ namespace tripus::cli {
 /// like a full disk instead of a signal.
 void secure_standard_streams();
 
-/// OpenBLAS starts a thread a core when it is loaded, each with its share of the address space, and
-/// waits for ever at the end for those that did not come up. Matrices here are small: one thread,
-/// unless the user's OPENBLAS_NUM_THREADS says otherwise. Where the address space is limited the
-/// program begins anew with that said before the library is loaded.
-void limit_blas_threads(char** argv);
+/// What libraries would do by themselves. Where the address space is limited, threads share one
+/// heap. OpenBLAS works with one thread, since matrices here are small, unless the user's
+/// OPENBLAS_NUM_THREADS says otherwise. Mesa keeps no shaders on the disk: the thread that does it
+/// has the least priority, so that on a busy machine the process could not end for seconds.
+void tame_libraries();
 
 }  // namespace tripus::cli

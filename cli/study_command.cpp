@@ -102,21 +102,20 @@ int run(StudyCommandOptions command) {
   command.study.inputs = load_inputs(command.inputs, command.census);
   if (command.census > 0 && command.study.samples == 0)
     command.study.samples = command.study.inputs.size();
-  catch_interrupts();
   Progress progress(!command.quiet);
   studies::RunOptions options;
   options.folder = command.folder;
   options.threads =
       command.threads == 0 ? std::max(1u, std::thread::hardware_concurrency()) : command.threads;
   options.stop_requested = &interrupt_requested();
-  const auto interrupted = [](std::size_t done, std::size_t total) {
+  const auto rest = [](std::size_t done, std::size_t total) {
     return fmt::format(
-        "tripus: interrupted: {}; the same command goes on from there\n",
+        ": {}; the same command goes on from there",
         total == 0 ? "before any item was begun" : fmt::format("{} of {} items done", done, total));
   };
-  set_last_words(interrupted(0, 0));
+  set_last_words(rest(0, 0));
   options.on_progress = [&](std::size_t done, std::size_t total) {
-    set_last_words(interrupted(done, total));
+    set_last_words(rest(done, total));
     if (progress.due()) progress.show(fmt::format("{} of {} items", done, total));
   };
   const studies::RunResult result = studies::run_study(study, command.study, options);
@@ -127,7 +126,7 @@ int run(StudyCommandOptions command) {
   }
   flush_output();
   if (result.finished()) return kSuccess;
-  write_message(interrupted(result.done, result.total));
+  write_message("tripus: " + stop_text() + rest(result.done, result.total) + "\n");
   return kNoAnswer;
 }
 

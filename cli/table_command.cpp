@@ -31,8 +31,8 @@ constexpr const char* kTableHelp =
     "A row: boundary, H1, tetrahedra, volume (* proved), isometries (those that reverse the\n"
     "orientation after the +), and others with the same exterior, orientation aside. \"not\n"
     "hyperbolic\": by a surface or the fundamental group, as `tripus hyperbolic` shows. \"?\": no\n"
-    "metric was found, which proves nothing by itself.\n"
-    "Isometries are not known yet where there are cusps.\n"
+    "metric was found, which proves nothing by itself. Of metrics with cusps there are no proofs\n"
+    "yet. Files are replaced, whole or not at all.\n"
     "\n"
     "Exit status: 0 printed, 1 interrupted, 2 bad usage or bad input, 3 a failure of the program "
     "itself.";
@@ -166,8 +166,14 @@ void declare_outputs(const TableCommand& command) {
 int run(const TableCommand& command) {
   const std::vector<DiagramTable> tables = tables_of(command.table);
   declare_outputs(command);
-  const std::vector<DiagramRow> rows = chosen_rows(
-      command.compute ? computed(tables, command.quiet) : shipped(tables), command.names);
+  std::vector<DiagramRow> rows =
+      command.compute ? computed(tables, command.quiet) : shipped(tables);
+  if (interrupt_requested()) {
+    write_message(
+        fmt::format("tripus: {} after {} rows; nothing was written\n", stop_text(), rows.size()));
+    return kNoAnswer;
+  }
+  rows = chosen_rows(std::move(rows), command.names);
   if (!command.tsv.empty()) write_content(command.tsv, to_tsv(rows));
   if (!command.database.empty()) write_diagram_database(rows, command.database);
   if (!command.page.empty()) write_content(command.page, page_of(command.table, rows));
@@ -175,7 +181,7 @@ int run(const TableCommand& command) {
     write_output(as_json(rows));
   else if (command.tsv.empty() && command.database.empty() && command.page.empty())
     for (const DiagramRow& row : rows) write_output(line_of(row));
-  return interrupt_requested() ? kNoAnswer : kSuccess;
+  return kSuccess;
 }
 
 }  // namespace
@@ -189,7 +195,7 @@ void add_table(CLI::App& program, Command& chosen) {
   verb->add_option("NAME", command->names, "only these rows")->option_text(" ");
   verb->add_option("--tsv", command->tsv, "write it as a table with tabs; - for standard output")
       ->option_text("FILE");
-  verb->add_option("--database", command->database, "write it as a SQLite database, a new file")
+  verb->add_option("--database", command->database, "write it as a SQLite database")
       ->option_text("FILE");
   verb->add_option("--page", command->page, "write a page with a picture of every diagram (HTML)")
       ->option_text("FILE");

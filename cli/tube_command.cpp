@@ -64,7 +64,7 @@ meshing::TubeOptions options_of(const TubeCommand& command, Progress& progress) 
   if (command.radius > 0) options.radius = command.radius;
   if (command.triangles > 0) options.triangles = std::size_t(command.triangles);
   if (command.around > 0) options.edges_around = command.around;
-  options.stop_requested = &interrupt_requested();
+  options.stop_requested = &stop_flag();
   options.progress = [&](std::string_view activity) {
     if (progress.due()) progress.show(std::string(activity));
   };
@@ -135,7 +135,6 @@ int run(const TubeCommand& command) {
   const meshing::SurfaceFormat& format = command.output == "-"
                                              ? meshing::surface_formats().front()
                                              : meshing::surface_format_of(command.output);
-  catch_interrupts();
   std::optional<OutputFile> file;
   if (command.output != "-") {
     declare_output("-o", command.output);
@@ -156,7 +155,7 @@ int run(const TubeCommand& command) {
     else if (!command.quiet)
       write_message(as_text(command.graph, tube));
   } catch (const Stopped&) {
-    write_message("tripus: interrupted; nothing was written\n");
+    write_message("tripus: " + stop_text() + "; nothing was written\n");
     return kNoAnswer;
   }
   return kSuccess;

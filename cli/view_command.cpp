@@ -35,6 +35,8 @@ struct ViewCommand {
   MetricSearch search;
   std::string colour_by = "tetrahedron";
   std::optional<double> cut_away;
+  std::string discs;  ///< as typed; empty: not, or without a length
+  DiscRequest disc_request;
   bool no_faces = false;
   bool no_truncations = false;
   std::size_t cells = 20;
@@ -103,14 +105,18 @@ struct Developed {
   Subject subject;
   structure::Report report;
   embedding::Embedding embedding;
+  std::shared_ptr<const viewer::WallDiscs> discs;
 
   viewer::Scene scene(std::size_t cells, viewer::Model model) const {
     embedding::UniversalCoverOptions options;
     options.max_cells = cells;
-    options.stop_requested = &interrupt_requested();
+    options.stop_requested = &stop_flag();
     const auto cover = embedding::universal_cover(embedding, subject.triangulation, options);
-    return viewer::make_scene(printable(subject.name.empty() ? subject.input : subject.name),
-                              embedding, cover, viewer::default_frame(model, embedding));
+    viewer::Scene scene =
+        viewer::make_scene(printable(subject.name.empty() ? subject.input : subject.name),
+                           embedding, cover, viewer::default_frame(model, embedding));
+    scene.discs = discs;
+    return scene;
   }
 };
 
@@ -125,14 +131,15 @@ std::string as_json(const Subject& subject, const std::string& file, std::size_t
 
 /// The answer to --png, of which so many cells are drawn.
 Outcome picture_written(const Developed& developed, const ViewCommand& command, std::size_t drawn) {
-  const bool interrupted = drawn < command.cells && interrupt_requested();
+  const bool interrupted = drawn < command.cells && stop_flag();
   const int status = interrupted ? kNoAnswer : kSuccess;
   if (command.common.json) return {as_json(developed.subject, command.png, drawn), status};
-  return {fmt::format(
-              "{}: {} of its universal cover drawn to {}{}\n", printable(developed.subject.input),
-              counted(drawn, "cell", "cells"), printable(command.png),
-              interrupted ? fmt::format(": interrupted, {} were asked for", command.cells) : ""),
-          status};
+  return {
+      fmt::format(
+          "{}: {} of its universal cover drawn to {}{}\n", printable(developed.subject.input),
+          counted(drawn, "cell", "cells"), printable(command.png),
+          interrupted ? fmt::format(": {}, {} were asked for", stop_text(), command.cells) : ""),
+      status};
 }
 
 Outcome draw_picture(const Developed& developed, const ViewCommand& command) {
@@ -146,19 +153,19 @@ Outcome draw_picture(const Developed& developed, const ViewCommand& command) {
 }
 
 PageRequest page_request(const ViewCommand& command) {
-  return {command.page, command.cells, command.model, command.common.json, command.search};
+  return {command.page,        command.cells,  command.model,
+          command.common.json, command.search, command.disc_request};
 }
 
 Outcome view_one(const ViewCommand& command, const std::string& input) {
   Subject loaded = load_solvable_subject(input, interruptible(), require_boundary_with_remedy);
-  catch_interrupts();
   Solved solved = find_metric(std::move(loaded), {}, command.search);
   if (!solved.is_geometric()) {
     return {command.common.json ? report_as_json(solved.subject, solved.report, solved.search())
                                 : report_as_text(solved.subject, solved.report, solved.search()),
             kNoAnswer};
   }
-  Developed developed{std::move(solved.subject), std::move(solved.report), {}};
+  Developed developed{std::move(solved.subject), std::move(solved.report), {}, {}};
   developed.embedding =
       embedding::embed(developed.subject.triangulation, developed.report.edge_lengths);
 
@@ -166,6 +173,8 @@ Outcome view_one(const ViewCommand& command, const std::string& input) {
     return write_page(developed.subject, developed.report, developed.embedding,
                       page_request(command));
   }
+  developed.discs =
+      discs_for(command.disc_request, developed.subject, developed.report, developed.embedding);
   if (command.png.empty()) {
     viewer::WindowOptions window;
     window.picture = command.picture;
@@ -193,7 +202,7 @@ int run(ViewCommand& command) {
   command.picture.cut_away = command.cut_away;
   command.picture.faces = !command.no_faces;
   command.picture.truncations = !command.no_truncations;
-  command.picture.stop_requested = &interrupt_requested();
+  command.picture.stop_requested = &stop_flag();
   return answer_inputs(command.common,
                        [&](const std::string& input) { return view_one(command, input); });
 }
@@ -217,6 +226,11 @@ void add_picture_options(CLI::App& verb, ViewCommand& command) {
       ->option_text(" ");
   verb.add_flag("--no-faces", command.no_faces, "truncations alone: the geodesic boundary")
       ->option_text(" ");
+  verb.add_option("--discs", command.discs,
+                  "draw on the boundary the discs of the arcs up to LENGTH that are\n"
+                  "orthogonal to it (default: some hundred), coloured by length")
+      ->option_text("[LENGTH]")
+      ->expected(0, 1);
   verb.add_option("--cut-away", command.cut_away,
                   "cut the cells at the plane x = X of the model, and leave out\nwhat lies beyond")
       ->option_text("X");
@@ -224,6 +238,22 @@ void add_picture_options(CLI::App& verb, ViewCommand& command) {
                   "azimuth and elevation in degrees, distance in radii of the scene\n"
                   "(default: 30,20,4.2)")
       ->option_text("A,E,D");
+}
+
+/// `--discs INPUT` is `INPUT --discs`: what is no number is no length.
+void read_discs(const CLI::Option& discs, CLI::Option& input, ViewCommand& command) {
+  command.disc_request = {discs.count() > 0, {}};
+  if (!command.disc_request.wanted || command.discs.empty()) return;
+  command.disc_request.length = parse_number(command.discs);
+  const auto& length = command.disc_request.length;
+  if (length && *length > 0 && *length <= orthospectrum::kLongestArc) return;
+  if (length || input.count() > 0 || !command.common.batch.empty()) {
+    throw CLI::ValidationError(
+        "--discs", fmt::format("the length {} is not a number greater than 0 and at "
+                               "most {}",
+                               tripus::quoted(command.discs), orthospectrum::kLongestArc));
+  }
+  command.common.input = command.discs;
 }
 
 }  // namespace
@@ -257,9 +287,10 @@ void add_view(CLI::App& program, Command& chosen) {
       ->option_text("N")
       ->check(whole_number(1024));
   verb->add_flag("--quiet", command->common.quiet, "no progress on standard error");
-  verb->parse_complete_callback([input, gallery] {
-    if (input->count() == 0 && gallery->count() == 0)
-      throw CLI::RequiredError("INPUT or --gallery FILE");
+  add_resume_option(*verb, command->common, gallery);
+  verb->parse_complete_callback([gallery, verb, input, command] {
+    read_discs(*verb->get_option("--discs"), *input, *command);
+    require_input(command->common, input->count() > 0 || !command->common.input.empty(), *gallery);
   });
   verb->footer(std::string(kInputHelp) + "\n" + kExitStatusHelp);
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "base/output_file.hpp"
 #include "cli/interrupt.hpp"
@@ -33,9 +34,17 @@ const std::string& name_of(const Subject& subject) {
 std::string page_of(const Subject& subject, const structure::Report& report,
                     const embedding::Embedding& embedding, const PageRequest& request,
                     std::string gallery) {
+  const auto discs = discs_for(request.discs, subject, report, embedding);
   return viewer::page_html({name_of(subject), subject.isosig.value_or(""), request.cells,
-                            request.model, std::move(gallery)},
+                            request.model, discs.get(), std::move(gallery)},
                            subject.triangulation, report, embedding);
+}
+
+std::string boundary_of(const structure::Report& report) {
+  std::string text;
+  for (const structure::VertexReport& vertex : report.vertices)
+    text += fmt::format("{}genus {}", text.empty() ? "" : ", ", vertex.genus);
+  return text;
 }
 
 std::string as_json(const Subject& subject, const structure::Report& report,
@@ -47,6 +56,8 @@ std::string as_json(const Subject& subject, const structure::Report& report,
   append_number(out, report.volume);
   append(out, ", \"file\": ");
   append_string(out, path);
+  append(out, ", \"boundary\": ");
+  append_string(out, boundary_of(report));
   out.push_back('}');
   return fmt::to_string(out);
 }
@@ -69,24 +80,26 @@ std::string file_stem(const topology::BatchLine& line) {
   return fmt::format("{:04}-{}", line.line_number, word);
 }
 
-std::string boundary_of(const structure::Report& report) {
-  std::string text;
-  for (const structure::VertexReport& vertex : report.vertices)
-    text += fmt::format("{}genus {}", text.empty() ? "" : ", ", vertex.genus);
-  return text;
-}
-
 /// The entries of a gallery in the making, by many threads.
 class Gallery {
  public:
+  /// Throws what OutputFile does for an index that cannot be written.
   explicit Gallery(const PageRequest& request)
-      : request_(request), folder_(std::filesystem::path(request.path).parent_path()) {}
+      : request_(request),
+        folder_(std::filesystem::path(request.path).parent_path()),
+        index_(request.path) {}
 
+  /// Takes a line with its page over from an earlier run; says what is wrong with it.
+  std::string take(const topology::BatchLine& line, std::string_view answer) {
+    try {
+      return take(line, nlohmann::json::parse(answer));
+    } catch (const nlohmann::json::exception&) {
+      return "is no answer of a gallery";
+    }
+  }
   /// Throws what keeps the line from having a page, after it is noted for the index.
   Outcome add(const topology::BatchLine& line) {
-    viewer::GalleryEntry entry;
-    entry.line = line.line_number;
-    entry.name = line.text;
+    viewer::GalleryEntry entry = entry_of(line);
     try {
       Outcome outcome = make(line, entry);
       keep(entry);
@@ -100,10 +113,32 @@ class Gallery {
 
   void write_index(const std::string& title) {
     std::ranges::sort(entries_, {}, &viewer::GalleryEntry::line);
-    write_file(request_.path, viewer::gallery_html(title, entries_));
+    index_.open() << viewer::gallery_html(title, entries_);
+    index_.close();
   }
 
  private:
+  std::string take(const topology::BatchLine& line, const nlohmann::json& found) {
+    viewer::GalleryEntry entry = entry_of(line);
+    if (found.contains("file")) {
+      set_files(line, entry);
+      if (found["file"] != path_of(entry.page))
+        return "is of another index: its page is " + quoted(found.value("file", ""));
+      for (const std::string& name : {entry.page, entry.picture})
+        if (!std::filesystem::exists(path_of(name)))
+          return "is of a page that is gone, " + quoted(path_of(name));
+      entry.name = found.value("name", line.text);
+      entry.tetrahedron_count = found.value("tetrahedron_count", std::size_t{0});
+      entry.volume = found.value("volume", 0.0);
+      entry.boundary = found.value("boundary", "");
+    } else {
+      entry.problem = found.contains("error") ? found["error"].value("message", "")
+                                              : found.value("message", "");
+    }
+    keep(entry);
+    return {};
+  }
+
   Outcome make(const topology::BatchLine& line, viewer::GalleryEntry& entry) {
     if (line.text == "-") throw InvalidInput(kNoStandardInput);
     const Solved solved =
@@ -118,21 +153,31 @@ class Gallery {
               kNoAnswer};
     }
     const auto embedding = embedding::embed(subject.triangulation, report.edge_lengths);
-    const std::string stem = file_stem(line);
     entry.name = name_of(subject);
-    entry.page = stem + ".html";
-    entry.picture = stem + ".png";
+    set_files(line, entry);
     entry.tetrahedron_count = subject.triangulation.tetrahedron_count();
     entry.volume = report.volume;
     entry.boundary = boundary_of(report);
-    const std::string path = (folder_ / entry.page).string();
+    const std::string path = path_of(entry.page);
     write_file(path, page_of(subject, report, embedding, request_,
                              std::filesystem::path(request_.path).filename().string()));
     viewer::write_png(viewer::inside_picture(embedding, subject.triangulation,
                                              viewer::kThumbnailWidth, viewer::kThumbnailHeight),
-                      (folder_ / entry.picture).string());
+                      path_of(entry.picture));
     return page_written(subject, report, path, request_.json);
   }
+
+  static viewer::GalleryEntry entry_of(const topology::BatchLine& line) {
+    viewer::GalleryEntry entry;
+    entry.line = line.line_number;
+    entry.name = line.text;
+    return entry;
+  }
+  static void set_files(const topology::BatchLine& line, viewer::GalleryEntry& entry) {
+    entry.page = file_stem(line) + ".html";
+    entry.picture = file_stem(line) + ".png";
+  }
+  std::string path_of(const std::string& name) const { return (folder_ / name).string(); }
 
   void keep(const viewer::GalleryEntry& entry) {
     const std::lock_guard lock(mutex_);
@@ -141,6 +186,7 @@ class Gallery {
 
   const PageRequest& request_;
   const std::filesystem::path folder_;
+  OutputFile index_;
   std::mutex mutex_;
   std::vector<viewer::GalleryEntry> entries_;
 };
@@ -157,6 +203,20 @@ void check_list(const std::string& list) {
 }
 
 }  // namespace
+
+std::shared_ptr<const viewer::WallDiscs> discs_for(const DiscRequest& request,
+                                                   const Subject& subject,
+                                                   const structure::Report& report,
+                                                   const embedding::Embedding& embedding) {
+  if (!request.wanted) return nullptr;
+  try {
+    return std::make_shared<const viewer::WallDiscs>(viewer::find_wall_discs(
+        embedding, subject.triangulation, report.edge_lengths, request.length, interruptible()));
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format(
+        "--discs{}: {}", request.length ? fmt::format(" {}", *request.length) : "", error.what()));
+  }
+}
 
 void check_pages(const PageRequest& request) {
   if (request.path.empty())
@@ -186,9 +246,11 @@ int write_gallery(const CommonOptions& list, const PageRequest& request) {
   const std::string title =
       list.batch == "-" ? "Manifolds"
                         : "Manifolds of " + std::filesystem::path(list.batch).stem().string();
-  gallery.write_index(title);  // before the work, so that a wrong path costs none
-  const int status =
-      answer_lines(list, [&](const topology::BatchLine& line) { return gallery.add(line); });
+  const int status = answer_lines(
+      list, [&](const topology::BatchLine& line) { return gallery.add(line); },
+      [&](const topology::BatchLine& line, std::string_view answer) {
+        return gallery.take(line, answer);
+      });
   gallery.write_index(title);
   return status;
 }

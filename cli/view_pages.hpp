@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <string>
 
 #include "cli/answer.hpp"
@@ -8,8 +10,21 @@
 #include "cli/metric.hpp"
 #include "embedding/embedding.hpp"
 #include "structure/report.hpp"
+#include "viewer/wall_discs.hpp"
 
 namespace tripus::cli {
+
+/// --discs: whether discs are drawn on the truncations, and up to which length of arcs.
+struct DiscRequest {
+  bool wanted = false;
+  std::optional<double> length;
+};
+
+/// The discs that are asked for, or null. Throws InvalidInput in the words of the option.
+std::shared_ptr<const viewer::WallDiscs> discs_for(const DiscRequest& request,
+                                                   const Subject& subject,
+                                                   const structure::Report& report,
+                                                   const embedding::Embedding& embedding);
 
 /// How a page for a browser opens, and where it goes.
 struct PageRequest {
@@ -18,6 +33,7 @@ struct PageRequest {
   std::string model = "ball";
   bool json = false;
   MetricSearch search = {};
+  DiscRequest discs = {};
 };
 
 /// Throws InvalidInput, naming the option, where pages cannot do what was asked for.

@@ -6,6 +6,7 @@
 
 #include "base/tolerances.hpp"
 #include "embedding/detail/orientations.hpp"
+#include "embedding/detail/wide_product.hpp"
 #include "embedding/developing_map.hpp"
 #include "topology/dual_graph.hpp"
 
@@ -47,10 +48,21 @@ MoebiusMap factor(const Holonomy& holonomy, topology::Letter letter) {
   return letter > 0 ? map : geometry::inverse(map);
 }
 
+/// In doubles, as whoever multiplies the maps gets it.
 MoebiusMap product_of(const Holonomy& holonomy, const topology::Word& word) {
   MoebiusMap product;
   for (const topology::Letter letter : word) product = product * factor(holonomy, letter);
   return product;
+}
+
+std::vector<MoebiusMap> factors(const Holonomy& holonomy, const topology::Word& word) {
+  std::vector<MoebiusMap> maps;
+  for (const topology::Letter letter : word) maps.push_back(factor(holonomy, letter));
+  return maps;
+}
+
+double distance(const MoebiusMap& p, const MoebiusMap& q) {
+  return norm({p.a - q.a, p.b - q.b, p.c - q.c, p.d - q.d});
 }
 
 void measure_edges(Holonomy& holonomy, const Embedding& embedding,
@@ -87,18 +99,24 @@ Holonomy holonomy(const Embedding& embedding, const topology::Triangulation& tri
     const std::size_t other = gluings.neighbour(t, static_cast<int>(f));
     const std::size_t g = topology::generator_of(letter);
     const MoebiusMap& across = pairings[t][f];
-    result.moebius[g] = places[t] * across * geometry::inverse(places[other]);
+    const MoebiusMap product = places[t] * across * geometry::inverse(places[other]);
+    result.moebius[g] = detail::on_group(product);
     result.isometries[g] = geometry::to_matrix(result.moebius[g]);
     const double here = norm(places[t]), there = norm(places[other]);
     result.rounding[g] = or_infinity(norm(across) * (errors[t] * there + here * errors[other] +
-                                                     2 * kProductRounding * here * there));
+                                                     2 * kProductRounding * here * there) +
+                                     distance(product, result.moebius[g]));
   }
   measure_edges(result, embedding, triangulation, places);
   return result;
 }
 
 Matrix4 isometry_of(const Holonomy& holonomy, const topology::Word& word) {
-  return geometry::to_matrix(product_of(holonomy, word));
+  return detail::matrix_of_product(factors(holonomy, word));
+}
+
+geometry::MoebiusMap moebius_of(const Holonomy& holonomy, const topology::Word& word) {
+  return detail::product_of(factors(holonomy, word));
 }
 
 std::vector<double> relator_defects(const Holonomy& holonomy) {

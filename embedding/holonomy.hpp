@@ -31,8 +31,11 @@ struct Holonomy {
 /// Source: docs/theory.md (72).
 Holonomy holonomy(const Embedding& embedding, const topology::Triangulation& triangulation);
 
-/// The isometry of a word in the generators, read from left to right.
+/// The isometry of a word in the generators, read from left to right: a Lorentz matrix to rounding
+/// of its entries, however far the word goes on its way. O(length) in a hundred digits.
 Matrix4 isometry_of(const Holonomy& holonomy, const topology::Word& word);
+/// The same as a Moebius map, a d - b c = 1 to rounding of its coefficients.
+geometry::MoebiusMap moebius_of(const Holonomy& holonomy, const topology::Word& word);
 
 /// How far the relator's product of Moebius maps is from the identity, for each relator: the
 /// largest difference of coefficients, up to sign. Infinity where numbers overflow. In the frame of

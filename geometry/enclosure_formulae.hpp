@@ -9,12 +9,34 @@
 ///
 /// A number type N has + - * /, unary -, a double in front of *, `square`, `square_root`,
 /// `angle_of` (y, x), `clausen`, `number_pi(N)`, `larger` (a mask, by midpoints) and `select`.
+///
+/// The vertices are hyperideal, or of the kinds that a diagonal of the Gram matrix says: 1 at a
+/// hyperideal vertex, 0 at an ideal one (section 10). Then c and s are -G_ij and its slope (77).
 namespace tripus::geometry {
+
+/// The diagonal of hyperideal vertices: a factor 1 that costs nothing.
+struct HyperidealDiagonal {
+  struct One {
+    template <class N>
+    friend const N& operator*(One, const N& x) {
+      return x;
+    }
+    friend One operator*(One, One) { return {}; }
+    friend double operator*(double x, One) { return x; }
+  };
+  One operator[](int) const { return {}; }
+};
+
+/// Any diagonal of 0 and 1.
+struct GramDiagonal {
+  double d[4];
+  double operator[](int i) const { return d[i]; }
+};
 
 /// What the Gram matrix of six lengths gives.
 template <class N>
 struct GramEnclosure {
-  N c[6], s[6];       ///< cosh, sinh of the lengths
+  N c[6], s[6];       ///< cosh, sinh of the lengths, or -G_ij and its slope
   N product[3];       ///< of the cosh of opposite edges 01,23; 02,13; 03,12
   N sinh_product[3];  ///< and of the sinh
   N minus_det;        ///< -det G
@@ -23,13 +45,16 @@ struct GramEnclosure {
 };
 
 /// -det G by theory (48).
-template <class N>
-N minus_determinant_of(const GramEnclosure<N>& g) {
+template <class N, class Diagonal>
+N minus_determinant_of(const GramEnclosure<N>& g, const Diagonal& d) {
   N close[3];  // cosh of the difference of opposite lengths
-  for (int e = 0; e < 3; ++e)
-    close[e] = (square(g.c[e]) + square(g.s[5 - e])) / (g.product[e] + g.sinh_product[e]);
-  const N faces = (g.c[0] * g.c[1] * g.c[3] + g.c[0] * g.c[2] * g.c[4]) +
-                  (g.c[1] * g.c[2] * g.c[5] + g.c[3] * g.c[4] * g.c[5]);
+  for (int e = 0; e < 3; ++e) {
+    const EdgeFrame& f = kEdgeFrames[e];
+    close[e] = ((d[f.k] * d[f.l]) * square(g.c[e]) + (d[f.i] * d[f.j]) * square(g.s[5 - e])) /
+               (g.product[e] + g.sinh_product[e]);
+  }
+  const N faces = (d[3] * (g.c[0] * g.c[1] * g.c[3]) + d[2] * (g.c[0] * g.c[2] * g.c[4])) +
+                  (d[1] * (g.c[1] * g.c[2] * g.c[5]) + d[0] * (g.c[3] * g.c[4] * g.c[5]));
   const N *p = g.product, *s = g.sinh_product;
   const N mixed = ((p[0] * close[1] + s[1] * close[0]) + (p[0] * close[2] + s[2] * close[0])) +
                   (p[1] * close[2] + s[2] * close[1]);
@@ -38,11 +63,12 @@ N minus_determinant_of(const GramEnclosure<N>& g) {
   const N more = select(first, s[0], s[1]), y = select(first, s[1], s[0]);
   const auto second = larger(more, s[2]);
   const N x = select(second, more, s[2]), z = select(second, s[2], more);
-  return (2.0 * (faces + mixed) + number_like(2.0, x)) + (4.0 * (y * z) - square((x - y) - z));
+  return (2.0 * (faces + mixed) + number_like(2.0 * ((d[0] * d[1]) * (d[2] * d[3])), x)) +
+         (4.0 * (y * z) - square((x - y) - z));
 }
 
-template <class N>
-GramEnclosure<N> gram_enclosure(const N (&cosh)[6], const N (&sinh)[6]) {
+template <class N, class Diagonal = HyperidealDiagonal>
+GramEnclosure<N> gram_enclosure(const N (&cosh)[6], const N (&sinh)[6], const Diagonal& d = {}) {
   GramEnclosure<N> g;
   for (int e = 0; e < 6; ++e) {
     g.c[e] = cosh[e];
@@ -52,25 +78,25 @@ GramEnclosure<N> gram_enclosure(const N (&cosh)[6], const N (&sinh)[6]) {
     g.product[e] = g.c[e] * g.c[5 - e];
     g.sinh_product[e] = g.s[e] * g.s[5 - e];
   }
-  g.minus_det = minus_determinant_of(g);
+  g.minus_det = minus_determinant_of(g, d);
   for (int e = 0; e < 6; ++e) {
     const EdgeFrame& f = kEdgeFrames[e];
     const int own = e < 3 ? e : 5 - e, one = (own + 1) % 3, two = (own + 2) % 3;
-    const N around = g.c[kEdgeBetween[f.i][f.k]] * g.c[kEdgeBetween[f.i][f.l]] +
-                     g.c[kEdgeBetween[f.j][f.k]] * g.c[kEdgeBetween[f.j][f.l]];
+    const N around = d[f.j] * (g.c[kEdgeBetween[f.i][f.k]] * g.c[kEdgeBetween[f.i][f.l]]) +
+                     d[f.i] * (g.c[kEdgeBetween[f.j][f.k]] * g.c[kEdgeBetween[f.j][f.l]]);
     const N &same = g.product[own], &q = g.product[one], &r = g.product[two];
     const auto first = larger(q, r);
     const N large = select(first, q, r), small = select(first, r, q);
     const N apart = (g.c[e] * (large + small) + around) - g.c[5 - e] * square(g.s[e]);
-    const N close = g.c[e] * ((large - same) + small) + (around + g.c[5 - e]);
+    const N close = g.c[e] * ((large - same) + small) + (around + (d[f.i] * d[f.j]) * g.c[5 - e]);
     g.cofactor[e] = select(larger(2.0 * large, same), close, apart);
   }
   for (int v = 0; v < 4; ++v) {
     const int i = v == 0 ? 1 : 0, j = v <= 1 ? 2 : 1, k = v <= 2 ? 3 : 2;
     const N &ij = g.c[kEdgeBetween[i][j]], &ik = g.c[kEdgeBetween[i][k]],
             &jk = g.c[kEdgeBetween[j][k]];
-    g.minor[v] =
-        2.0 * (ij * ik * jk) + ((square(jk) + square(ik)) + square(g.s[kEdgeBetween[i][j]]));
+    g.minor[v] = 2.0 * (ij * ik * jk) +
+                 ((d[i] * square(jk) + d[j] * square(ik)) + d[k] * square(g.s[kEdgeBetween[i][j]]));
   }
   return g;
 }
@@ -82,8 +108,9 @@ void angle_enclosures(const GramEnclosure<N>& g, const N& root, N (&theta)[6]) {
 }
 
 /// The Jacobian, packed [21], theory (17) to (19); root = sqrt(-det G).
-template <class N>
-void jacobian_enclosure(const GramEnclosure<N>& g, const N& root, N* jacobian) {
+template <class N, class Diagonal = HyperidealDiagonal>
+void jacobian_enclosure(const GramEnclosure<N>& g, const N& root, N* jacobian,
+                        const Diagonal& d = {}) {
   const N one = number_like(1.0, root);
   const N inverse_root = one / root;
   N ratio[4];
@@ -93,7 +120,8 @@ void jacobian_enclosure(const GramEnclosure<N>& g, const N& root, N* jacobian) {
     const int own = a < 3 ? a : 5 - a, next = (own + 1) % 3, last = (own + 2) % 3;
     const N &ik = g.c[kEdgeBetween[f.i][f.k]], &il = g.c[kEdgeBetween[f.i][f.l]];
     const N &jk = g.c[kEdgeBetween[f.j][f.k]], &jl = g.c[kEdgeBetween[f.j][f.l]];
-    const N along = (g.c[a] + il * jl) * ratio[f.k] + (g.c[a] + ik * jk) * ratio[f.l];
+    const N along =
+        (d[f.l] * g.c[a] + il * jl) * ratio[f.k] + (d[f.k] * g.c[a] + ik * jk) * ratio[f.l];
     const N spread = (g.product[own] - g.product[next]) + (g.product[own] - g.product[last]);
     jacobian[packed_index(a, a)] = (spread + g.cofactor[a] * along) * inverse_root;
     for (int b = a + 1; b < 6; ++b) {

@@ -37,12 +37,6 @@ std::string boundary_of(const Triangulation& triangulation) {
   return fmt::format("{}", fmt::join(genera, "+"));
 }
 
-bool has_cusps(const Triangulation& triangulation) {
-  for (std::size_t v = 0; v < triangulation.vertex_count(); ++v)
-    if (triangulation.link(v).euler_characteristic == 0) return true;
-  return false;
-}
-
 void set_triangulation(DiagramRow& row, const Triangulation& triangulation) {
   row.isosig = topology::full_isosig(triangulation.gluings()).oriented();
   row.tetrahedra = triangulation.tetrahedron_count();
@@ -53,8 +47,7 @@ void set_metric(DiagramRow& row, const Triangulation& triangulation,
   set_triangulation(row, triangulation);
   row.hyperbolic = true;
   row.volume = report.volume;
-  if (!has_cusps(triangulation))  // of metrics with cusps there are no proofs yet
-    row.proved = structure::prove_report(triangulation, report, 0, context).proved;
+  row.proved = structure::prove_report(triangulation, report, {}, context).proved;
 }
 
 void set_canonical(DiagramRow& row, const canonical::CanonicalManifold& manifold) {
@@ -125,21 +118,16 @@ DiagramRow diagram_row(const topology::TabledDiagram& diagram, const Context& co
   structure::SolveOptions solve;
   solve.stop_requested = stop.get();
   solve.evidence = false;
-  if (has_cusps(small)) {
-    const structure::Report report = structure::solve(small, solve);
-    if (report.outcome == structure::Outcome::kGeometric) set_metric(row, small, report, context);
-    return row;
-  }
   canonical::CanonizeOptions options;
   options.solve = solve;
   const canonical::CanonizeAnswer answer = canonical::canonize(small, options);
-  if (!answer.manifold) return row;
-  // The canonical decomposition may be subdivided further than the least triangulation is.
   const structure::Report report = structure::solve(small, solve);
+  // The canonical decomposition may be subdivided further than the least triangulation is.
   if (report.outcome == structure::Outcome::kGeometric)
     set_metric(row, small, report, context);
-  else
+  else if (answer.manifold)
     set_metric(row, answer.manifold->triangulation, answer.manifold->report, context);
+  if (!answer.manifold) return row;
   set_canonical(row, *answer.manifold);
   return row;
 }

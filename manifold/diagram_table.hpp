@@ -22,9 +22,9 @@ struct DiagramRow {
   std::string isosig;              ///< with its sign: carries the metric, if one was found
   std::size_t tetrahedra = 0;      ///< of `isosig`
   std::optional<bool> hyperbolic;  ///< nothing: not known
-  bool proved = false;             ///< that it is hyperbolic, by interval arithmetic
+  bool proved = false;             ///< that it is hyperbolic, by intervals; never where cusps are
   std::optional<double> volume;
-  std::string signature;  ///< isometry signature; empty: not known (also where cusps are)
+  std::string signature;  ///< isometry signature; empty: not known
   std::string oriented_signature;
   std::size_t isometries = 0, reversing = 0;  ///< 0: not known
   std::string group;                          ///< "dihedral of order 6"

@@ -50,6 +50,14 @@ void LabelAssignment::assign(std::string_view place, std::string_view list,
   }
 }
 
+std::vector<topology::ConeAngle> labelled(std::vector<topology::ConeAngle> cone_angles,
+                                          std::size_t edge_count, const std::string& labels) {
+  if (!labels.empty())
+    LabelAssignment(cone_angles, edge_count)
+        .assign("the label", labels, "EDGE=ORDER, such as 0=3", topology::parse_cone_order);
+  return cone_angles;
+}
+
 std::pair<std::string, std::string> split_labels(const std::string& input) {
   const std::size_t space = input.find_last_of(" \t");
   if (space == std::string::npos || input.find('=', space) == std::string::npos) return {input, {}};

@@ -30,6 +30,11 @@ class LabelAssignment {
   std::vector<bool> assigned_;
 };
 
+/// Cone angles [E] with those labels on top that stand behind an INPUT, "0=7,1=2"; as they are if
+/// there are none. Throws InvalidInput as LabelAssignment.
+std::vector<topology::ConeAngle> labelled(std::vector<topology::ConeAngle> cone_angles,
+                                          std::size_t edge_count, const std::string& labels);
+
 /// An INPUT and the labels behind it on a line of a batch: "eLAkbbcddpuchf 0=7,1=2" becomes
 /// {"eLAkbbcddpuchf", "0=7,1=2"}; without labels, or if there is a file of the whole name, the
 /// second is empty.

@@ -13,6 +13,7 @@
 #include "base/binary.hpp"
 #include "base/compression.hpp"
 #include "base/error.hpp"
+#include "base/system_error.hpp"
 #include "canonical/census.hpp"
 #include "manifold/load_diagram.hpp"
 #include "manifold/prepared.hpp"
@@ -59,7 +60,7 @@ topology::NamedGluings read_signature(const std::string& text) {
   } catch (const InvalidInput& error) {
     if (const auto foreign = topology::foreign_name(text)) throw InvalidInput(*foreign);
     if (text.find_first_of("./") == std::string::npos) throw;
-    throw InvalidInput("there is no file " + quoted(text) +
+    throw UnusableFile("there is no file " + quoted(text) +
                        ", and it is no signature: " + error.what());
   }
 }
@@ -211,7 +212,7 @@ std::string read_all(std::istream& in, const std::string& source) {
     content.append(block.data(), std::size_t(in.gcount()));
     if (content.size() > kLargestInput) throw InvalidInput(source + " is longer than 1 GiB");
   }
-  if (in.bad()) throw InvalidInput("cannot read " + source + ": " + std::strerror(errno));
+  if (in.bad()) throw UnusableFile("cannot read " + source + ": " + std::strerror(errno));
   return content;
 }
 
@@ -253,10 +254,12 @@ topology::NamedGluings load_as_given(const std::string& input, Wanted wanted,
     if (!is_name && !topology::looks_like_diagram(input)) word->name.clear();  // a signature
     return *std::move(word);
   }
-  throw InvalidInput(
+  const std::string message =
       quoted(input) +
       " is neither a file nor an isomorphism signature (letters, digits, + and -) nor "
-      "a diagram (PD: X[4,2,5,1] ...) nor a name of the census or of a table");
+      "a diagram (PD: X[4,2,5,1] ...) nor a name of the census or of a table";
+  if (input.find('/') != std::string::npos) throw UnusableFile(message);
+  throw InvalidInput(message);
 }
 
 topology::NamedGluings load(const std::string& input, Wanted wanted,
@@ -297,10 +300,10 @@ std::string read_file(const std::string& path) {
   if (path == "-") return unpacked(read_all(std::cin, "standard input"), "standard input");
   std::error_code status;
   if (std::filesystem::is_directory(path, status))
-    throw InvalidInput(quoted(path) + " is a folder; name a file in it");
+    throw UnusableFile(quoted(path) + " is a folder; name a file in it");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw InvalidInput("cannot open " + quoted(path) + ": " + std::strerror(errno));
+  if (!file) throw UnusableFile("cannot open " + quoted(path) + ": " + std::strerror(errno));
   return unpacked(read_all(file, quoted(path)), quoted(path));
 }
 

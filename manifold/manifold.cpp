@@ -4,13 +4,18 @@
 #include <mutex>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/error.hpp"
 #include "base/output_file.hpp"
 #include "canonical/identify.hpp"
+#include "manifold/labels.hpp"
 #include "manifold/load.hpp"
 #include "manifold/report_json.hpp"
 #include "manifold/subject.hpp"
+#include "topology/drill.hpp"
 #include "topology/isosig.hpp"
+#include "topology/labelled_isosig.hpp"
 #include "topology/orientation.hpp"
 
 namespace tripus {
@@ -39,12 +44,40 @@ class Once {
   bool final_ = false;
 };
 
+/// Cone angles [E] as a cover has them, tetrahedron k T + t of which lies above t.
+std::vector<topology::ConeAngle> lifted(std::span<const topology::ConeAngle> cone_angles,
+                                        const topology::Triangulation& base,
+                                        const topology::Triangulation& cover) {
+  std::vector<topology::ConeAngle> result;
+  for (std::size_t e = 0; e < cover.edge_count(); ++e) {
+    const topology::EdgeCorner corner = cover.corners(e)[0];
+    result.push_back(cone_angles[base.edge_class(
+        topology::TetrahedronIndex(corner.tetrahedron() % base.tetrahedron_count()),
+        corner.edge())]);
+  }
+  return result;
+}
+
+Manifold cover_of(const Manifold& base, topology::Gluings gluings) {
+  Manifold cover(std::move(gluings));
+  if (topology::all_full(base.cone_angles())) return cover;
+  return cover.with_cone_angles(
+      lifted(base.cone_angles(), base.triangulation(), cover.triangulation()));
+}
+
 /// Keeps every cover of a search as a manifold.
-topology::VisitCover collect_in(std::vector<Manifold>& result) {
-  return [&result](const topology::Cover& cover) {
-    result.emplace_back(cover.gluings);
+topology::VisitCover collect_in(std::vector<Manifold>& result, const Manifold& base) {
+  return [&result, &base](const topology::Cover& cover) {
+    result.push_back(cover_of(base, cover.gluings));
     return true;
   };
+}
+
+void require_plain(const Manifold& manifold, const char* what) {
+  if (!topology::all_full(manifold.cone_angles()))
+    throw Unsupported(std::string(what) +
+                      " does not keep cone angles other than 2 pi so far; the manifold without "
+                      "them is with_cone_angles({})");
 }
 
 bool was_cut_short(const structure::Report& report) {
@@ -56,15 +89,17 @@ bool was_cut_short(const structure::Report& report) {
 
 /// What copies of a manifold share.
 struct Manifold::State {
-  State(topology::Triangulation given, std::string given_name, std::string given_input, bool known)
+  State(topology::Triangulation given, std::string given_name, std::string given_input, bool known,
+        std::vector<topology::ConeAngle> labels)
       : triangulation(std::move(given)),
         name(std::move(given_name)),
         input(std::move(given_input)),
-        orientation_known(known) {}
+        orientation_known(known),
+        cone_angles(std::move(labels)) {}
 
   struct Solved {
-    Solved(const topology::Triangulation& triangulation, structure::Report found)
-        : report(std::move(found)), metric(triangulation, report) {}
+    Solved(const State& state, structure::Report found)
+        : report(std::move(found)), metric(state.triangulation, report, state.cone_angles) {}
     structure::Report report;
     Metric metric;
   };
@@ -72,7 +107,8 @@ struct Manifold::State {
   topology::Triangulation triangulation;
   std::string name;
   std::string input;
-  bool orientation_known;  ///< false for a signature without a sign
+  bool orientation_known;                        ///< false for a signature without a sign
+  std::vector<topology::ConeAngle> cone_angles;  ///< [E]; empty if nothing is labelled
   mutable Once<std::optional<std::string>> signature;
   mutable Once<topology::AbelianGroup> homology;
   mutable Once<std::unique_ptr<Solved>> solved;
@@ -80,17 +116,30 @@ struct Manifold::State {
 
   const Solved& solve(const Manifold& manifold, const Context& context) const {
     return *solved.get([&] {
-      auto result = std::make_unique<Solved>(triangulation, manifold.solve({}, context));
+      auto result = std::make_unique<Solved>(*this, manifold.solve({}, context));
       const bool is_final = !was_cut_short(result->report);
       return std::pair(std::move(result), is_final);
     });
   }
+
+  /// As solving, the decompositions and what follows from them want it.
+  canonical::CanonizeOptions canonize_options(const Context& context, const StopFlag& stop) const {
+    canonical::CanonizeOptions options;
+    options.solve.stop_requested = stop.get();
+    options.solve.time_limit = context.seconds_left();
+    options.solve.cone_angles = cone_angles;
+    return options;
+  }
 };
 
 Manifold::Manifold(topology::Triangulation triangulation, std::string name, std::string input,
-                   bool orientation_known)
+                   bool orientation_known, std::vector<topology::ConeAngle> cone_angles)
     : state_(std::make_shared<const State>(std::move(triangulation), std::move(name),
-                                           std::move(input), orientation_known)) {}
+                                           std::move(input), orientation_known,
+                                           std::move(cone_angles))) {
+  if (!state_->cone_angles.empty())
+    (void)topology::completed(state_->cone_angles, state_->triangulation.edge_count());
+}
 
 Manifold::Manifold(topology::Triangulation triangulation, std::string name)
     : Manifold(std::move(triangulation), std::move(name), {}, true) {}
@@ -100,13 +149,23 @@ Manifold::Manifold(topology::Gluings gluings, std::string name)
 
 Manifold::Manifold(topology::NamedGluings loaded, std::string input)
     : Manifold(topology::Triangulation(std::move(loaded.gluings)), std::move(loaded.name),
-               std::move(input), loaded.orientation_known) {
-  if (!topology::all_full(loaded.cone_angles))
-    throw Unsupported("a Manifold has no cone angles so far; give them to solve()");
+               std::move(input), loaded.orientation_known, std::move(loaded.cone_angles)) {}
+
+Manifold Manifold::with_cone_angles(std::vector<topology::ConeAngle> cone_angles) const {
+  std::string plain = split_labels(state_->input).first;
+  const std::string labels = topology::labels_text(cone_angles);
+  if (!plain.empty() && !labels.empty()) plain += " " + labels;
+  return {triangulation(), name(), std::move(plain), state_->orientation_known,
+          std::move(cone_angles)};
 }
 
 Manifold load(const std::string& input, const Context& context) {
-  return Manifold(load_input(input, context), input);
+  const auto [plain, labels] = split_labels(input);
+  topology::NamedGluings loaded = load_labelled_input(plain, Balls::kAllowed, context);
+  if (!labels.empty())
+    loaded.cone_angles = labelled(std::move(loaded.cone_angles),
+                                  topology::Triangulation(loaded.gluings).edge_count(), labels);
+  return Manifold(std::move(loaded), input);
 }
 
 const std::string& Manifold::name() const { return state_->name; }
@@ -115,10 +174,14 @@ const std::string& Manifold::input() const { return state_->input; }
 
 bool Manifold::is_orientation_known() const { return state_->orientation_known; }
 
+std::span<const topology::ConeAngle> Manifold::cone_angles() const { return state_->cone_angles; }
+
 std::string Manifold::label() const {
   if (!state_->input.empty()) return state_->input;
   if (!state_->name.empty()) return state_->name;
-  return signature().value_or("");
+  if (!signature() || topology::all_full(cone_angles())) return signature().value_or("");
+  if (!triangulation().is_connected()) return *signature();
+  return topology::labelled_isosig(triangulation(), cone_angles());
 }
 
 const topology::Triangulation& Manifold::triangulation() const { return state_->triangulation; }
@@ -142,17 +205,36 @@ std::optional<std::string> Manifold::oriented_signature() const {
   return make_subject({}, std::move(given)).oriented_isosig;
 }
 
-const topology::AbelianGroup& Manifold::homology() const {
+const topology::AbelianGroup& Manifold::homology(const Context& context) const {
+  const StopFlag stop(context);
   return state_->homology.get(
-      [&] { return std::pair(topology::first_homology(triangulation()), true); });
+      [&] { return std::pair(topology::first_homology(triangulation(), stop.get()), true); });
 }
 
 topology::FundamentalGroup Manifold::fundamental_group() const {
   return topology::fundamental_group(triangulation());
 }
 
+Manifold Manifold::drilled(const std::vector<std::size_t>& edges,
+                           const topology::SimplifyOptions& options, const Context& context) const {
+  const topology::Triangulation& whole = triangulation();
+  std::vector<topology::EdgePlace> places;
+  for (const std::size_t e : edges) {
+    if (e >= whole.edge_count())
+      throw InvalidInput(
+          fmt::format("there is no edge class {}; there are {}, from 0 on", e, whole.edge_count()));
+    const topology::EdgeCorner corner = whole.corners(e)[0];
+    places.push_back(
+        {static_cast<topology::TetrahedronIndex>(corner.tetrahedron()), corner.edge()});
+  }
+  return Manifold(topology::Triangulation(topology::drilled(whole.gluings(), places)), name(), {},
+                  state_->orientation_known)
+      .simplified(options, context);
+}
+
 Manifold Manifold::simplified(const topology::SimplifyOptions& options,
                               const Context& context) const {
+  require_plain(*this, "simplifying");
   const StopFlag stop(context);
   topology::SimplifyOptions with_stop = options;
   with_stop.stop_requested = stop.get();
@@ -166,21 +248,29 @@ Manifold Manifold::simplified(const topology::SimplifyOptions& options,
 std::vector<Manifold> Manifold::covers(std::size_t degree, const Context& context) const {
   const StopFlag stop(context);
   std::vector<Manifold> result;
-  topology::for_each_cover(triangulation(), degree, collect_in(result), stop.get());
+  topology::for_each_cover(triangulation(), degree, collect_in(result, *this), stop.get());
   return result;
 }
 
 std::vector<Manifold> Manifold::cyclic_covers(std::size_t degree, const Context& context) const {
   const StopFlag stop(context);
   std::vector<Manifold> result;
-  topology::for_each_cyclic_cover(triangulation(), degree, collect_in(result), stop.get());
+  topology::for_each_cyclic_cover(triangulation(), degree, collect_in(result, *this), stop.get());
   return result;
+}
+
+Manifold Manifold::cover(const std::vector<std::vector<std::uint32_t>>& permutations,
+                         const Context& context) const {
+  const StopFlag stop(context);
+  return cover_of(*this,
+                  topology::cover_of_permutations(triangulation(), permutations, stop.get()));
 }
 
 structure::Report Manifold::solve(structure::SolveOptions options, const Context& context) const {
   const StopFlag stop(context);
   options.stop_requested = stop.get();
   options.time_limit = std::min(options.time_limit, context.seconds_left());
+  if (options.cone_angles.empty()) options.cone_angles = state_->cone_angles;
   return structure::solve(triangulation(), options);
 }
 
@@ -199,16 +289,17 @@ Manifold Manifold::retriangulated(const structure::RetriangulateOptions& options
   if (start.outcome == structure::Outcome::kGeometric) return *this;
   const StopFlag stop(context);
   structure::SolveOptions solve_options;
+  solve_options.cone_angles = state_->cone_angles;
   solve_options.stop_requested = stop.get();
   solve_options.time_limit = context.seconds_left();
   structure::Retriangulation found =
       structure::retriangulate(triangulation(), start, solve_options, options);
   Manifold result(topology::Triangulation(std::move(found.gluings)), name(), {},
-                  state_->orientation_known);
+                  state_->orientation_known, std::move(found.cone_angles));
   // Nothing new was found: the answer says what was tried, and is not looked for again.
   result.state_->solved.get([&] {
-    return std::pair(
-        std::make_unique<State::Solved>(result.triangulation(), std::move(found.report)), true);
+    return std::pair(std::make_unique<State::Solved>(*result.state_, std::move(found.report)),
+                     true);
   });
   return result;
 }
@@ -216,10 +307,8 @@ Manifold Manifold::retriangulated(const structure::RetriangulateOptions& options
 const canonical::CanonizeAnswer& Manifold::canonical(const Context& context) const {
   return state_->canonical.get([&] {
     const StopFlag stop(context);
-    canonical::CanonizeOptions options;
-    options.solve.stop_requested = stop.get();
-    options.solve.time_limit = context.seconds_left();
-    canonical::CanonizeAnswer answer = canonical::canonize(triangulation(), options);
+    canonical::CanonizeAnswer answer =
+        canonical::canonize(triangulation(), state_->canonize_options(context, stop));
     const bool is_final =
         answer.manifold.has_value() || !(context.stop_requested() || context.expired());
     return std::pair(std::move(answer), is_final);
@@ -240,12 +329,10 @@ std::optional<canonical::IsometryGroup> Manifold::isometry_group(const Context& 
 
 canonical::Comparison Manifold::compare(const Manifold& other, const Context& context) const {
   const StopFlag stop(context);
-  canonical::CanonizeOptions options;
-  options.solve.stop_requested = stop.get();
-  options.solve.time_limit = context.seconds_left();
   const bool known = state_->orientation_known && other.state_->orientation_known;
   return canonical::compare(
-      triangulation(), other.triangulation(), options,
+      {triangulation(), state_->cone_angles}, {other.triangulation(), other.state_->cone_angles},
+      state_->canonize_options(context, stop),
       known ? canonical::Orientations::kKnown : canonical::Orientations::kNotKnown);
 }
 
@@ -263,6 +350,10 @@ std::optional<bool> Manifold::is_isometric_to(const Manifold& other, const Conte
 
 const canonical::CensusEntry* Manifold::identify(const Context& context) const {
   const canonical::Census& census = canonical::shipped_census();
+  if (!topology::all_full(cone_angles())) {
+    const std::optional<std::string> found = isometry_signature(context);
+    return found ? census.find(*found) : nullptr;
+  }
   if (const auto& isosig = signature()) {
     if (const canonical::CensusEntry* entry = census.find(*isosig)) return entry;
   }
@@ -274,7 +365,12 @@ const canonical::CensusEntry* Manifold::identify(const Context& context) const {
 
 std::string Manifold::to_json(const Context& context) const {
   const structure::Report& report = verdict(context);
-  return report_as_json({label(), name(), triangulation(), signature()}, report);
+  return report_as_json({.input = label(),
+                         .name = name(),
+                         .triangulation = triangulation(),
+                         .isosig = signature(),
+                         .cone_angles = state_->cone_angles},
+                        report);
 }
 
 void Manifold::write(const std::string& path, const Context& context) const {

@@ -44,6 +44,11 @@ std::size_t CellComplex::write(const std::string& path, const CellFileOptions& o
 }
 
 std::shared_ptr<const embedding::Embedding> Metric::shared_embedding() const {
+  if (!topology::all_full(cone_angles_))
+    throw Unsupported(
+        "a metric with cone angles other than 2 pi is not placed in hyperbolic space so far: "
+        "around "
+        "a singular edge the tetrahedra do not close up");
   std::call_once(placed_, [this] {
     embedding_ = std::make_shared<const embedding::Embedding>(
         embedding::embed(triangulation_, report_.edge_lengths));
@@ -52,7 +57,9 @@ std::shared_ptr<const embedding::Embedding> Metric::shared_embedding() const {
 }
 
 structure::Proof Metric::prove(const Context& context) const {
-  return structure::prove(triangulation_, report_.edge_lengths, {}, context);
+  structure::ProveOptions options;
+  options.cone_angles.assign(cone_angles_.begin(), cone_angles_.end());
+  return structure::prove(triangulation_, report_.edge_lengths, options, context);
 }
 
 embedding::Holonomy Metric::holonomy() const {

@@ -13,6 +13,7 @@
 #include "embedding/universal_cover.hpp"
 #include "structure/proof/proof.hpp"
 #include "structure/report.hpp"
+#include "topology/cone_angle.hpp"
 #include "topology/triangulation.hpp"
 
 namespace tripus {
@@ -52,9 +53,11 @@ class CellComplex {
 /// copy of it. Source of all numbers: docs/theory.md.
 class Metric {
  public:
-  /// Both must outlive the metric; the report is geometric, of this triangulation.
-  Metric(const topology::Triangulation& triangulation, const structure::Report& report)
-      : triangulation_(triangulation), report_(report) {}
+  /// All must outlive the metric; the report is geometric, of this triangulation with these cone
+  /// angles (empty: 2 pi everywhere).
+  Metric(const topology::Triangulation& triangulation, const structure::Report& report,
+         std::span<const topology::ConeAngle> cone_angles = {})
+      : triangulation_(triangulation), report_(report), cone_angles_(cone_angles) {}
 
   /// Hyperbolic volume, curvature -1.
   double volume() const { return report_.volume; }
@@ -64,14 +67,17 @@ class Metric {
   std::span<const std::array<double, 6>> dihedral_angles() const { return report_.dihedral_angles; }
   /// [V] the boundary components: genus and area.
   std::span<const structure::VertexReport> boundary() const { return report_.vertices; }
-  /// max|K|: how far the angles around an edge are from 2 pi at most.
+  /// max|K|: how far the angles around an edge are from its cone angle at most.
   double max_curvature() const { return report_.max_curvature; }
   /// How it was found.
   const structure::Report& report() const { return report_; }
 
   /// A proof that this is the metric, every rounding accounted for, anew at each call: intervals of
-  /// the lengths and the volume, or the reason why not. docs/proof.md.
+  /// the lengths and the volume, or the reason why not: also where cusps, finite vertices or cone
+  /// angles other than 2 pi are in the way. docs/proof.md.
   structure::Proof prove(const Context& context = {}) const;
+
+  // Places in hyperbolic space. Unsupported for cone angles other than 2 pi.
 
   /// The tetrahedra in the hyperboloid model and the isometries that glue them; made once.
   const embedding::Embedding& embedding() const { return *shared_embedding(); }
@@ -91,6 +97,7 @@ class Metric {
 
   const topology::Triangulation& triangulation_;
   const structure::Report& report_;
+  const std::span<const topology::ConeAngle> cone_angles_;
   mutable std::once_flag placed_;
   mutable std::shared_ptr<const embedding::Embedding> embedding_;
 };

@@ -137,9 +137,7 @@ std::string spectrum_as_json(const SpectrumAnswer& answer) {
   append_number(out, spectrum.length);
   fmt::format_to(std::back_inserter(out), ", \"end\": \"{}\", \"arc_count\": {}",
                  end_name(spectrum.end), spectrum.arc_count);
-  append_optional(
-      out, "shortest_return_path",
-      spectrum.arcs.empty() ? std::nullopt : std::optional(spectrum.arcs.front().length));
+  append_optional(out, "shortest_return_path", spectrum.sums.shortest());
   append(out, ", \"arcs\": ");
   append_array(out, answer.grouping.groups,
                [&](JsonText& to, const ArcGroup& group) { append_group(to, answer, group); });

@@ -50,9 +50,8 @@ Subject load_labelled_subject(const std::string& input, Balls balls, const Conte
   const auto [plain, labels] = split_labels(input);
   topology::NamedGluings loaded = load_labelled_input(plain, balls, context);
   Subject subject = make_subject(input, std::move(loaded));
-  if (!labels.empty())
-    LabelAssignment(subject.cone_angles, subject.triangulation.edge_count())
-        .assign("the label", labels, "EDGE=ORDER, such as 0=3", topology::parse_cone_order);
+  subject.cone_angles =
+      labelled(std::move(subject.cone_angles), subject.triangulation.edge_count(), labels);
   return subject;
 }
 

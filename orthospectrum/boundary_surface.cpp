@@ -8,6 +8,7 @@
 
 #include <Eigen/Dense>
 
+#include "base/tolerances.hpp"
 #include "orthospectrum/detail/steps.hpp"
 
 namespace tripus::orthospectrum {
@@ -23,6 +24,22 @@ Vector3 normal_towards(const Vector3& a, const Vector3& b, const Vector3& inside
   normal[2] = -normal[2];
   normal /= std::sqrt(lorentz(normal, normal));
   return lorentz(normal, inside) < 0 ? Vector3(-normal) : normal;
+}
+
+/// sinh of half the distance of two points, twice: keeps its digits for near points.
+double chord(const Vector3& x, const Vector3& y) {
+  const Vector3 difference = x - y;
+  return std::sqrt(std::max(0.0, lorentz(difference, difference)));
+}
+
+/// Distance of a point from the segment between two others.
+double distance_from_segment(const Vector3& x, const Vector3& a, const Vector3& b) {
+  const Vector3 normal = normal_towards(a, b, x);
+  const double over = lorentz(normal, x);
+  const Vector3 foot = x - over * normal;  // times cosh of the distance
+  const double cosh = std::sqrt(1 + over * over), side = -lorentz(a, b);
+  if (-lorentz(foot, a) <= side * cosh && -lorentz(foot, b) <= side * cosh) return std::asinh(over);
+  return 2 * std::asinh(std::min(chord(x, a), chord(x, b)) / 2);
 }
 
 /// Where the middle of a developed tile lies, to tell copies apart: middles of different copies are
@@ -53,6 +70,10 @@ class Places {
 };
 
 }  // namespace
+
+Vector3 point_of(const ArcEnd& end) {
+  return Vector3(end.x, end.y, 1) / std::sqrt(1 - end.x * end.x - end.y * end.y);
+}
 
 BoundarySurface::BoundarySurface(const topology::Triangulation& triangulation,
                                  std::span<const double> edge_lengths) {
@@ -128,6 +149,29 @@ std::vector<DevelopedTile> BoundarySurface::develop(Tile from, double radius,
     for (const Side& side : sides_[index(next.tile)])
       wait(side.across, next.isometry * side.isometry);
     result.push_back(next);
+  }
+  return result;
+}
+
+std::vector<DevelopedTile> BoundarySurface::meeting(Tile from, const Vector3& centre,
+                                                    double radius) const {
+  // What touches the disc from outside does not meet it.
+  const double within = radius * (1 - tolerance::kArcReach);
+  std::vector<DevelopedTile> result;
+  std::vector<DevelopedTile> waiting{{from, Matrix3::Identity(), true}};
+  Places places;
+  while (!waiting.empty()) {
+    const DevelopedTile next = waiting.back();
+    waiting.pop_back();
+    if (!places.insert(next.isometry, next.tile)) continue;
+    result.push_back(next);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3 a = next.isometry * corner(next.tile, (k + 1) % 3);
+      const Vector3 b = next.isometry * corner(next.tile, (k + 2) % 3);
+      if (distance_from_segment(centre, a, b) >= within) continue;
+      const Side& side = sides_[index(next.tile)][k];
+      waiting.push_back({side.across, next.isometry * side.isometry, false});
+    }
   }
   return result;
 }

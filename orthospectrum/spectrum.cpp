@@ -15,9 +15,9 @@ namespace {
 
 using detail::Stage;
 
-/// A stage finds about so many times as many arcs as the one before: the last is the most of the
-/// work, and an interruption still leaves something.
-constexpr double kStageRatio = 10;
+/// A stage finds about so many times as many arcs as the one before, at most: the last is nearly
+/// all of the work, and an interruption still leaves something.
+constexpr double kStageRatio = 30;
 /// Fewer arcs than this cost nothing, and say little about how many there will be.
 constexpr double kFewArcs = 1000;
 /// Limit sets of dimension 2 and more there are none.
@@ -58,15 +58,17 @@ class Schedule {
       if (!accepted_ && estimate > options_.most_arcs) throw TooManyArcs(options_.length, estimate);
       accepted_ = true;
     }
-    const bool jump = count > 0 && count * std::exp(growth_ * left) <=
-                                       std::max(kStageRatio * count, 10 * kFewArcs);
-    go_to(jump ? options_.length : std::min(options_.length, length_ + step(count)), count);
+    const bool jump = count > 0 && count * std::exp(growth_ * left) <= 10 * kFewArcs;
+    const double part = jump ? left : step(count, left);
+    go_to(part < left ? length_ + part : options_.length, count);
     return false;
   }
 
  private:
-  double step(double count) const {
-    return count < kFewArcs / 10 ? 1 : std::log(kStageRatio) / growth_;
+  /// The way to go is divided evenly: a stage just before the last would be done in vain.
+  double step(double count, double left) const {
+    if (count < kFewArcs / 10) return 1;
+    return left / std::max(1.0, std::ceil(growth_ * left / std::log(kStageRatio)));
   }
 
   bool ends_with_count(double count) {
@@ -81,7 +83,7 @@ class Schedule {
     // Aim a little further than the estimate: a second try costs more than a few arcs too many.
     constexpr double kMore = 0.1;
     const double aim = count >= kFewArcs / 10 ? std::log(wanted / count) / growth_ + kMore : 1;
-    go_to(std::min(kLongestArc, length_ + std::min(step(count), aim)), count);
+    go_to(std::min(kLongestArc, length_ + step(count, aim)), count);
     return false;
   }
 

@@ -61,6 +61,7 @@ double disc_radius(double length) { return -std::log(std::tanh(length / 2)); }
 
 void Sums::add(double length) {
   ++count_;
+  shortest_ = std::min(shortest_, length);
   const Contribution contribution = contribution_of(length);
   area_ += contribution.area;
   volume_ += contribution.area * (length + 1) / 4;
@@ -76,6 +77,7 @@ void Sums::add(double length) {
 
 void Sums::add(const Sums& other) {
   count_ += other.count_;
+  shortest_ = std::min(shortest_, other.shortest_);
   area_ += other.area_;
   volume_ += other.volume_;
   for (std::size_t k = 0; k < 2; ++k) return_time_[k] += other.return_time_[k];

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace tripus::orthospectrum {
@@ -29,6 +31,10 @@ class Sums {
 
   /// Twice the number of arcs: what was added, as oriented arcs are.
   std::uint64_t oriented_count() const { return count_; }
+  /// The shortest length; nothing if there is none.
+  std::optional<double> shortest() const {
+    return count_ == 0 ? std::nullopt : std::optional(shortest_);
+  }
   double area() const { return area_; }
   double volume() const { return volume_; }
   double return_time(int k) const { return return_time_[static_cast<std::size_t>(k - 1)]; }
@@ -38,6 +44,7 @@ class Sums {
 
  private:
   std::uint64_t count_ = 0;
+  double shortest_ = std::numeric_limits<double>::infinity();
   double area_ = 0, volume_ = 0;
   std::array<double, 2> return_time_{};
   std::vector<std::uint64_t> histogram_;

@@ -129,6 +129,14 @@ bool all_full(std::span<const ConeAngle> cone_angles) {
   return std::ranges::all_of(cone_angles, [](const ConeAngle& k) { return k.is_full(); });
 }
 
+bool same_angles(std::span<const ConeAngle> a, std::span<const ConeAngle> b,
+                 std::size_t edge_count) {
+  const auto fits = [&](std::span<const ConeAngle> list) {
+    return list.empty() || list.size() == edge_count;
+  };
+  return fits(a) && fits(b) && completed(a, edge_count) == completed(b, edge_count);
+}
+
 std::vector<ConeAngle> completed(std::span<const ConeAngle> cone_angles, std::size_t edge_count) {
   if (cone_angles.empty()) return std::vector<ConeAngle>(edge_count);
   if (cone_angles.size() != edge_count) {

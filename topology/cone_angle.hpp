@@ -55,6 +55,10 @@ ConeAngle parse_cone_order(std::string_view text);
 /// Whether every angle is 2 pi; also for an empty list, which stands for that.
 bool all_full(std::span<const ConeAngle> cone_angles);
 
+/// Whether two lists say the same of so many edge classes; an empty one stands for 2 pi everywhere.
+bool same_angles(std::span<const ConeAngle> a, std::span<const ConeAngle> b,
+                 std::size_t edge_count);
+
 /// Cone angles [E] as every function takes them: an empty list becomes 2 pi everywhere.
 /// Throws InvalidInput for a wrong number of angles, naming both, and for an angle that is negative
 /// or not finite, naming its edge class.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -32,7 +33,8 @@ AbelianGroup parse_abelian_group(std::string_view text);
 /// classes. Unit pivots are eliminated sparsely, shortest relator first; what is left goes through
 /// a dense Smith normal form. All integers grow as needed, so there is no overflow.
 /// Cost: near linear in T where unit pivots keep the relators short, as in covers; the dense rest
-/// costs its size cubed.
-AbelianGroup first_homology(const Triangulation& triangulation);
+/// costs its size cubed. Polls `stop_requested` (may be null); throws Stopped.
+AbelianGroup first_homology(const Triangulation& triangulation,
+                            const std::atomic<bool>* stop_requested = nullptr);
 
 }  // namespace tripus::topology

@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/stopped.hpp"
+
 // Three stages. First, pivots +-1 are eliminated on sparse rows of 64-bit integers, with every
 // product checked: a pivot whose elimination would overflow is put aside. The few rows left are
 // reduced to independent columns and go through the same on big integers. Last, what has no unit
@@ -56,8 +58,12 @@ std::optional<SparseRow<Integer>> difference(const SparseRow<Integer>& old, cons
 template <class Integer>
 class UnitEliminator {
  public:
-  UnitEliminator(std::vector<SparseRow<Integer>> rows, std::size_t column_count)
-      : rows_(std::move(rows)), rows_of_(column_count), count_(column_count, 0) {
+  UnitEliminator(std::vector<SparseRow<Integer>> rows, std::size_t column_count,
+                 const std::atomic<bool>* stop_requested)
+      : stop_requested_(stop_requested),
+        rows_(std::move(rows)),
+        rows_of_(column_count),
+        count_(column_count, 0) {
     for (std::uint32_t r = 0; r < rows_.size(); ++r) {
       for (const auto& entry : rows_[r]) add_to_column(entry.column, r);
     }
@@ -70,6 +76,7 @@ class UnitEliminator {
     for (std::uint32_t column = 0; column < count_.size(); ++column)
       if (count_[column] == 1) single_.push_back(column);
     while (true) {
+      throw_if_stopped(stop_requested_);
       pivots += remove_free_rows();
       if (waiting_.empty()) break;
       const auto [queued_cost, tie, r] = waiting_.top();
@@ -208,6 +215,7 @@ class UnitEliminator {
 
   // Fill when queued, tie breaker, row.
   using Waiting = std::tuple<std::size_t, std::uint32_t, std::uint32_t>;
+  const std::atomic<bool>* stop_requested_;
   std::vector<SparseRow<Integer>> rows_;
   std::vector<std::vector<std::uint32_t>> rows_of_;  // per column, possibly stale
   std::vector<std::uint32_t> count_;                 // per column, exact
@@ -235,7 +243,8 @@ DenseMatrix compressed(const std::vector<SparseRow<BigInteger>>& rows) {
 /// Diagonalises the block from (k, k) on, one entry at a time.
 class DenseReducer {
  public:
-  explicit DenseReducer(DenseMatrix matrix) : matrix_(std::move(matrix)) {}
+  DenseReducer(DenseMatrix matrix, const std::atomic<bool>* stop_requested)
+      : matrix_(std::move(matrix)), stop_requested_(stop_requested) {}
 
   std::vector<BigInteger> diagonal() {
     std::vector<BigInteger> result;
@@ -273,12 +282,14 @@ class DenseReducer {
     bool clear = true;
     const auto& top = matrix_[corner_];
     for (std::size_t i = corner_ + 1; i < height(); ++i) {
+      throw_if_stopped(stop_requested_);
       const BigInteger factor = matrix_[i][corner_] / top[corner_];
       if (factor != 0)
         for (std::size_t j = corner_; j < width(); ++j) matrix_[i][j] -= factor * top[j];
       clear = clear && matrix_[i][corner_] == 0;
     }
     for (std::size_t j = corner_ + 1; j < width(); ++j) {
+      throw_if_stopped(stop_requested_);
       const BigInteger factor = top[j] / top[corner_];
       if (factor != 0)
         for (std::size_t i = corner_; i < height(); ++i)
@@ -305,19 +316,22 @@ class DenseReducer {
   }
 
   DenseMatrix matrix_;
+  const std::atomic<bool>* stop_requested_;
   std::size_t corner_ = 0;
 };
 
 /// The columns of a few long rows, brought to echelon form one by one: k rows have at most k
 /// independent columns. Returns them as rows; the Smith form does not mind the transposition.
 std::vector<SparseRow<BigInteger>> independent_columns(
-    const std::vector<SparseRow<std::int64_t>>& rows, std::size_t column_count) {
+    const std::vector<SparseRow<std::int64_t>>& rows, std::size_t column_count,
+    const std::atomic<bool>* stop_requested) {
   std::vector<SparseRow<BigInteger>> columns(column_count);
   for (std::uint32_t r = 0; r < rows.size(); ++r)
     for (const auto& entry : rows[r]) columns[entry.column].push_back({r, entry.value});
   std::vector<SparseRow<BigInteger>> basis(rows.size());  // by first place
   for (SparseRow<BigInteger>& vector : columns)
     while (!vector.empty()) {
+      throw_if_stopped(stop_requested);
       SparseRow<BigInteger>& rival = basis[vector.front().column];
       if (rival.empty()) {
         rival = std::move(vector);
@@ -348,14 +362,16 @@ SparseRow<std::int64_t> collected(SparseRow<std::int64_t> summands) {
   return summands;
 }
 
-SmithForm smith_form(std::vector<SparseRow<std::int64_t>> rows, std::size_t column_count) {
+SmithForm smith_form(std::vector<SparseRow<std::int64_t>> rows, std::size_t column_count,
+                     const std::atomic<bool>* stop_requested) {
   SmithForm form;
-  UnitEliminator<std::int64_t> small(std::move(rows), column_count);
+  UnitEliminator<std::int64_t> small(std::move(rows), column_count, stop_requested);
   form.rank = small.run();
   const auto left = small.take_rows();
-  UnitEliminator<BigInteger> big(independent_columns(left, column_count), left.size());
+  UnitEliminator<BigInteger> big(independent_columns(left, column_count, stop_requested),
+                                 left.size(), stop_requested);
   form.rank += big.run();
-  for (BigInteger& factor : DenseReducer(compressed(big.take_rows())).diagonal()) {
+  for (BigInteger& factor : DenseReducer(compressed(big.take_rows()), stop_requested).diagonal()) {
     ++form.rank;
     if (factor != 1) form.factors.push_back(std::move(factor));
   }

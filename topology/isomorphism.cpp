@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "base/stopped.hpp"
 #include "topology/components.hpp"
 
 namespace tripus::topology {
@@ -176,7 +177,8 @@ std::optional<Isomorphism> find_isomorphism(const Gluings& from, const Gluings& 
   return match_components(from, to);
 }
 
-std::vector<Isomorphism> all_isomorphisms(const Gluings& from, const Gluings& to) {
+std::vector<Isomorphism> all_isomorphisms(const Gluings& from, const Gluings& to,
+                                          const std::atomic<bool>* stop_requested) {
   if (members(from).size() != 1)
     throw InvalidInput(
         "all isomorphisms are listed for connected triangulations only; this one "
@@ -185,9 +187,11 @@ std::vector<Isomorphism> all_isomorphisms(const Gluings& from, const Gluings& to
   std::vector<Isomorphism> found;
   if (from.tetrahedron_count() != to.tetrahedron_count()) return found;
   FrameMatcher matcher(from, to);
-  for (TetrahedronIndex t = 0; t < to.tetrahedron_count(); ++t)
+  for (TetrahedronIndex t = 0; t < to.tetrahedron_count(); ++t) {
+    throw_if_stopped(stop_requested);
     for (int rank = 0; rank < 24; ++rank)
       if (matcher.match(t, Perm4::from_rank(rank))) found.push_back(matcher.map());
+  }
   return found;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -36,7 +37,9 @@ inline bool is_isomorphic(const Gluings& from, const Gluings& to) {
 
 /// All isomorphisms, at most 24 T of them, in the order of the image of frame (tetrahedron 0,
 /// 0123). With from == to this is the automorphism group, the identity included.
-/// Throws InvalidInput if `from` is empty or not connected.
-std::vector<Isomorphism> all_isomorphisms(const Gluings& from, const Gluings& to);
+/// Throws InvalidInput if `from` is empty or not connected; Stopped, polling `stop_requested` (may
+/// be null).
+std::vector<Isomorphism> all_isomorphisms(const Gluings& from, const Gluings& to,
+                                          const std::atomic<bool>* stop_requested = nullptr);
 
 }  // namespace tripus::topology

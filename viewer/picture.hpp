@@ -25,6 +25,7 @@ struct PictureOptions {
   ColourBy colour_by = ColourBy::kTetrahedron;
   bool faces = true;        ///< without them, the truncations alone are drawn, and not solid
   bool truncations = true;  ///< without them, the faces alone are drawn, and not solid
+  bool discs = true;        ///< those of the scene, where it has some
   /// Cells are cut at the plane x = cut_away of the model, and what lies beyond is not drawn.
   std::optional<double> cut_away;
   Camera camera;

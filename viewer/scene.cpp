@@ -51,6 +51,7 @@ Scene make_scene(std::string title, const embedding::Embedding& embedding,
     SceneCell& cell = scene.cells.emplace_back();
     cell.tetrahedron = from.tetrahedron;
     cell.depth = from.depth;
+    cell.place = place;
     for (std::size_t i = 0; i < 4; ++i) {
       cell.walls[i] = place * shape.faces[i];
       cell.walls[4 + i] = place * shape.vertices[i];
@@ -154,6 +155,33 @@ Ball bounding_ball(Model model, const Scene& scene) {
   Ball ball = ball_around(points);
   ball.radius *= kBulge;
   return ball;
+}
+
+ToTetrahedron to_tetrahedron(Model model, const SceneCell& cell, const Ball& ball) {
+  // In every model the hyperboloid's point is linear in (p, |p|^2, 1), up to a factor.
+  Eigen::Matrix<double, 4, 5> of_model = Eigen::Matrix<double, 4, 5>::Zero();
+  switch (model) {
+    case Model::kUpperHalfSpace:  // z times the point
+      of_model(0, 0) = of_model(1, 1) = 1;
+      of_model.col(3) << 0, 0, 0.5, 0.5;
+      of_model.col(4) << 0, 0, -0.5, 0.5;
+      break;
+    case Model::kPoincareBall:  // (1 - |p|^2) / 2 times the point
+      of_model.topLeftCorner<3, 3>().setIdentity();
+      of_model.col(3) << 0, 0, 0, 0.5;
+      of_model.col(4) << 0, 0, 0, 0.5;
+      break;
+    case Model::kKleinBall:  // sqrt(1 - |p|^2) times the point
+      of_model.topLeftCorner<3, 3>().setIdentity();
+      of_model.col(4) << 0, 0, 0, 1;
+      break;
+  }
+  Eigen::Matrix<double, 5, 5> local = Eigen::Matrix<double, 5, 5>::Zero();
+  local.topLeftCorner<3, 3>() = ball.radius * Eigen::Matrix3d::Identity();
+  local.col(4) << ball.centre, ball.centre.squaredNorm(), 1;
+  local.row(3).head<3>() = 2 * ball.radius * ball.centre;
+  local(3, 3) = ball.radius * ball.radius;
+  return geometry::lorentz_inverse(cell.place) * of_model * local / ball.radius;
 }
 
 Colour wall_colour(ColourBy colour_by, const SceneCell& cell, std::size_t wall) {

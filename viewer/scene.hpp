@@ -3,12 +3,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "embedding/universal_cover.hpp"
 #include "viewer/half_space.hpp"
+#include "viewer/wall_discs.hpp"
 
 namespace tripus::viewer {
 
@@ -26,6 +28,7 @@ struct SceneCell {
   /// [12] corners on the hyperboloid: corner 3 v + k lies on truncation v and on the k-th edge of
   /// the tetrahedron at v, in the order of the other vertices.
   std::array<Vector4, 12> corners;
+  geometry::Matrix4 place;  ///< the isometry from the frame of the tetrahedron
 };
 
 /// What is drawn, by every viewer.
@@ -33,6 +36,8 @@ struct Scene {
   std::string title;
   std::size_t tetrahedron_count = 0;  ///< of the triangulation
   std::vector<SceneCell> cells;
+  /// On the truncations; null: none.
+  std::shared_ptr<const WallDiscs> discs;
 };
 
 /// Puts cells into a scene.
@@ -59,6 +64,12 @@ Ball bounding_ball(Model model, const SceneCell& cell);
 
 /// A ball that contains all cells. Throws InvalidInput if there are none.
 Ball bounding_ball(Model model, const Scene& scene);
+
+/// From points centre + radius q of a model to the hyperboloid in the frame of the cell's
+/// tetrahedron: (q, |q|^2, 1) becomes the point times 1 / s, where q moves s of hyperbolic length
+/// for one of its own (exactly so in the models that keep angles).
+using ToTetrahedron = Eigen::Matrix<double, 4, 5>;
+ToTetrahedron to_tetrahedron(Model model, const SceneCell& cell, const Ball& ball);
 
 /// What tells cells apart.
 enum class ColourBy {

@@ -108,7 +108,28 @@ void Unfolding::expand(const Node& node, const VisitFind& visit) {
   const Step& step = steps_.step(node.tetrahedron, node.opposite);
   const Vertex apex = beyond(node, step);
   if (apex.square != 0 && -apex.product <= reach_.cosh_length()) look_at(node, step, apex, visit);
+  measure(node, apex);
   for (std::size_t k = 0; k < 3; ++k) push_child(node, step, apex, k);
+}
+
+/// On which side of the lines from the apex to the vertices of the old face the window's corners
+/// lie.
+void Unfolding::measure(const Node& node, const Vertex& apex) {
+  std::array<double, 3> snap{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    toward_x_[k] = node.face[k].x - apex.x;
+    toward_y_[k] = node.face[k].y - apex.y;
+    snap[k] = tolerance::kFootOnLine *
+              std::sqrt(toward_x_[k] * toward_x_[k] + toward_y_[k] * toward_y_[k]);
+  }
+  turns_.resize(window_.size());
+  for (std::size_t n = 0; n < window_.size(); ++n) {
+    const double x = window_[n].x - apex.x, y = window_[n].y - apex.y;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double turn = cross(toward_x_[k], toward_y_[k], x, y);
+      turns_[n][k] = std::abs(turn) <= snap[k] ? 0 : turn;
+    }
+  }
 }
 
 /// Whether the foot belongs to this window; with the rule for ties.
@@ -150,25 +171,22 @@ void Unfolding::look_at(const Node& node, const Step& step, const Vertex& apex,
 
 /// The face with vertices k and k + 1 of the old one and the new vertex.
 void Unfolding::push_child(const Node& node, const Step& step, const Vertex& apex, std::size_t k) {
+  const std::size_t m = (k + 1) % 3;
   const Vertex& a = node.face[k];
-  const Vertex& b = node.face[(k + 1) % 3];
-  const double ax = a.x - apex.x, ay = a.y - apex.y, bx = b.x - apex.x, by = b.y - apex.y;
+  const Vertex& b = node.face[m];
+  const double ax = toward_x_[k], ay = toward_y_[k], bx = toward_x_[m], by = toward_y_[m];
   if (cross(ax, ay, bx, by) <= 0) return;  // this face lies behind
-  const double snap_a = tolerance::kFootOnLine * std::sqrt(ax * ax + ay * ay);
-  const double snap_b = tolerance::kFootOnLine * std::sqrt(bx * bx + by * by);
-  child_.clear();
   bool left = false, right = false;
-  for (const Corner& corner : window_) {
-    Corner& copy = child_.emplace_back(corner);
-    const double x = corner.x - apex.x, y = corner.y - apex.y;
-    const double to_a = cross(ax, ay, x, y), to_b = cross(x, y, bx, by);
-    copy.area[0] = std::abs(to_b) <= snap_b ? 0 : to_b;
-    copy.area[1] = std::abs(to_a) <= snap_a ? 0 : to_a;
-    copy.area[2] = corner.area[(k + 2) % 3];
-    left = left || copy.area[1] > 0;
-    right = right || copy.area[0] > 0;
+  for (const auto& turn : turns_) {
+    left = left || turn[k] > 0;
+    right = right || turn[m] < 0;
   }
   if (!left || !right) return;
+  child_.clear();
+  for (std::size_t n = 0; n < window_.size(); ++n) {
+    Corner& copy = child_.emplace_back(window_[n]);
+    copy.area = {-turns_[n][m], turns_[n][k], window_[n].area[(k + 2) % 3]};
+  }
   clip(child_, scratch_, 1, apex, ax, ay);
   clip(child_, scratch_, 0, apex, -bx, -by);
   left = right = false;

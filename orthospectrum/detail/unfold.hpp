@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -53,6 +54,7 @@ class Unfolding {
   void begin(std::size_t t, int i);
   void expand(const Node& node, const VisitFind& visit);
   Vertex beyond(const Node& node, const Step& step) const;
+  void measure(const Node& node, const Vertex& apex);
   void look_at(const Node& node, const Step& step, const Vertex& apex, const VisitFind& visit);
   void push_child(const Node& node, const Step& step, const Vertex& apex, std::size_t k);
   bool is_lidded(const Node& next) const;
@@ -66,6 +68,10 @@ class Unfolding {
   std::vector<Corner> corners_;      // the windows of the stack, one after the other
   std::vector<std::uint8_t> faces_;  // crossed on the way to the current node
   Window window_, child_, scratch_;
+  // Of the window, as seen from the apex beyond its face: towards the vertices of the face, and for
+  // each corner twice the areas that it spans with them.
+  std::array<double, 3> toward_x_{}, toward_y_{};
+  std::vector<std::array<double, 3>> turns_;
   std::size_t base_tetrahedron_ = 0;
   int base_vertex_ = 0;
   double inner_x_ = 0, inner_y_ = 0;  // the point that settles ties

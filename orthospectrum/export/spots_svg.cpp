@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "orthospectrum/boundary_surface.hpp"
+#include "orthospectrum/boundary_discs.hpp"
 
 namespace tripus::orthospectrum {
 namespace {
@@ -20,24 +20,8 @@ constexpr double kSmallestSpot = 0.35, kSmallestTile = 1.5;  // pixels
 constexpr double kDrawnRadius = 6;                           // hyperbolic
 constexpr std::size_t kMostTiles = 6000;
 
-using Rgb = std::array<double, 3>;
-
-/// From short to long: a scale whose lightness falls evenly, told apart without seeing hue.
 std::string colour_of(double share) {
-  constexpr std::array<Rgb, 6> kStops{{{168, 28, 48},
-                                       {220, 74, 50},
-                                       {245, 132, 52},
-                                       {252, 201, 88},
-                                       {196, 222, 178},
-                                       {120, 178, 206}}};
-  const double place = std::clamp(share, 0.0, 1.0) * (kStops.size() - 1);
-  const auto low = std::min(static_cast<std::size_t>(place), kStops.size() - 2);
-  const double part = place - static_cast<double>(low);
-  std::array<int, 3> rgb{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    rgb[c] = static_cast<int>(
-        std::lround(kStops[low][c] + part * (kStops[low + 1][c] - kStops[low][c])));
-  }
+  const LengthColour rgb = length_colour(share);
   return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
 }
 
@@ -74,8 +58,8 @@ struct Spot {
 /// The Poincare disc of one component, in pixels.
 class DiscPicture {
  public:
-  DiscPicture(double left, double shortest, double longest)
-      : middle_x_(left + kBorder + kDisc / 2), shortest_(shortest), longest_(longest) {}
+  DiscPicture(double left, const LengthScale& scale)
+      : middle_x_(left + kBorder + kDisc / 2), scale_(scale) {}
 
   void tile(const BoundarySurface& surface, const DevelopedTile& developed) {
     std::string path;
@@ -110,7 +94,7 @@ class DiscPicture {
     const double y = size > 0 ? along * centre[1] / size : 0;
     spots_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.2f}\" fill=\"{}\"/>\n",
                           middle_x_ + kDisc / 2 * x, kMiddleY - kDisc / 2 * y, pixels,
-                          colour_of((spot.length - shortest_) / (longest_ - shortest_)));
+                          colour_of(scale_.share_of(spot.length)));
   }
 
   std::string text(const std::string& caption) const {
@@ -137,7 +121,8 @@ class DiscPicture {
     return {middle_x_ + scale * point[0], kMiddleY - scale * point[1]};
   }
 
-  double middle_x_, shortest_, longest_;
+  double middle_x_;
+  LengthScale scale_;
   std::string spots_, back_, front_;
 };
 
@@ -149,9 +134,7 @@ std::vector<std::vector<Spot>> spots_by_tile(const topology::Triangulation& tria
   for (const Arc& arc : spectrum.arcs) {
     if (arc.edge != kNoEdge) continue;
     for (const ArcEnd& end : {arc.start, arc.end}) {
-      const double z = 1 / std::sqrt(1 - end.x * end.x - end.y * end.y);
-      spots[4 * std::size_t{end.tile.tetrahedron} + end.tile.vertex].push_back(
-          {{z * end.x, z * end.y, z}, arc.length});
+      spots[BoundarySurface::index(end.tile)].push_back({point_of(end), arc.length});
     }
   }
   // Edges end at corners, which several tiles share: each draws them.
@@ -170,7 +153,7 @@ std::vector<std::vector<Spot>> spots_by_tile(const topology::Triangulation& tria
   return spots;
 }
 
-std::string scale_of_lengths(double width, double shortest, double longest) {
+std::string drawn_scale(double width, const LengthScale& scale) {
   constexpr int kSteps = 100;
   const double left = kBorder, span = std::min(width - 2 * kBorder, kDisc);
   const double top = 2 * kBorder + kDisc;
@@ -183,10 +166,10 @@ std::string scale_of_lengths(double width, double shortest, double longest) {
   constexpr int kLabels = 5;
   for (int n = 0; n <= kLabels; ++n) {
     const double share = static_cast<double>(n) / kLabels;
-    text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}{:.3g}</text>\n",
-                        left + span * share, top + 32,
-                        n == 0 ? "start" : (n == kLabels ? "end" : "middle"),
-                        n == kLabels ? "length " : "", shortest + share * (longest - shortest));
+    text += fmt::format(
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}{:.3g}</text>\n", left + span * share,
+        top + 32, n == 0 ? "start" : (n == kLabels ? "end" : "middle"),
+        n == kLabels ? "length " : "", scale.shortest + share * (scale.longest - scale.shortest));
   }
   return text;
 }
@@ -200,8 +183,7 @@ std::string spots_as_svg(const topology::Triangulation& triangulation,
   for (std::size_t v = 0; v < triangulation.vertex_count(); ++v)
     if (triangulation.link(v).euler_characteristic < 0) components.push_back(v);
   const double width = (kDisc + 2 * kBorder) * static_cast<double>(components.size());
-  const double shortest = spectrum.arcs.empty() ? 0 : spectrum.arcs.front().length;
-  const double longest = std::max(spectrum.length, shortest + 1);
+  const LengthScale scale = scale_of(spectrum);
   const BoundarySurface surface(triangulation, edge_lengths);
   const auto spots = spots_by_tile(triangulation, edge_lengths, surface, spectrum);
   std::string svg = svg_head(width, kDisc + 2 * kBorder + kFooter, title);
@@ -210,17 +192,16 @@ std::string spots_as_svg(const topology::Triangulation& triangulation,
     std::size_t n = 0;
     while (triangulation.vertex_classes()[n] != v) ++n;
     const Tile from{static_cast<std::uint32_t>(n / 4), static_cast<std::uint32_t>(n % 4)};
-    DiscPicture picture((kDisc + 2 * kBorder) * static_cast<double>(place), shortest, longest);
+    DiscPicture picture((kDisc + 2 * kBorder) * static_cast<double>(place), scale);
     for (const DevelopedTile& developed : surface.develop(from, kDrawnRadius, kMostTiles)) {
       picture.tile(surface, developed);
-      for (const Spot& spot :
-           spots[4 * std::size_t{developed.tile.tetrahedron} + developed.tile.vertex])
+      for (const Spot& spot : spots[BoundarySurface::index(developed.tile)])
         picture.spot(spot, developed.isometry);
     }
     svg += picture.text(
         fmt::format("boundary component {}, genus {}", v, triangulation.link(v).genus()));
   }
-  return svg + scale_of_lengths(width, shortest, longest) + "</svg>\n";
+  return svg + drawn_scale(width, scale) + "</svg>\n";
 }
 
 std::string counting_as_svg(const Spectrum& spectrum, const Identities& identities,

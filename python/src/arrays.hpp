@@ -15,9 +15,13 @@ namespace nb = nanobind;
 template <class T>
 using Array = nb::ndarray<nb::numpy, T>;
 
+/// Imports numpy, once, before nanobind does: a Ctrl-C during that would break it.
+void require_numpy();
+
 /// A numpy array that owns its numbers.
 template <class T>
 Array<T> owned(std::vector<T> values, std::initializer_list<std::size_t> shape) {
+  require_numpy();
   auto holder = std::make_unique<std::vector<T>>(std::move(values));
   T* data = holder->data();
   nb::capsule owner(holder.release(),
@@ -34,6 +38,7 @@ Array<T> owned(std::vector<T> values) {
 /// A read-only numpy array of numbers that `owner` keeps: no copy.
 template <class T>
 Array<const T> view(const T* data, std::initializer_list<std::size_t> shape, nb::handle owner) {
+  require_numpy();
   return Array<const T>(data, shape, owner);
 }
 

@@ -56,6 +56,19 @@ nb::dict canonical_dict(const canonical::CanonizeAnswer& answer) {
   return d;
 }
 
+/// (cell images, vertex images, boundary images, whether it keeps the orientation; None if not
+/// known) of every isometry, where the canonical decompositions were found.
+nb::object isometries_of(const canonical::Comparison& found) {
+  if (!found.first || !found.second) return nb::none();
+  nb::list result;
+  const bool oriented = found.orientations_known && found.first->decomposition.is_orientable();
+  for (const auto& each : canonical::isometries(*found.first, *found.second))
+    result.append(nb::make_tuple(
+        each.cells.cell_images, each.cells.vertex_images, each.boundary_images,
+        oriented ? nb::object(nb::bool_(each.keeps_orientation)) : nb::object(nb::none())));
+  return result;
+}
+
 nb::dict comparison_dict(const canonical::Comparison& found) {
   nb::dict d;
   d["verdict"] = std::string(canonical::to_string(found.verdict));
@@ -119,6 +132,10 @@ void bind_canonical(nb::module_& module) {
   });
   module.def("compare", [](const Manifold& a, const Manifold& b, const Limits& limits) {
     return comparison_dict(run(limits, [&](const Context& c) { return a.compare(b, c); }));
+  });
+  module.def("isometries", [](const Manifold& a, const Manifold& b, const Limits& limits) {
+    const auto found = run(limits, [&](const Context& c) { return a.compare(b, c); });
+    return nb::make_tuple(comparison_dict(found), isometries_of(found));
   });
   module.def("identify", [](const Manifold& manifold, const Limits& limits) -> nb::object {
     const auto* entry = run(limits, [&](const Context& c) { return manifold.identify(c); });

@@ -4,6 +4,7 @@
 #include <tripus/tripus.hpp>
 
 #include "base/output_file.hpp"
+#include "manifold/load.hpp"
 #include "manifold/prepared.hpp"
 #include "meshing/formats/read_graph.hpp"
 #include "meshing/manifold.hpp"
@@ -46,9 +47,15 @@ constexpr TextFormat kTextFormats[] = {{"json", topology::write_json},
                                        {"orb", topology::write_orb}};
 
 nb::bytes to_text(const Manifold& manifold, const std::string& format) {
-  for (const TextFormat& each : kTextFormats)
-    if (format == each.name)
-      return as_bytes(each.write({manifold.name(), manifold.triangulation().gluings()}));
+  for (const TextFormat& each : kTextFormats) {
+    if (format != each.name) continue;
+    return as_bytes(run({}, [&](const Context&) {
+      const auto angles = manifold.cone_angles();
+      return each.write({.name = manifold.name(),
+                         .gluings = manifold.triangulation().gluings(),
+                         .cone_angles = {angles.begin(), angles.end()}});
+    }));
+  }
   throw InvalidInput("there is no format " + quoted(format) +
                      "; json, regina, regina-table, snappea and orb there are");
 }
@@ -131,16 +138,28 @@ void bind_files(nb::module_& module) {
   module.def("tube_around", tube_around);
   module.def("from_mesh", from_mesh);
   module.def("renamed", [](const Manifold& manifold, const nb::bytes& name) {
-    topology::NamedGluings given{as_string(name), manifold.triangulation().gluings()};
-    given.orientation_known = manifold.is_orientation_known();
-    return Manifold(std::move(given), manifold.input());
+    const auto angles = manifold.cone_angles();
+    topology::NamedGluings given{.name = as_string(name),
+                                 .gluings = manifold.triangulation().gluings(),
+                                 .cone_angles = {angles.begin(), angles.end()},
+                                 .orientation_known = manifold.is_orientation_known()};
+    return quickly([&] { return Manifold(std::move(given), manifold.input()); });
   });
   module.def("write_file", [](const nb::bytes& path, const nb::bytes& text) {
-    write_file(as_string(path), {text.c_str(), text.size()});
+    const std::string place = as_string(path);
+    quickly([&] {
+      write_file(place, {text.c_str(), text.size()});
+      return true;
+    });
+  });
+  module.def("read_file", [](const nb::bytes& path) {
+    const std::string place = as_string(path);
+    return as_bytes(quickly([&] { return read_file(place); }));
   });
   module.def("read_batch_file", [](const nb::bytes& path) {
     nb::list lines;
-    for (const auto& line : quickly([&] { return read_batch_file(as_string(path)); }))
+    const std::string place = as_string(path);
+    for (const auto& line : quickly([&] { return read_batch_file(place); }))
       lines.append(as_bytes(line.text));
     return lines;
   });

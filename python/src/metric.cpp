@@ -5,22 +5,15 @@
 #include <tripus/tripus.hpp>
 
 #include "geometry/hyperbolic_space.hpp"
-#include "orthospectrum/identities.hpp"
-#include "orthospectrum/spectrum.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 #include "structure/certificate.hpp"
 #include "structure/proof/proof_text.hpp"
 #include "structure/proof/prove_report.hpp"
+#include "topology/requirements.hpp"
 
 namespace tripus::python {
 namespace {
-
-/// A metric with the manifold that it belongs to, which keeps it alive.
-struct HeldMetric {
-  Manifold manifold;
-  const Metric* metric;
-};
 
 std::optional<HeldMetric> metric_of(const Manifold& manifold, const Limits& limits) {
   const Metric* metric = run(limits, [&](const Context& c) { return manifold.metric(c); });
@@ -66,6 +59,17 @@ nb::tuple holonomy_of(const HeldMetric& self) {
   return nb::make_tuple(stacked(h.isometries), owned(std::move(moebius), {h.moebius.size(), 2, 2}),
                         reverses, std::vector<double>(h.rounding), defect.defect, defect.bound,
                         defect.holds());
+}
+
+/// A word in the generators, letters from 1 on, as a Lorentz matrix [4 x 4] and a Moebius map [2 x
+/// 2] with whether it reverses.
+nb::tuple isometry_of_word(const HeldMetric& self, const std::vector<int>& letters) {
+  const embedding::Holonomy h = quickly([&] { return self.metric->holonomy(); });
+  const topology::Word word(letters.begin(), letters.end());
+  const geometry::MoebiusMap map = embedding::moebius_of(h, word);
+  return nb::make_tuple(
+      stacked(std::vector{embedding::isometry_of(h, word)}),
+      owned(std::vector<std::complex<double>>{map.a, map.b, map.c, map.d}, {2, 2}), map.reverses);
 }
 
 CellComplex universal_cover(const HeldMetric& self, std::size_t cells,
@@ -149,71 +153,13 @@ nb::tuple mesh_of(const CellComplex& complex, const std::string& model, double e
                         owned(std::move(mesh.cells)), owned(std::move(mesh.sides)));
 }
 
-nb::object pair_of(const std::optional<orthospectrum::Estimate>& estimate) {
-  if (!estimate) return nb::none();
-  return nb::make_tuple(estimate->value, estimate->uncertainty);
-}
-
-nb::dict identity_dict(const orthospectrum::Identity& identity) {
-  nb::dict d;
-  d["counted"] = identity.counted;
-  d["exact"] = identity.exact;
-  d["tail"] = pair_of(identity.tail);
-  return d;
-}
-
-nb::dict orthospectrum_of(const HeldMetric& self, double length, std::size_t count,
-                          double most_arcs, const Limits& limits) {
-  orthospectrum::SpectrumOptions options;
-  options.length = length;
-  options.count = count;
-  options.most_arcs = most_arcs;
-  const auto& triangulation = self.manifold.triangulation();
-  const auto [spectrum, grouping] = run(limits, [&](const Context& context) {
-    auto found =
-        orthospectrum::orthospectrum(triangulation, self.metric->edge_lengths(), options, context);
-    auto groups = orthospectrum::group_arcs(found, triangulation);
-    return std::pair(std::move(found), std::move(groups));
-  });
-  std::vector<double> lengths;
-  std::vector<std::uint32_t> ends;
-  std::vector<std::uint64_t> multiplicities;
-  nb::list edges;
-  for (const auto& group : grouping.groups) {
-    lengths.push_back(group.length);
-    ends.insert(ends.end(), group.ends.begin(), group.ends.end());
-    multiplicities.push_back(group.multiplicity);
-    std::vector<std::uint32_t> classes;
-    for (std::size_t i = group.first; i < group.first + group.multiplicity; ++i)
-      if (const auto edge = spectrum.arcs[grouping.order[i]].edge; edge != orthospectrum::kNoEdge)
-        classes.push_back(edge);
-    std::ranges::sort(classes);
-    edges.append(classes);
-  }
-  double area = 0;
-  for (const auto& vertex : self.metric->boundary()) area += vertex.area;
-  const auto identities =
-      orthospectrum::identities_of(spectrum.sums, spectrum.length, area, self.metric->volume());
-  nb::dict d;
-  d["complete"] = spectrum.end == orthospectrum::SpectrumEnd::kComplete;
-  d["length"] = spectrum.length;
-  d["arc_count"] = spectrum.arc_count;
-  d["lengths"] = owned(std::move(lengths));
-  d["multiplicities"] = owned(std::move(multiplicities));
-  d["ends"] = owned(std::move(ends), {grouping.groups.size(), 2});
-  d["edges"] = edges;
-  d["area"] = identity_dict(identities.area);
-  d["volume"] = identity_dict(identities.volume);
-  d["volume_from_area"] = pair_of(identities.volume_from_area);
-  d["dimension"] = pair_of(identities.dimension);
-  return d;
-}
-
 void bind_proofs(nb::module_& module) {
   module.def("prove", [](const Manifold& manifold, int digits, const Limits& limits) {
     const auto proof = run(limits, [&](const Context& context) {
-      return structure::prove_report(manifold.triangulation(), manifold.verdict(context), digits,
-                                     context);
+      const auto angles = manifold.cone_angles();
+      return structure::prove_report(
+          manifold.triangulation(), manifold.verdict(context),
+          {.digits = digits, .cone_angles = {angles.begin(), angles.end()}}, context);
     });
     return nb::make_tuple(structure::to_json(proof), structure::proof_message(proof));
   });
@@ -223,14 +169,17 @@ void bind_proofs(nb::module_& module) {
     if (!proof.proved) return nb::str(proof.reason.c_str());
     return nb::make_tuple(proof.volume.lower, proof.volume.upper);
   });
-  module.def("check_proof",
-             [](const Manifold& manifold, const std::string& json, const Limits& limits) {
-               const auto check = run(limits, [&](const Context& context) {
-                 return structure::check_proof(manifold.triangulation(),
-                                               structure::parse_proof(json), context);
-               });
-               return nb::make_tuple(check.valid, check.reason);
-             });
+  module.def(
+      "check_proof", [](const Manifold& manifold, const std::string& json, const Limits& limits) {
+        const auto check = run(limits, [&](const Context& context) {
+          const auto proof = structure::parse_proof(json);
+          if (!topology::same_angles(proof.cone_angles, manifold.cone_angles(),
+                                     manifold.triangulation().edge_count()))
+            return structure::ProofCheck{false, "its cone angles are not those of the manifold"};
+          return structure::check_proof(manifold.triangulation(), proof, context);
+        });
+        return nb::make_tuple(check.valid, check.reason);
+      });
   module.def("check_certificate", [](const Manifold& manifold, const std::string& json) {
     const auto check = quickly([&] {
       return structure::check(manifold.triangulation(), structure::parse_certificate(json));
@@ -260,12 +209,15 @@ void bind_metric(nb::module_& module) {
       .def("report", [](const HeldMetric& self) { return as_dict(self.metric->report()); })
       .def("embedding", embedding_of)
       .def("holonomy", holonomy_of)
+      .def("isometry_of_word", isometry_of_word)
       .def("universal_cover", universal_cover)
       .def("fundamental_domain",
            [](const HeldMetric& self) {
              return quickly([&] { return self.metric->fundamental_domain(); });
            })
-      .def("orthospectrum", orthospectrum_of);
+      .def("orthospectrum", orthospectrum_of)
+      .def("discs", discs_of)
+      .def("spots_svg", spots_svg);
   nb::class_<CellComplex>(module, "CellComplex", "tripus::CellComplex")
       .def("size", [](const CellComplex& self) { return self.cells().size(); })
       .def("cells", cells_of)

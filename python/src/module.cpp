@@ -3,7 +3,9 @@
 #include <nanobind/stl/string.h>
 
 #include "base/stopped.hpp"
+#include "base/system_error.hpp"
 #include "base/version.hpp"
+#include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 
 namespace tripus::python {
@@ -12,6 +14,7 @@ namespace {
 /// The Python class of an error; the most special first.
 const char* class_of(const std::exception& error) {
   if (dynamic_cast<const Unsupported*>(&error) != nullptr) return "Unsupported";
+  if (dynamic_cast<const UnusableFile*>(&error) != nullptr) return "FileError";
   if (dynamic_cast<const InvalidInput*>(&error) != nullptr) return "InvalidInput";
   if (dynamic_cast<const IoError*>(&error) != nullptr) return "FileError";
   if (dynamic_cast<const Stopped*>(&error) != nullptr) return "Stopped";
@@ -33,6 +36,13 @@ void translate(const std::exception_ptr& pointer, void* /*payload*/) {
 }
 
 }  // namespace
+
+void require_numpy() {
+  static bool is_there = false;
+  if (is_there) return;
+  nb::module_::import_("tripus._lazy").attr("load")("numpy");
+  is_there = true;
+}
 
 void bind_errors(nb::module_& module) {
   nb::register_exception_translator(translate);
@@ -59,6 +69,7 @@ NB_MODULE(_core, module) {
   bind_metric(module);
   bind_canonical(module);
   bind_files(module);
+  bind_diagrams(module);
   bind_program(module);
   bind_solve_many(module);
   bind_studies(module);

@@ -4,7 +4,10 @@
 #include <chrono>
 #include <condition_variable>
 
+#include <fmt/format.h>
 #include <pthread.h>
+
+#include "base/stopped.hpp"
 
 namespace tripus::python {
 namespace {
@@ -42,7 +45,7 @@ void prepare_for_work() {
   pthread_atfork(nullptr, nullptr, after_fork_in_child);
 }
 
-Work::Work(const Limits& limits) : progress_(limits.progress) {
+Work::Work(const Limits& limits) : time_limit_(limits.time_limit), progress_(limits.progress) {
   context_.threads = limits.threads;
   context_.stop_flag = &stop_;
   if (limits.time_limit) {
@@ -122,6 +125,21 @@ bool Work::must_repeat() {
   if (failure_) std::rethrow_exception(failure_);
   if (PyErr_CheckSignals() != 0) throw nb::python_error();
   return !timed_out_;
+}
+
+void Work::rethrow(const std::exception_ptr& error) const {
+  if (time_limit_ && context_.expired()) {
+    try {
+      std::rethrow_exception(error);
+    } catch (const Stopped&) {
+      const nb::object type = nb::module_::import_("tripus._errors").attr("Stopped");
+      const std::string text = fmt::format(
+          "the time limit of {:.6g} s was over before there was anything to return", *time_limit_);
+      PyErr_SetString(type.ptr(), text.c_str());
+      throw nb::python_error();
+    }
+  }
+  std::rethrow_exception(error);
 }
 
 void Work::warn() const {

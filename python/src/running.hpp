@@ -52,6 +52,8 @@ class Work {
   /// With the lock held: throws what a progress callback or a signal handler threw. True if the
   /// work was cut short by a signal whose handler says to go on: it is to be done again.
   bool must_repeat();
+  /// Rethrows what the work threw; Stopped with the time limit, if that stopped it.
+  [[noreturn]] void rethrow(const std::exception_ptr& error) const;
   /// Notes on inputs become Python warnings.
   void warn() const;
 
@@ -60,6 +62,7 @@ class Work {
   void start_timer();
 
   Context context_;
+  std::optional<double> time_limit_;
   std::atomic<bool> stop_{false};
   std::atomic<bool> timed_out_{false};
   std::atomic<bool>* outer_ = nullptr;
@@ -91,7 +94,7 @@ auto run(const Limits& limits, Function&& function) {
       }
     });
     if (work.must_repeat()) continue;
-    if (error) std::rethrow_exception(error);
+    if (error) work.rethrow(error);
     work.warn();
     return *std::move(result);
   }

@@ -12,7 +12,6 @@
 #include "manifold/prepared.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
-#include "structure/proof/proof.hpp"
 
 namespace tripus::python {
 namespace {
@@ -39,7 +38,7 @@ struct Question {
 };
 
 void fill(Row& row, const topology::Triangulation& triangulation, const structure::Report& report,
-          bool prove, const Context& context) {
+          std::span<const topology::ConeAngle> cone_angles, bool prove, const Context& context) {
   row.outcome = structure::to_string(report.outcome);
   row.message = report.message;
   row.tetrahedra = triangulation.tetrahedron_count();
@@ -48,9 +47,9 @@ void fill(Row& row, const topology::Triangulation& triangulation, const structur
   row.seconds = report.seconds;
   row.iterations = report.iterations;
   if (!prove || report.outcome != structure::Outcome::kGeometric) return;
-  const structure::Proof proof = structure::prove(triangulation, report.edge_lengths, {}, context);
+  const structure::Proof proof = Metric(triangulation, report, cone_angles).prove(context);
   if (!proof.proved) {
-    row.message = proof.reason;
+    row.message = "not proved: " + proof.reason;
     return;
   }
   row.lower = proof.volume.lower;
@@ -66,14 +65,11 @@ void answer_text(Row& row, const std::string& input, bool prove, const Context& 
     make_ideal(loaded, topology::FiniteVertices::kRemove, stop.get());
   const topology::Triangulation triangulation(std::move(loaded.gluings));
   structure::SolveOptions options;
-  options.cone_angles = std::move(loaded.cone_angles);
-  if (!labels.empty())
-    LabelAssignment(options.cone_angles, triangulation.edge_count())
-        .assign("the label", labels, "EDGE=ORDER, such as 0=3", topology::parse_cone_order);
+  options.cone_angles = labelled(std::move(loaded.cone_angles), triangulation.edge_count(), labels);
   options.stop_requested = stop.get();
   options.time_limit = context.seconds_left();
-  const bool provable = prove && topology::all_full(options.cone_angles);
-  fill(row, triangulation, structure::solve(triangulation, options), provable, context);
+  fill(row, triangulation, structure::solve(triangulation, options), options.cone_angles, prove,
+       context);
 }
 
 Row answer(const Question& question, bool prove, const Context& context) {
@@ -81,7 +77,8 @@ Row answer(const Question& question, bool prove, const Context& context) {
   row.done = true;
   try {
     if (question.manifold) {
-      fill(row, question.manifold->triangulation(), question.manifold->verdict(context), prove,
+      const Manifold& manifold = *question.manifold;
+      fill(row, manifold.triangulation(), manifold.verdict(context), manifold.cone_angles(), prove,
            context);
     } else {
       answer_text(row, question.input, prove, context);

@@ -94,8 +94,8 @@ nb::dict result_dict(const studies::RunResult& result) {
 
 nb::dict run_study(const std::string& name, const std::vector<Manifold>& inputs, std::uint64_t seed,
                    std::size_t samples, std::vector<std::string> methods,
-                   std::vector<std::size_t> covers, const std::string& folder,
-                   const Limits& limits) {
+                   std::vector<std::size_t> covers, const nb::bytes& folder, const Limits& limits) {
+  const std::string place = as_string(folder);
   const studies::Study& study = studies::find_study(name);
   studies::StudyOptions options;
   for (const Manifold& m : inputs)
@@ -107,7 +107,7 @@ nb::dict run_study(const std::string& name, const std::vector<Manifold>& inputs,
   return result_dict(run(limits, [&](const Context& context) {
     const StopFlag stop(context);
     studies::RunOptions how;
-    how.folder = folder;
+    how.folder = place;
     how.threads = std::max(1u, context.threads);
     how.stop_requested = stop.get();
     how.on_progress = [&](std::size_t done, std::size_t) { context.report(name, done); };

@@ -1,9 +1,11 @@
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <tripus/tripus.hpp>
 
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
+#include "viewer/wall_discs.hpp"
 #include "viewer/web/page.hpp"
 #include "viewer/web/thumbnail.hpp"
 
@@ -19,14 +21,20 @@ const Metric& require_metric(const Manifold& manifold, const Context& context) {
 
 /// The page as UTF-8.
 nb::bytes page(const Manifold& manifold, std::size_t cells, const std::string& model,
-               const Limits& limits) {
+               bool with_discs, std::optional<double> length, const Limits& limits) {
   return as_bytes(run(limits, [&](const Context& context) {
     const Metric& metric = require_metric(manifold, context);
-    const viewer::PageOptions options{manifold.name().empty() ? manifold.label() : manifold.name(),
-                                      manifold.signature().value_or(""),
-                                      cells,
-                                      model,
-                                      {}};
+    std::optional<viewer::WallDiscs> discs;
+    if (with_discs) {
+      discs = viewer::find_wall_discs(metric.embedding(), manifold.triangulation(),
+                                      metric.edge_lengths(), length, context);
+    }
+    viewer::PageOptions options;
+    options.name = manifold.name().empty() ? manifold.label() : manifold.name();
+    options.isosig = manifold.signature().value_or("");
+    options.cells = cells;
+    options.model = model;
+    options.discs = discs ? &*discs : nullptr;
     return viewer::page_html(options, manifold.triangulation(), metric.report(),
                              metric.embedding());
   }));

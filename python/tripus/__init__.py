@@ -17,6 +17,7 @@ if _os.path.exists(_tetgen):
     _os.environ.setdefault("TRIPUS_TETGEN", _tetgen)
 
 from tripus import _core as _core
+from tripus import diagrams as diagrams
 from tripus._errors import (
     FileError,
     InputNote,
@@ -28,7 +29,14 @@ from tripus._errors import (
     Undecided,
     Unsupported,
 )
-from tripus.answers import CanonicalDecomposition, CensusEntry, Comparison, Orthospectrum
+from tripus.answers import (
+    CanonicalDecomposition,
+    CensusEntry,
+    Comparison,
+    Isometry,
+)
+from tripus.arcs import BasmajianDiscs, Orthospectrum, ReturnPath
+from tripus.diagrams import Diagram
 from tripus.groups import AbelianGroup, FundamentalGroup, IsometryGroup
 from tripus.manifold import Manifold
 from tripus.many import census, load, methods, read_batch, solve_many
@@ -57,28 +65,42 @@ def __getattr__(name: str) -> object:
         import importlib
 
         return importlib.import_module(f"tripus.{name}")
-    raise AttributeError(f"module 'tripus' has no attribute {name!r}")
+    hints = {
+        "Link": "tripus.Diagram",
+        "Triangulation": "tripus.Manifold",
+        "Triangulation3": "tripus.Manifold",
+        "ManifoldHP": "Manifold.prove(digits=60)",
+        "OrientableCuspedCensus": "tripus.census(), tripus.diagrams.table()",
+        "OrientableClosedCensus": "tripus.census()",
+        "LinkExteriors": "tripus.diagrams.table('links')",
+    }
+    hint = f": {hints[name]}" if name in hints else ""
+    raise AttributeError(f"module 'tripus' has no attribute {name!r}{hint}")
 
 
 __all__ = [
     "AbelianGroup",
     "AngleStructure",
+    "BasmajianDiscs",
     "CanonicalDecomposition",
     "CellComplex",
     "CensusEntry",
     "Certificate",
     "Comparison",
+    "Diagram",
     "FileError",
     "FundamentalGroup",
     "InputNote",
     "InternalError",
     "InvalidInput",
+    "Isometry",
     "IsometryGroup",
     "Manifold",
     "Metric",
     "NoMetric",
     "Orthospectrum",
     "Proof",
+    "ReturnPath",
     "Stopped",
     "TripusError",
     "Undecided",
@@ -86,6 +108,7 @@ __all__ = [
     "Verdict",
     "Volume",
     "census",
+    "diagrams",
     "load",
     "methods",
     "plot",

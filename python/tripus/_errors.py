@@ -35,26 +35,30 @@ class Stopped(TripusError, RuntimeError):
     """The work ended before there was anything to return."""
 
 
-class NoMetric(TripusError, ValueError):
+class _WithAnswer:
+    """Shows the message alone: what an error carries may be long."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])  # type: ignore[attr-defined]
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({str(self)!r})"
+
+
+class NoMetric(_WithAnswer, TripusError, ValueError):
     """The triangulation carries no metric, or none was found; `verdict` has the evidence."""
 
     def __init__(self, message: str, verdict: Any = None) -> None:
         super().__init__(message, verdict)
         self.verdict = verdict
 
-    def __str__(self) -> str:
-        return str(self.args[0])
 
-
-class Undecided(TripusError, RuntimeError):
+class Undecided(_WithAnswer, TripusError, RuntimeError):
     """A question about the manifold was not decided; `answer` says what is known."""
 
     def __init__(self, message: str, answer: Any = None) -> None:
         super().__init__(message, answer)
         self.answer = answer
-
-    def __str__(self) -> str:
-        return str(self.args[0])
 
 
 class InputNote(UserWarning):

@@ -38,7 +38,7 @@ def limits(
         return NO_LIMITS
     if time_limit is not None and not (time_limit > 0 and math.isfinite(time_limit)):
         raise InvalidInput(f"time_limit is a number of seconds > 0, not {time_limit!r}")
-    if not 0 <= threads <= 1024:
+    if threads > 1024:
         raise InvalidInput(f"threads is from 0 (all cores) to 1024, not {threads!r}")
     if progress is True:
         progress = _bar()

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from tripus._check import checked
 from tripus._errors import Undecided
+from tripus._value import Value, frozen
 from tripus.groups import AbelianGroup, IsometryGroup
 from tripus.verdicts import Verdict
 
@@ -13,9 +15,77 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from tripus.manifold import Manifold
+else:
+    from tripus._lazy import numpy as np
 
 
-class Comparison:
+class Isometry(Value):
+    """An isometry between two manifolds, by what it does to their canonical decompositions.
+
+    Cells, and the vertices of a cell, are numbered as in `canonical()`; boundary components (vertex
+    classes) as in `canonical().triangulation`.
+
+    >>> import tripus
+    >>> M = tripus.Manifold("cPcbbbihq")
+    >>> isometries = M.is_isometric_to(M, return_isometries=True)
+    >>> len(isometries), isometries[0]
+    (6, <Isometry 0 -> 0; cell 0 to 0 by 0123>)
+    """
+
+    def __init__(
+        self,
+        cell_images: list[int],
+        vertex_images: list[list[int]],
+        boundary_images: list[int],
+        keeps_orientation: bool | None,
+    ) -> None:
+        self._cells = cell_images
+        self._vertices = vertex_images
+        self._boundary = boundary_images
+        self._keeps = keeps_orientation
+
+    def _key(self) -> Any:
+        return self._cells, self._vertices, self._boundary, self._keeps
+
+    def _rows(self) -> dict[str, str]:
+        return {
+            "boundary": self._arrows(),
+            "cells": ", ".join(f"{i} -> {image}" for i, image in enumerate(self._cells)),
+            "keeps orientation": {True: "yes", False: "no", None: "not known"}[self._keeps],
+        }
+
+    @property
+    def cell_images(self) -> list[int]:
+        """[cells] where each cell goes."""
+        return list(self._cells)
+
+    @property
+    def vertex_images(self) -> list[list[int]]:
+        """[cells][vertices] where the vertices of each cell go."""
+        return [list(images) for images in self._vertices]
+
+    def boundary_images(self) -> list[int]:
+        """[V] where each boundary component or cusp goes."""
+        return list(self._boundary)
+
+    def cusp_images(self) -> list[int]:
+        """SnapPy's name of boundary_images()."""
+        return self.boundary_images()
+
+    @property
+    def keeps_orientation(self) -> bool | None:
+        """Whether it keeps the orientations; None if they are not known, or there is none."""
+        return self._keeps
+
+    def _arrows(self) -> str:
+        return ", ".join(f"{i} -> {image}" for i, image in enumerate(self._boundary))
+
+    def __repr__(self) -> str:
+        vertices = "".join(map(str, self._vertices[0]))
+        return f"<Isometry {self._arrows()}; cell 0 to {self._cells[0]} by {vertices}>"
+
+
+class Comparison(Value):
     """Whether two manifolds are isometric, and how it was decided.
 
     True or False; where it was not decided, bool() raises Undecided, for False would be wrong.
@@ -29,13 +99,28 @@ class Comparison:
     def __init__(self, fields: dict[str, Any]) -> None:
         self._fields = fields
 
-    def __eq__(self, other: object) -> bool:
-        """With True or False: bool(self), which may raise Undecided; with another, all fields."""
-        if isinstance(other, bool):
-            return bool(self) is other
-        return isinstance(other, Comparison) and self._fields == other._fields
+    def _key(self) -> Any:
+        return self._fields
 
-    __hash__ = None  # type: ignore[assignment]
+    def _rows(self) -> dict[str, str]:
+        return {
+            "isometric": {"homeomorphic": "yes", "different": "no"}.get(self.verdict, "not decided"),
+            "decided by": self.decided_by,
+            "": self.message,
+        }
+
+    def __eq__(self, other: object) -> bool:
+        """With True or False: whether that was decided; with another Comparison, all fields."""
+        if isinstance(other, bool):
+            return self._decided() is other
+        return super().__eq__(other)
+
+    def __hash__(self) -> int:
+        decided = self._decided()
+        return hash(frozen(self._fields) if decided is None else decided)
+
+    def _decided(self) -> bool | None:
+        return {"homeomorphic": True, "different": False}.get(self.verdict)
 
     @property
     def verdict(self) -> str:
@@ -78,15 +163,16 @@ class Comparison:
         return self._fields.get("isometry")
 
     def __bool__(self) -> bool:
-        if self.verdict == "unresolved":
+        decided = self._decided()
+        if decided is None:
             raise Undecided(self.message, self)
-        return self.verdict == "homeomorphic"
+        return decided
 
     def __repr__(self) -> str:
         return f"<Comparison {self.verdict}: {self.message}>"
 
 
-class CanonicalDecomposition:
+class CanonicalDecomposition(Value):
     """The canonical (Kojima) decomposition of a manifold, or why it was not found.
 
     >>> import tripus
@@ -109,6 +195,25 @@ class CanonicalDecomposition:
 
     def __getstate__(self) -> dict[str, Any]:
         return dict(self.__dict__)
+
+    def _key(self) -> Any:
+        # The triangulation up to labels is not enough: cells are numbered by its tetrahedra.
+        exact = {"gluings": self.triangulation.gluings} if self else {}
+        return {**self._fields, **exact}, self._name
+
+    def _rows(self) -> dict[str, str]:
+        if not self:
+            return {"canonical decomposition": self._name, "": self.message}
+        return {
+            "canonical decomposition": self._name,
+            "cells": self.cells,
+            "volume": f"{self.volume:.12g}",
+            "isometries": f"{self.isometry_group} (order {self.isometry_group.order()})",
+            "signature": self.signature if len(self.signature) <= 80 else "",
+        }
+
+    def _picture(self) -> str:
+        return self.triangulation._picture() if self else ""
 
     def _get(self, key: str) -> Any:
         if not self:
@@ -189,7 +294,7 @@ class CanonicalDecomposition:
         return f"<CanonicalDecomposition: {self._fields['cells'] if self else self.message}>"
 
 
-class CensusEntry:
+class CensusEntry(Value):
     """A manifold in a table.
 
     >>> import tripus
@@ -255,14 +360,18 @@ class CensusEntry:
 
         return Manifold(self.triangulations[0], name=self.name)
 
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, CensusEntry) and (self._table, self.name) == (
-            other._table,
-            other.name,
-        )
+    def _key(self) -> Any:
+        return self._table, self.name
 
-    def __hash__(self) -> int:
-        return hash((self._table, self.name))
+    def _rows(self) -> dict[str, str]:
+        return {
+            "name": f"{self.name} ({self.table})",
+            "volume": f"{self.volume:.12g}",
+            "H1": str(self.homology()),
+            "tetrahedra": str(self.tetrahedra),
+            "boundary": self.boundary,
+            "cells": self.cells,
+        }
 
     def __repr__(self) -> str:
         return f"<CensusEntry {self.name} of {self._table}, volume {self.volume:.12g}>"
@@ -282,82 +391,3 @@ def parse_group(text: str) -> AbelianGroup:
         else:
             factors += [int(kind[2:])] * int(count or 1)
     return AbelianGroup(rank, factors)
-
-
-class Orthospectrum:
-    """Lengths of the geodesic arcs orthogonal to the boundary at both ends, with multiplicities.
-
-    >>> import tripus
-    >>> arcs = tripus.Manifold("cPcbbbihq").orthospectrum(length=2)
-    >>> float(arcs.lengths[0]).__round__(9), int(arcs.multiplicities[0]), arcs.complete
-    (0.596133895, 1, True)
-    """
-
-    def __init__(self, fields: dict[str, Any]) -> None:
-        self._fields = fields
-
-    @property
-    def complete(self) -> bool:
-        """False if a stop or a time limit ended the search; all up to `length` are there."""
-        return bool(self._fields["complete"])
-
-    @property
-    def length(self) -> float:
-        """All arcs up to this length are there."""
-        return float(self._fields["length"])
-
-    @property
-    def arc_count(self) -> int:
-        """Number of arcs."""
-        return int(self._fields["arc_count"])
-
-    @property
-    def lengths(self) -> npt.NDArray[np.float64]:
-        """[n] lengths, ascending."""
-        return self._fields["lengths"]  # type: ignore[no-any-return]
-
-    @property
-    def multiplicities(self) -> npt.NDArray[np.uint64]:
-        """[n] how many arcs have this length between these boundary components."""
-        return self._fields["multiplicities"]  # type: ignore[no-any-return]
-
-    @property
-    def ends(self) -> npt.NDArray[np.uint32]:
-        """[n x 2] the boundary components."""
-        return self._fields["ends"]  # type: ignore[no-any-return]
-
-    @property
-    def edges(self) -> list[list[int]]:
-        """[n] the edge classes among them."""
-        return [list(e) for e in self._fields["edges"]]
-
-    @property
-    def area(self) -> dict[str, Any]:
-        """Basmajian's identity: counted, exact, tail (value, uncertainty)."""
-        return dict(self._fields["area"])
-
-    @property
-    def volume(self) -> dict[str, Any]:
-        """Bridgeman and Kahn's identity: counted, exact, tail (value, uncertainty)."""
-        return dict(self._fields["volume"])
-
-    @property
-    def dimension(self) -> tuple[float, float] | None:
-        """Hausdorff dimension of the limit set, with its uncertainty; None for few arcs."""
-        return self._fields["dimension"]  # type: ignore[no-any-return]
-
-    def to_frame(self) -> Any:
-        """A pandas data frame: length, multiplicity, from, to."""
-        import pandas
-
-        return pandas.DataFrame(
-            {
-                "length": self.lengths,
-                "multiplicity": self.multiplicities,
-                "from": self.ends[:, 0],
-                "to": self.ends[:, 1],
-            }
-        )
-
-    def __repr__(self) -> str:
-        return f"<Orthospectrum: {self.arc_count} arcs up to length {self.length:.6g}>"

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from tripus._lazy import load
+
 if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
@@ -14,7 +16,7 @@ else:
 def frame(columns: dict[str, Any]) -> Any:
     """A pandas data frame, or a structured array where pandas is not installed."""
     try:
-        import pandas
+        pandas = load("pandas")
     except ImportError:
         return structured(columns)
     return pandas.DataFrame(columns, copy=False)

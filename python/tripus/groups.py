@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import operator
 import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, Union
 
 from tripus import _core
+from tripus._check import checked, shown
 from tripus._errors import InvalidInput, NoMetric, Undecided
+
+from tripus._value import Value
 
 if TYPE_CHECKING:
     import numpy as np
@@ -22,7 +26,8 @@ else:
 Word = Union[str, Sequence[int]]
 
 
-class AbelianGroup:
+@checked
+class AbelianGroup(Value):
     """A finitely generated abelian group.
 
     >>> group = AbelianGroup(2, [3])
@@ -73,13 +78,11 @@ class AbelianGroup:
     def __iter__(self) -> Iterator[int]:
         return iter(self.elementary_divisors())
 
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, AbelianGroup):
-            return False
-        return (self._rank, self._factors) == (other._rank, other._factors)
+    def _key(self) -> Any:
+        return self._rank, self._factors
 
-    def __hash__(self) -> int:
-        return hash((self._rank, self._factors))
+    def _rows(self) -> dict[str, str]:
+        return {"group": repr(self), "order": str(self.order())}
 
     def __reduce__(self) -> tuple[Any, ...]:
         return AbelianGroup, (self._rank, self._factors)
@@ -97,13 +100,20 @@ class AbelianGroup:
         return " + ".join(name if n == 1 else f"{n} {name}" for name, n in counted) or "0"
 
 
-def _names(count: int) -> list[str]:
+def names_of(count: int) -> list[str]:
     if count <= 26:
         return [chr(ord("a") + i) for i in range(count)]
     return [f"x{i + 1}" for i in range(count)]
 
 
-class FundamentalGroup:
+def text_of(letters: Sequence[int], names: Sequence[str]) -> str:
+    """The text of a word; inverses are capitals, and more than 26 names have a * between them."""
+    texts = [names[x - 1] if x > 0 else names[-x - 1].upper() for x in letters]
+    return ("*" if len(names) > 26 else "").join(texts)
+
+
+@checked
+class FundamentalGroup(Value):
     """A presentation of the fundamental group whose generators are crossings of faces.
 
     Up to 26 generators are a, b, ..., their inverses A, B, ...; more are x1, x2, ..., with inverses
@@ -130,7 +140,7 @@ class FundamentalGroup:
         count, relators = small if simplify else full
         self._relators = [list(r) for r in relators]
         self._kept = list(kept) if simplify else list(range(full[0]))
-        self._generators = _names(count)
+        self._generators = names_of(count)
         # Every original generator as a word in those kept: the last one solved knows only these.
         self._words: dict[int, list[int]] = {g: [i + 1] for i, g in enumerate(self._kept)}
         if simplify:
@@ -139,6 +149,19 @@ class FundamentalGroup:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return FundamentalGroup, (self._manifold, self._simplified)
+
+    def _key(self) -> Any:
+        return self._manifold, self._simplified, self._generators, self._relators, self._letters
+
+    def _rows(self) -> dict[str, str]:
+        def some(words: list[str]) -> str:
+            more = f", ... ({len(words)})" if len(words) > 12 else ""
+            return (", ".join(words[:12]) + more) or "none"
+
+        return {
+            "generators": some(self.generators()),
+            "relators": some([w if len(w) <= 60 else w[:57] + "..." for w in self.relators()]),
+        }
 
     def _substituted(self, word: Sequence[int]) -> list[int]:
         out: list[int] = []
@@ -171,10 +194,15 @@ class FundamentalGroup:
 
     def word(self, letters: Sequence[int]) -> str:
         """The text of a word."""
-        texts = [
-            self._generators[x - 1] if x > 0 else self._generators[-x - 1].upper() for x in letters
-        ]
-        return ("*" if len(self._generators) > 26 else "").join(texts)
+        for x in letters:
+            self._require_letter(x)
+        return text_of(letters, self._generators)
+
+    def _require_letter(self, letter: int) -> None:
+        if letter == 0 or abs(letter) > len(self._generators):
+            raise InvalidInput(
+                f"{letter} is no letter: they are 1 to {len(self._generators)} and their negatives"
+            )
 
     def letters(self, word: Word) -> list[int]:
         """The letters of a word; InvalidInput for one that is none."""
@@ -188,17 +216,36 @@ class FundamentalGroup:
                     f"{','.join(self._generators).upper()}"
                 )
             return [number[p] for p in parts]
-        letters = [int(x) for x in word]
+        try:
+            letters = [operator.index(x) for x in word]
+        except TypeError:
+            raise TypeError(
+                f"a word is a text or a list of whole numbers, not {shown(word)}"
+            ) from None
         for x in letters:
-            if x == 0 or abs(x) > len(self._generators):
-                raise InvalidInput(
-                    f"{x} is no letter: they are 1 to {len(self._generators)} and their negatives"
-                )
+            self._require_letter(x)
         return letters
 
     def original(self) -> FundamentalGroup:
         """The presentation as the triangulation gives it: a relator an edge class."""
         return FundamentalGroup(self._manifold, simplify=False)
+
+    def _extended(self, images: Sequence[Sequence[int]]) -> Sequence[Sequence[int]]:
+        """Permutations for the generators of original(), if they are given for these."""
+        if len(images) != len(self._generators) or len(images) == self._original_count:
+            return images
+        degree = len(images[0]) if images else 1
+        if any(sorted(image) != list(range(degree)) for image in images):
+            raise InvalidInput(f"the images are no permutations of 0 to {degree - 1}")
+        inverses = [[list(image).index(i) for i in range(degree)] for image in images]
+        extended = []
+        for g in range(self._original_count):
+            places = list(range(degree))
+            for x in self._words[g]:
+                image = images[x - 1] if x > 0 else inverses[-x - 1]
+                places = [image[i] for i in places]
+            extended.append(places)
+        return extended
 
     def original_generators(self) -> list[str]:
         """The generators of `original()` as words in these."""
@@ -230,15 +277,7 @@ class FundamentalGroup:
         >>> bool(abs(matrix.T @ J @ matrix - J).max() < 1e-9)
         True
         """
-        matrices = self._manifold.metric.holonomy()["isometries"]
-        result: npt.NDArray[np.float64] = np.eye(4)
-        for x in self.letters(word):
-            matrix = matrices[self._kept[abs(x) - 1]]
-            if x < 0:
-                j = np.diag([1.0, 1.0, 1.0, -1.0])
-                matrix = j @ matrix.T @ j
-            result = result @ matrix
-        return result
+        return self._isometry(word)[0]
 
     def SL2C(self, word: Word) -> npt.NDArray[np.complex128]:
         """[2 x 2] the matrix of a word, up to sign; determinant 1.
@@ -251,24 +290,20 @@ class FundamentalGroup:
         >>> bool(abs(relator[0, 1]) < 1e-9), bool(abs(abs(relator[0, 0]) - 1) < 1e-9)
         (True, True)
         """
-        holonomy = self._manifold.metric.holonomy()
-        result: npt.NDArray[np.complex128] = np.eye(2, dtype=complex)
-        reverses = False
-        for x in self.letters(word):
-            g = self._kept[abs(x) - 1]
-            (a, b), (c, d) = holonomy["moebius"][g]
-            mirror = bool(holonomy["reverses"][g])
-            matrix = np.array([[a, b], [c, d]])
-            if x < 0:
-                matrix = np.array([[d, -b], [-c, a]])
-                matrix = matrix.conj() if mirror else matrix
-            result = result @ (matrix.conj() if reverses else matrix)
-            reverses ^= mirror
+        _, result, reverses = self._isometry(word)
         if reverses:
             raise InvalidInput(
                 f"{word!r} reverses the orientation, so it is no element of PSL(2,C); use O31"
             )
         return result
+
+    def _isometry(
+        self, word: Word
+    ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.complex128], bool]:
+        letters = [
+            (1 if x > 0 else -1) * (int(self._kept[abs(x) - 1]) + 1) for x in self.letters(word)
+        ]
+        return self._manifold.metric.isometry_of_word(letters)
 
     def __repr__(self) -> str:
         relators = "\n   ".join(self.relators()) or "(none)"
@@ -276,7 +311,7 @@ class FundamentalGroup:
         return f"Generators:\n   {generators}\nRelators:\n   {relators}"
 
 
-class IsometryGroup:
+class IsometryGroup(Value):
     """The isometry group of a hyperbolic manifold, from its canonical decomposition.
 
     >>> import tripus
@@ -287,6 +322,16 @@ class IsometryGroup:
 
     def __init__(self, fields: dict[str, Any]) -> None:
         self._fields = fields
+
+    def _key(self) -> Any:
+        return self._fields
+
+    def _rows(self) -> dict[str, str]:
+        return {
+            "isometry group": repr(self),
+            "order": str(self.order()),
+            "keep the orientation": str(self.orientation_preserving_order() or ""),
+        }
 
     def order(self) -> int:
         """Number of isometries."""

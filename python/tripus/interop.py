@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from tripus import _core
+from tripus._check import real_array, whole_array
 from tripus._errors import InvalidInput, Unsupported
 from tripus._limits import NO_LIMITS
 
@@ -54,6 +55,15 @@ def from_snappy(triangulation: Any) -> _core.Manifold:
     return core
 
 
+def require_plain(manifold: Manifold, package: str) -> None:
+    """Unsupported for cone angles, which no triangulation of another package has."""
+    if manifold._core.is_labelled():
+        raise Unsupported(
+            f"{manifold} has cone angles other than 2 pi, which {package} does not know at edges; "
+            "with_cone_angles() is the manifold without them"
+        )
+
+
 def to_snappy(manifold: Manifold) -> Any:
     """A snappy.Manifold; where there are finite vertices, a snappy.Triangulation that keeps them.
 
@@ -62,7 +72,8 @@ def to_snappy(manifold: Manifold) -> Any:
     """
     import snappy
 
-    for vertex, (chi, orientable, kind, _) in enumerate(manifold._core.links()):
+    require_plain(manifold, "SnapPy")
+    for vertex, (chi, orientable, kind, *_) in enumerate(manifold._core.links()):
         if kind == "geodesic" or (chi > 0 and chi != 2):
             raise Unsupported(
                 f"vertex class {vertex} has a link of Euler characteristic {chi}: SnapPy knows "
@@ -115,7 +126,7 @@ def from_table(table: Any, name: str = "") -> _core.Manifold:
         text = json.dumps({"name": name, "gluings": table}, default=_plain)
     except (TypeError, ValueError) as error:
         raise InvalidInput(f"this is no gluing table: {error}") from None
-    return _core.from_text(text.encode(), True, NO_LIMITS)
+    return _core.from_text(text.encode("utf-8", "backslashreplace"), True, NO_LIMITS)
 
 
 def _plain(thing: Any) -> Any:
@@ -129,6 +140,8 @@ def _plain(thing: Any) -> Any:
 def to_regina(manifold: Manifold) -> Any:
     """A regina.Triangulation3 with the same labels."""
     import regina
+
+    require_plain(manifold, "Regina")
 
     neighbours, images = manifold._core.arrays()
     made = regina.Triangulation3()
@@ -163,13 +176,11 @@ def mesh_arrays(mesh: Any) -> tuple[Points, Cells]:
 
 
 def _arrays(points: Any, cells: Any) -> tuple[Points, Cells]:
-    places = np.ascontiguousarray(points, dtype=np.float64)
-    numbers = np.asarray(cells)
+    places = real_array("points", points)
+    numbers = whole_array("points of cells", cells, max(len(np.atleast_1d(places)) - 1, 0), np.uint32)
     if places.ndim != 2 or numbers.ndim != 2:
         raise InvalidInput("points are an array [n x 3], cells one [m x 3] or [m x 4]")
-    if numbers.size and (numbers.min() < 0 or numbers.max() >= len(places)):
-        raise InvalidInput(f"cells name points other than 0 to {len(places) - 1}")
-    return places, np.ascontiguousarray(numbers, dtype=np.uint32)
+    return places, numbers
 
 
 def _from_meshio(mesh: Any) -> tuple[Points, Cells]:

@@ -8,10 +8,19 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from tripus import _core, interop
+from tripus._check import as_bytes, checked, one_of, shown
 from tripus._core import Manifold as CoreManifold
 from tripus._errors import InvalidInput, NoMetric, Undecided, Unsupported
 from tripus._limits import NO_LIMITS, Progress, limits
-from tripus.answers import CanonicalDecomposition, CensusEntry, Comparison, Orthospectrum
+from tripus._value import Value
+from tripus.answers import (
+    CanonicalDecomposition,
+    CensusEntry,
+    Comparison,
+    Isometry,
+)
+from tripus.arcs import BasmajianDiscs, Orthospectrum, ReturnPath
+from tripus.diagrams import Diagram, is_diagram
 from tripus.groups import AbelianGroup, FundamentalGroup, IsometryGroup
 from tripus.metric import Metric
 from tripus.sources import load_text, load_thing, surface_of_drawing
@@ -54,10 +63,28 @@ _ELSEWHERE = {
     "browse": "M.view()",
     "inside_view": "M.view()",
     "normal_surfaces": "M.to_regina(), regina.NormalSurfaces",
+    "cusp_info": "M.links()",
+    "drill": "M.drilled(edges)",
+    "high_precision": "M.prove(digits=60)",
+    "filled_triangulation": "M.to_snappy().filled_triangulation()",
+    "link": "M.diagram()",
+    "plink": "M.diagram()",
+    "orientation_cover": "M.covers(2), those that are is_orientable()",
+    "boundaryComponents": "M.links()",
+    "countEdges": "M.num_edges()",
+    "edge": "M.valences, M.edge_classes",
 }
 
+#: What SnapPy alone has.
+_OF_SNAPPY = (
+    "alexander_polynomial chern_simons complex_volume cusp_areas cusp_neighborhood dirichlet_domain "
+    "exterior_to_link gluing_equations length_spectrum polished_holonomy short_slopes "
+    "splitting_surfaces tetrahedra_field_gens trace_field_gens"
+).split()
 
-class Manifold:
+
+@checked
+class Manifold(Value):
     """A compact 3-manifold with a triangulation.
 
     A value: it does not change, can be hashed, compared, pickled, and used from several threads at
@@ -67,9 +94,14 @@ class Manifold:
             file (gluing table, Regina, SnapPea, Orb, surface, tetrahedral mesh), FILE#LABEL for one
             of several triangulations in it; a planar diagram ("PD: V[1,3,4] X[5,9,6,10] ..."); a
             name of the tables of knots and graphs or of the census; a gluing table as lists, or as
-            arrays (neighbours [T x 4], images [T x 4 x 4]); a triangulation of SnapPy or Regina; a
-            mesh of meshio, trimesh or PyVista.
+            arrays (neighbours [T x 4], images [T x 4 x 4]); a tripus.Diagram; a triangulation of
+            SnapPy or Regina; a mesh of meshio, trimesh or PyVista.
     name    what to call it, instead of the name in the source.
+    cone_orders, cone_angles
+            as for solve(): cone angles around edge classes, on top of those in the source (a file,
+            or a text such as "cPcbbbiht 0=2,1=2"). Volume, canonical decomposition, isometries and
+            == are then those of the cone manifold; homology(), fundamental_group() and covers()
+            are of the space without its labels, which covers keep.
 
     InvalidInput, a ValueError, for anything else, with the place and the remedy; what of a source
     was mended comes as a warning (InputNote).
@@ -77,6 +109,8 @@ class Manifold:
     >>> M = Manifold("cPcbbbihq")
     >>> M, M.num_tetrahedra(), M.volume()
     (cPcbbbihq, 2, 6.451990270835)
+    >>> Manifold("cPcbbbiht", cone_orders={0: 2, 1: 2}).volume()
+    6.451990270835
     >>> Manifold([[[1,"1230"],[1,"3012"],[1,"0321"],[1,"0213"]],
     ...           [[0,"1230"],[0,"3012"],[0,"0321"],[0,"0213"]]]) == M
     True
@@ -94,6 +128,8 @@ class Manifold:
         source: Any,
         name: str | None = None,
         *,
+        cone_orders: Mapping[int, Any] | None = None,
+        cone_angles: Mapping[int, float] | None = None,
         time_limit: float | None = None,
         progress: Progress = None,
     ) -> None:
@@ -103,6 +139,10 @@ class Manifold:
             core = load_text(source, time_limit, progress)
         else:
             core = load_thing(source, time_limit, progress)
+        if cone_orders or cone_angles:
+            core = core.with_cone_angles(
+                _on_top(_labels(core), cone_orders or {}, cone_angles or {})
+            )
         self._core = core if name is None else _renamed(core, name)
 
     @classmethod
@@ -118,7 +158,9 @@ class Manifold:
         >>> Manifold.from_text(Manifold("cPcbbbihq").to_text("snappea")) == Manifold("cPcbbbihq")
         True
         """
-        given = text.encode("utf-8", "surrogateescape") if isinstance(text, str) else text
+        if not isinstance(text, (str, bytes)):
+            raise TypeError(f"Manifold.from_text(): text is a str or bytes, not {shown(text)}")
+        given = as_bytes(text) if isinstance(text, str) else text
         core = _core.from_text(given, True, NO_LIMITS)
         return cls._wrap(core if name is None else _renamed(core, name))
 
@@ -195,11 +237,11 @@ class Manifold:
 
     def num_cusps(self) -> int:
         """Number of cusps: vertex links that are tori or Klein bottles."""
-        return sum(kind == "cusp" for _, _, kind, _ in self._core.links())
+        return self._kinds().count("cusp")
 
     def num_boundary_components(self) -> int:
         """Number of geodesic boundary components."""
-        return sum(kind == "geodesic" for _, _, kind, _ in self._core.links())
+        return self._kinds().count("geodesic")
 
     def is_orientable(self) -> bool:
         """Whether the manifold is orientable."""
@@ -215,18 +257,56 @@ class Manifold:
 
     def has_finite_vertices(self) -> bool:
         """Whether the link of some vertex is a sphere."""
-        return any(kind == "finite" for _, _, kind, _ in self._core.links())
+        return "finite" in self._kinds()
+
+    def _kinds(self) -> list[str]:
+        return [kind for _, _, kind, *_ in self._core.links()]
+
+    @property
+    def cone_angles(self) -> npt.NDArray[np.float64]:
+        """[E] the cone angle around each edge class in radians; 2 pi but for labelled ones."""
+        angles = np.full(self.num_edges(), 2 * np.pi)
+        for edge, (_, _, radians) in enumerate(self._core.cone_angles()):
+            angles[edge] = radians
+        return angles
+
+    @property
+    def cone_orders(self) -> dict[int, Any]:
+        """{edge class: 2 pi / its cone angle} where that is not 2 pi: an int, a Fraction or, where
+        the angle is no rational multiple of pi, a float; 0 for parabolic. {} for a manifold.
+
+        >>> Manifold("cPcbbbiht", cone_orders={0: 2, 1: "5/2"}).cone_orders
+        {0: 2, 1: Fraction(5, 2)}
+        """
+        orders = {e: _order(*angle) for e, angle in enumerate(self._core.cone_angles())}
+        return {e: order for e, order in orders.items() if order != 1}
+
+    def with_cone_angles(
+        self,
+        cone_orders: Mapping[int, Any] | None = None,
+        cone_angles: Mapping[int, float] | None = None,
+    ) -> Manifold:
+        """The same triangulation with these cone angles and no others; none for the manifold."""
+        labels = _on_top(["1"] * self.num_edges(), cone_orders or {}, cone_angles or {})
+        given = labels if cone_orders or cone_angles else []
+        return self._wrap(self._core.with_cone_angles(given))
 
     def links(self) -> list[dict[str, Any]]:
-        """[V] kind ("geodesic", "cusp", "finite"), Euler characteristic, orientability and number
-        of triangles of the link of each vertex class.
+        """[V] kind ("geodesic", "cusp", "finite"), Euler characteristic, orientability, number of
+        triangles and of cone points of the link of each vertex class.
 
         >>> Manifold("cPcbbbihq").links()[0]["euler_characteristic"]
         -2
         """
         return [
-            {"kind": kind, "euler_characteristic": chi, "orientable": orientable, "triangles": n}
-            for chi, orientable, kind, n in self._core.links()
+            {
+                "kind": kind,
+                "euler_characteristic": chi,
+                "orientable": orientable,
+                "triangles": n,
+                "cone_points": cone_points,
+            }
+            for chi, orientable, kind, n, cone_points in self._core.links()
         ]
 
     def edge_valences(self) -> dict[int, int]:
@@ -271,14 +351,17 @@ class Manifold:
         neighbours, images = self._core.arrays()
         return neighbours, images
 
-    def triangulation_isosig(self, *, oriented: bool = False) -> str:
+    def triangulation_isosig(self, *, oriented: bool = False, decorated: bool = False) -> str:
         """The isomorphism signature, Regina's; oriented=True adds the sign that keeps orientation.
 
+        decorated is for SnapPy's users: there are no curves to add, so True is Unsupported.
         Undecided where it would take too long, or where the orientation is not known.
 
         >>> Manifold("cPcbbbihq-").triangulation_isosig(oriented=True)
         'cPcbbbihq-'
         """
+        if decorated:
+            raise Unsupported("no peripheral curves are known to decorate the signature with")
         if not oriented:
             signature = self._core.signature()
             if signature is None:
@@ -308,13 +391,22 @@ class Manifold:
 
     # Other triangulations and manifolds
 
-    def isomorphisms_to(self, other: Manifold) -> list[tuple[list[int], list[list[int]]]]:
-        """[an isomorphism] (tetrahedron images, vertex images) of triangulations, or [].
+    def isomorphisms_to(
+        self, other: Manifold, *, time_limit: float | None = None
+    ) -> list[tuple[npt.NDArray[np.uint32], npt.NDArray[np.uint8]]]:
+        """All isomorphisms of triangulations, as (images of tetrahedra [T], images of their vertices
+        [T x 4]); [] if there is none.
 
-        One is enough to know; the mirror image counts as the same, as in ==.
+        Those that reverse the orientation count too, as in ==; cone angles are kept.
+
+        >>> M = Manifold("cPcbbbihq")
+        >>> len(M.isomorphisms_to(M))
+        6
         """
-        found: Any = self._core.isomorphism_to(other._core)
-        return [] if found is None else [found]
+        if not (self.is_connected() and other.is_connected()):
+            raise Unsupported("isomorphisms are listed for connected triangulations only")
+        tetrahedra, vertices = self._core.isomorphisms_to(other._core, limits(time_limit))
+        return list(zip(tetrahedra, vertices))
 
     def mirrored(self) -> Manifold:
         """The mirror image."""
@@ -340,6 +432,25 @@ class Manifold:
         return self._wrap(
             self._core.simplified(seed, effort, limits(time_limit, 0, progress))
         )
+
+    def drilled(
+        self,
+        edges: Sequence[int],
+        *,
+        seed: int = 0,
+        time_limit: float | None = None,
+        progress: Progress = None,
+    ) -> Manifold:
+        """What is left without neighbourhoods of these edge classes, simplified.
+
+        An edge between two components of the boundary joins them, one back to the same component
+        raises its genus.
+
+        >>> Manifold("cPcbbbihq").drilled([0]).links()[0]["euler_characteristic"]
+        -4
+        """
+        core = self._core.drilled(edges, seed, limits(time_limit, 0, progress))
+        return self._wrap(core)
 
     def retriangulated(
         self,
@@ -374,8 +485,7 @@ class Manifold:
         >>> len(Manifold("cPcbbbihq").covers(2)), len(Manifold("cPcbbbiht").covers(5))
         (3, 4)
         """
-        if cover_type not in ("all", "cyclic"):
-            raise InvalidInput(f"cover_type is 'all' or 'cyclic', not {cover_type!r}")
+        one_of("Manifold.covers", "cover_type", cover_type, ("all", "cyclic"))
         search = self._core.covers if cover_type == "all" else self._core.cyclic_covers
         start = time.monotonic()
         found = search(degree, limits(time_limit, 0, progress))
@@ -393,14 +503,18 @@ class Manifold:
             )
         return covers
 
-    def cover(self, permutation_rep: Sequence[Sequence[int]]) -> Manifold:
-        """The cover on which the generators of fundamental_group(False) act by permutations.
+    def cover(
+        self, permutation_rep: Sequence[Sequence[int]], *, time_limit: float | None = None
+    ) -> Manifold:
+        """The cover on which the generators of fundamental_group() act by permutations; or those
+        of fundamental_group(False), if there are so many permutations.
 
         InvalidInput if they are no action, or not transitive.
         """
-        images = [[int(i) for i in p] for p in permutation_rep]
-        degree = len(images[0]) if images else 1
-        return self._wrap(_renamed(self._core.cover(images), f"{self}~{degree}"))
+        degree = len(permutation_rep[0]) if permutation_rep else 1
+        permutation_rep = self.fundamental_group()._extended(permutation_rep)
+        core = self._core.cover(permutation_rep, limits(time_limit))
+        return self._wrap(_renamed(core, f"{self}~{degree}"))
 
     # The metric of this triangulation
 
@@ -459,7 +573,7 @@ class Manifold:
         """Solves anew: other starts, methods (tripus.methods()), cone angles.
 
         cone_orders  {edge class: 2, 3, "5/2", ...; 0 for parabolic}; the cone angle is 2 pi / order
-        cone_angles  {edge class: radians}
+        cone_angles  {edge class: radians}. Both on top of those that the manifold has.
         history      Verdict.history has a row for each iteration
 
         >>> Manifold("cPcbbbiht").solve(cone_orders={0: 2, 1: 2}).volume.__round__(9)
@@ -476,30 +590,17 @@ class Manifold:
             if value is not None:
                 options[key] = value
         if initial_lengths is not None:
-            options["initial_lengths"] = [float(x) for x in initial_lengths]
+            options["initial_lengths"] = list(initial_lengths)
         if cone_orders or cone_angles:
-            options["cone_angles"] = self._cone_angles(cone_orders or {}, cone_angles or {})
+            options["cone_angles"] = _on_top(
+                _labels(self._core), cone_orders or {}, cone_angles or {}
+            )
         if history:
             options["history"] = True
         fields, rows = self._core.solve(options, limits(time_limit))
         if history:
             fields["history"] = _history_columns(rows)
         return Verdict(fields)
-
-    def _cone_angles(
-        self, orders: Mapping[int, Any], angles: Mapping[int, float]
-    ) -> list[str | float]:
-        out: list[str | float] = ["1"] * self.num_edges()
-        for edge, given in [*orders.items(), *angles.items()]:
-            if not 0 <= edge < len(out):
-                raise InvalidInput(f"there is no edge class {edge}: they are 0 to {len(out) - 1}")
-        for edge, order in orders.items():
-            if edge in angles:
-                raise InvalidInput(f"edge class {edge} has an order and an angle; give one")
-            out[edge] = str(order)
-        for edge, angle in angles.items():
-            out[edge] = float(angle)
-        return out
 
     def prove(
         self,
@@ -523,6 +624,14 @@ class Manifold:
     def orthospectrum(self, **options: Any) -> Orthospectrum:
         """Arcs orthogonal to the boundary: length=L or count=N; see Metric.orthospectrum."""
         return self.metric.orthospectrum(**options)
+
+    def shortest_return_path(self) -> ReturnPath:
+        """The shortest arc orthogonal to the boundary at both ends; see Metric."""
+        return self.metric.shortest_return_path()
+
+    def basmajian_discs(self, length: float = 4.0, **options: Any) -> BasmajianDiscs:
+        """The discs on the boundary around the feet of arcs; see Metric.basmajian_discs."""
+        return self.metric.basmajian_discs(length, **options)
 
     # The manifold, whatever its triangulation
 
@@ -577,18 +686,25 @@ class Manifold:
 
     def is_isometric_to(
         self, other: Manifold, return_isometries: bool = False
-    ) -> Comparison | list[Any]:
+    ) -> Comparison | list[Isometry]:
         """A Comparison, true or false; its bool() raises Undecided where it was not decided.
 
-        With return_isometries a list: one isometry of the canonical cells, or none.
+        With return_isometries a list of all isometries, [] if there is none; Undecided if they
+        were not found.
         """
-        answer = self.compare(other)
         if not return_isometries:
-            return answer
+            return self.compare(other)
+        fields, found = _core.isometries(self._core, other._core, NO_LIMITS)
+        answer = Comparison(fields)
         if not answer:
             return []
-        isometry = answer.isometry
-        return [] if isometry is None else [isometry]
+        if found is None:
+            raise Undecided(
+                f"{answer.message} But the isometries were not found: there is no canonical "
+                "decomposition of both.",
+                answer,
+            )
+        return [Isometry(*each) for each in found]
 
     def identify(self, *, snappy: bool = False) -> list[CensusEntry]:
         """Its entries in tables, every one; [] if there is none.
@@ -627,7 +743,12 @@ class Manifold:
         return self._core.to_json(NO_LIMITS)
 
     def to_text(self, format: str = "json") -> str:
-        """The triangulation as text: "json", "regina", "regina-table", "snappea" or "orb"."""
+        """The triangulation as text: "json", "regina", "regina-table", "snappea" or "orb".
+
+        Unsupported for cone angles but in JSON and Orb's format.
+        """
+        if format in ("regina", "regina-table", "snappea"):
+            interop.require_plain(self, "that format")
         return _core.to_text(self._core, format).decode("utf-8", "replace")
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -635,13 +756,16 @@ class Manifold:
 
         InvalidInput for another ending, FileError if it cannot be written; whole or not at all.
         """
-        name = os.fspath(path)
+        name = os.fsdecode(path)
         formats = {".json": "json", ".rga": "regina", ".tri": "snappea", ".orb": "orb"}
         ending = os.path.splitext(name)[1]
         if ending == ".sig":
+            interop.require_plain(self, "a .sig file")
             known = self._core.oriented_signature()
             text = ((known or self.triangulation_isosig()) + "\n").encode()
         elif ending in formats:
+            if ending in (".rga", ".tri"):
+                interop.require_plain(self, f"a {ending} file")
             text = _core.to_text(self._core, formats[ending])
         else:
             raise InvalidInput(
@@ -663,17 +787,47 @@ class Manifold:
 
     # Pictures
 
-    def view(self, cells: int = 20, model: str = "ball", height: int = 520) -> Any:
+    def diagram(self) -> Diagram:
+        """The diagram that it was made from; Unsupported if it was made from something else.
+
+        >>> Manifold("5_1 theta").diagram()
+        <Diagram 5_1 theta: 5 crossings, 2 vertices, 3 strands>
+        """
+        given = os.fsdecode(self._core.input())
+        if not is_diagram(given) and not is_diagram(self.name()):
+            raise Unsupported(f"{self} was not made from a diagram")
+        return Diagram(given if is_diagram(given) else self.name(), name=self.name() or None)
+
+    def view(
+        self,
+        cells: int = 20,
+        model: str = "ball",
+        height: int = 520,
+        *,
+        discs: bool | float = False,
+    ) -> Any:
         """The page that shows the manifold from outside and inside: in a notebook, live; else in
-        a browser. NoMetric if there is nothing to show."""
+        a browser. NoMetric if there is nothing to show.
+
+        discs  True, or a length: with the discs of arcs on the boundary; see basmajian_discs()
+        """
         from tripus.view import view
 
-        return view(self, cells, model, height)
+        return view(self, cells, model, height, discs=discs)
 
-    def page(self, cells: int = 20, model: str = "ball") -> str:
-        """The HTML of that page: self-contained, nothing from the network."""
+    def page(
+        self, cells: int = 20, model: str = "ball", *, discs: bool | float = False
+    ) -> str:
+        """The HTML of that page: self-contained, nothing from the network.
+
+        >>> '"discs":' in Manifold("cPcbbbihq").page(discs=2.0)
+        True
+        """
         self.metric
-        return _core.page(self._core, cells, model, NO_LIMITS).decode("utf-8", "replace")
+        length = None if isinstance(discs, bool) else float(discs)
+        wanted = discs is not False
+        page = _core.page(self._core, cells, model, wanted, length, NO_LIMITS)
+        return page.decode("utf-8", "replace")
 
     def picture(self, width: int = 240, height: int = 180) -> npt.NDArray[np.uint8]:
         """[height x width x 4] the manifold from the middle of tetrahedron 0; no display needed.
@@ -700,15 +854,20 @@ class Manifold:
         """The same triangulation up to labels, mirror images included; never an error."""
         if not isinstance(other, Manifold):
             return False  # NotImplemented would let other packages' objects raise
-        if self._core.tetrahedron_count() != other._core.tetrahedron_count():
+        mine, theirs = self._core, other._core
+        if mine.tetrahedron_count() != theirs.tetrahedron_count():
             return False
-        mine, theirs = self._core.signature(), other._core.signature()
-        if mine is not None and theirs is not None:
-            return mine == theirs
-        return self._core.isomorphism_to(other._core) is not None
+        if not (mine.is_labelled() or theirs.is_labelled()):
+            signatures = mine.signature(), theirs.signature()
+            if None not in signatures:
+                return signatures[0] == signatures[1]
+        return mine.is_isomorphic_to(theirs)
 
     def __hash__(self) -> int:
-        return hash((self._core.tetrahedron_count(), tuple(sorted(self._core.valences()))))
+        edges: list[Any] = list(self._core.valences())
+        if self._core.is_labelled():
+            edges = list(zip(edges, map(tuple, self._core.cone_angles())))
+        return hash((self._core.tetrahedron_count(), tuple(sorted(edges))))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restored, (
@@ -716,21 +875,28 @@ class Manifold:
             self._core.name(),
             self._core.input(),
             self._core.is_orientation_known(),
+            _labels(self._core) if self._core.cone_angles() else [],
         )
 
     def __str__(self) -> str:
+        """The name, or what it was made from, or the signature; with the labels behind."""
         name = os.fsdecode(self._core.name() or self._core.label())
         return name or f"manifold of {self.num_tetrahedra()} tetrahedra"
 
     __repr__ = __str__
 
-    def _repr_html_(self) -> str:
-        from tripus.view import repr_html
+    def _rows(self) -> dict[str, str]:
+        from tripus.view import rows_of
 
-        return repr_html(self)
+        return rows_of(self)
+
+    def _picture(self) -> str:
+        from tripus.view import picture_of
+
+        return picture_of(self)
 
     def __getattr__(self, name: str) -> Any:
-        hint = _ELSEWHERE.get(name)
+        hint = f"M.to_snappy().{name}()" if name in _OF_SNAPPY else _ELSEWHERE.get(name)
         raise AttributeError(
             f"a tripus.Manifold has no {name!r}" + (f": {hint}" if hint else "")
         )
@@ -761,6 +927,54 @@ def _renamed(core: CoreManifold, name: str) -> CoreManifold:
 
 
 def _restored(
-    neighbours: Any, images: Any, name: bytes, given: bytes, orientation_known: bool
+    neighbours: Any,
+    images: Any,
+    name: bytes,
+    given: bytes,
+    orientation_known: bool,
+    cone_angles: list[Any],
 ) -> Manifold:
-    return Manifold._wrap(_core.from_arrays(neighbours, images, name, given, orientation_known))
+    core = _core.from_arrays(neighbours, images, name, given, orientation_known, cone_angles)
+    return Manifold._wrap(core)
+
+
+def _labels(core: CoreManifold) -> list[Any]:
+    """[E] cone angles for the extension: exact ones as (p, q) for p/q pi, others in radians."""
+    angles: list[Any] = [(p, q) if q else radians for p, q, radians in core.cone_angles()]
+    return angles or ["1"] * core.edge_count()
+
+
+def _order(numerator: int, denominator: int, radians: float) -> Any:
+    """2 pi / a cone angle: an int where it is one; 0 for parabolic."""
+    from fractions import Fraction
+
+    if radians == 0:
+        return 0
+    if denominator == 0:
+        return 2 * np.pi / radians
+    order = Fraction(2 * denominator, numerator)
+    return order.numerator if order.denominator == 1 else order
+
+
+def _on_top(labels: list[Any], orders: Mapping[int, Any], angles: Mapping[int, Any]) -> list[Any]:
+    """Labels [E] with these in their place."""
+    out = list(labels)
+    for edge in (*orders, *angles):
+        if edge >= len(out):
+            raise InvalidInput(f"there is no edge class {edge}: they are 0 to {len(out) - 1}")
+    for edge, order in orders.items():
+        if edge in angles:
+            raise InvalidInput(f"edge class {edge} has an order and an angle; give one")
+        if isinstance(order, bool) or not hasattr(order, "__float__") and type(order) is not str:
+            raise TypeError(
+                f"the cone order of edge class {edge} is a number or a text such as '5/2', not "
+                f"{shown(order)}"
+            )
+        out[edge] = str(order)
+    for edge, angle in angles.items():
+        if isinstance(angle, (bool, str)) or not hasattr(angle, "__float__"):
+            raise TypeError(
+                f"the cone angle of edge class {edge} is a number of radians, not {shown(angle)}"
+            )
+        out[edge] = float(angle)
+    return out

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from tripus import _core
+from tripus._check import checked, shown
 from tripus._errors import InvalidInput, TripusError
 from tripus._limits import Progress, limits
 from tripus.answers import CensusEntry
@@ -29,11 +30,13 @@ def methods() -> list[str]:
     return _core.methods()
 
 
+@checked
 def read_batch(path: str | os.PathLike[str]) -> list[str]:
     """The inputs in a file with one a line (# begins a comment), or in a Regina data file."""
     return [os.fsdecode(line) for line in _core.read_batch_file(os.fsencode(path))]
 
 
+@checked
 def solve_many(
     inputs: Iterable[Any] | str | os.PathLike[str],
     *,
@@ -63,14 +66,19 @@ def solve_many(
     questions: list[Any] = []
     names: list[str] = []
     refused: dict[int, str] = {}
+    if isinstance(inputs, (bytes, Manifold)) or not isinstance(inputs, Iterable):
+        raise TypeError(
+            f"solve_many(): inputs is a list of what Manifold takes, or the name of a file with one "
+            f"a line, not {shown(inputs)}"
+        )
     for each in inputs:
-        if type(each) is str:
-            questions.append(os.fsencode(each))
-            names.append(each)
-            continue
         try:
+            if type(each) is str:
+                questions.append(each.encode("utf-8", "surrogateescape"))
+                names.append(each)
+                continue
             manifold = each if isinstance(each, Manifold) else Manifold(each)
-        except (TripusError, TypeError) as error:
+        except (TripusError, TypeError, UnicodeEncodeError) as error:
             refused[len(names)] = str(error)
             questions.append(b"")
             names.append(str(each))
@@ -85,6 +93,7 @@ def solve_many(
     return structured(columns) if as_array else frame(columns)
 
 
+@checked
 def census(
     *,
     tetrahedra: int | None = None,
@@ -120,8 +129,7 @@ def census(
     if tetrahedra is not None:
         query["tetrahedra"] = tetrahedra
     if volume is not None:
-        try:
-            query["least_volume"], query["greatest_volume"] = map(float, volume)
-        except (TypeError, ValueError):
-            raise InvalidInput(f"volume is a pair (least, greatest), not {volume!r}") from None
+        if len(volume) != 2:
+            raise InvalidInput(f"volume is a pair (least, greatest), not {volume!r}")
+        query["least_volume"], query["greatest_volume"] = volume
     return [CensusEntry("tripus", fields) for fields in _core.census(query)]

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from tripus import _core
+from tripus._check import checked, one_of
 from tripus._limits import Progress, limits
-from tripus.answers import Orthospectrum
-from tripus.frames import html_table
+from tripus._value import Value
+from tripus._errors import InvalidInput
+from tripus.arcs import BasmajianDiscs, Orthospectrum, ReturnPath
 from tripus.verdicts import Verdict, Volume
 
 if TYPE_CHECKING:
@@ -20,7 +23,12 @@ else:
     from tripus._lazy import numpy as np
 
 
-class Metric:
+#: What cells can be drawn in.
+MODELS = ("ball", "klein", "upper")
+
+
+@checked
+class Metric(Value):
     """The complete hyperbolic metric with totally geodesic boundary (curvature -1).
 
     Arrays are read-only views into the library's memory: no copies.
@@ -39,6 +47,9 @@ class Metric:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _metric_of, (self._manifold,)
+
+    def _key(self) -> Any:
+        return self._manifold, self.edge_lengths
 
     @property
     def manifold(self) -> Manifold:
@@ -101,26 +112,69 @@ class Metric:
         names = ("isometries", "moebius", "reverses", "rounding", "defect", "bound", "holds")
         return dict(zip(names, self._core.holonomy()))
 
+    def isometry_of_word(
+        self, letters: Sequence[int]
+    ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.complex128], bool]:
+        """The isometry of a word in the generators of `holonomy()`: 1, 2, ... and negatives.
+
+        A matrix [4 x 4] in O+(3,1), a Moebius map [2 x 2], and whether that is of the conjugate.
+        By products in a hundred digits: both are in their groups to rounding of their entries,
+        however far the word goes on its way.
+        """
+        matrices, moebius, reverses = self._core.isometry_of_word(list(letters))
+        return matrices[0], moebius, bool(reverses)
+
     def orthospectrum(
         self,
         *,
         length: float | None = None,
         count: int | None = None,
         most_arcs: float = 1e8,
+        prove: bool = False,
         time_limit: float | None = None,
         threads: int = 0,
         progress: Progress = None,
     ) -> Orthospectrum:
-        """All arcs orthogonal to the boundary up to a length, or the shortest `count`."""
-        from tripus._errors import InvalidInput
+        """All arcs orthogonal to the boundary up to a length, or the shortest `count`.
 
-        if (length is None) == (count is None):
-            raise InvalidInput("give one of length= and count=")
+        prove  also intervals in which the lengths are proved to lie: proved_lengths
+        """
+        if (length is None) == (count is None) or 0 in (length, count):
+            raise InvalidInput("give one of length= and count=, more than 0")
+        limit = limits(time_limit, threads, progress)
         return Orthospectrum(
-            self._core.orthospectrum(
-                length or 0.0, count or 0, most_arcs, limits(time_limit, threads, progress)
-            )
+            self._core.orthospectrum(length or 0.0, count or 0, most_arcs, prove, limit)
         )
+
+    def shortest_return_path(self) -> ReturnPath:
+        """The shortest arc orthogonal to the boundary at both ends (Kojima's and Miyamoto's).
+
+        >>> import tripus
+        >>> tripus.Manifold("cPcbbbihq").metric.shortest_return_path()
+        <ReturnPath of length 0.596133894891>
+        """
+        return ReturnPath(self.orthospectrum(count=1))
+
+    def basmajian_discs(
+        self,
+        length: float = 4.0,
+        *,
+        most_arcs: float = 1e7,
+        time_limit: float | None = None,
+        progress: Progress = None,
+    ) -> BasmajianDiscs:
+        """The discs on the boundary around the feet of all arcs up to a length.
+
+        A normal to the boundary that starts in the disc of an arc runs into the plane in which
+        the arc ends. The discs of all arcs fill the boundary (Basmajian's identity).
+
+        >>> import tripus
+        >>> discs = tripus.Manifold("cPcbbbihq").metric.basmajian_discs(4)
+        >>> discs, round(discs.area / discs.boundary_area, 3)
+        (<BasmajianDiscs: 58 discs of arcs up to length 4, 94.8 % of the boundary>, 0.948)
+        """
+        limit = limits(time_limit, 0, progress)
+        return BasmajianDiscs(self._core.discs(length, most_arcs, limit), self)
 
     def universal_cover(
         self,
@@ -145,16 +199,17 @@ class Metric:
     def __repr__(self) -> str:
         return f"<Metric of {self._manifold}: volume {self.volume}, max|K| {self.max_curvature:.2g}>"
 
-    def _repr_html_(self) -> str:
+    def _rows(self) -> dict[str, str]:
         lengths = self.edge_lengths
-        return html_table(
-            {
-                "metric of": str(self._manifold),
-                "volume": f"{float(self.volume):.13g}",
-                "edges": f"{len(lengths)}, {lengths.min():.6g} to {lengths.max():.6g} long",
-                "max|K|": f"{self.max_curvature:.3g}",
-            }
-        )
+        return {
+            "metric of": str(self._manifold),
+            "volume": f"{float(self.volume):.13g}",
+            "edges": f"{len(lengths)}, {lengths.min():.6g} to {lengths.max():.6g} long",
+            "max|K|": f"{self.max_curvature:.3g}",
+        }
+
+    def _picture(self) -> str:
+        return self._manifold._picture()
 
 
 def _metric_of(manifold: Manifold) -> Metric:
@@ -168,7 +223,8 @@ def _cells_of(metric: Metric, asked: Any) -> CellComplex:
     return metric.universal_cover(cells, depth=depth, radius=radius, root=root)
 
 
-class CellComplex:
+@checked
+class CellComplex(Value):
     """Cells of the universal cover, nearest to the first tetrahedron first.
 
     >>> import tripus
@@ -188,6 +244,19 @@ class CellComplex:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _cells_of, (self._metric, self._asked)
+
+    def _key(self) -> Any:
+        return self._metric, self._asked, len(self)
+
+    def _rows(self) -> dict[str, str]:
+        return {
+            "cells": str(len(self)),
+            "of": str(self._metric.manifold),
+            "depth": str(int(self.depths.max())),
+        }
+
+    def _picture(self) -> str:
+        return self._metric._picture()
 
     def __len__(self) -> int:
         return self._core.size()

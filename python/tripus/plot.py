@@ -13,15 +13,20 @@ import functools
 import io
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from tripus.answers import Orthospectrum
+from tripus import _core
+from tripus._check import as_bytes, checked, real_array, shown
+from tripus._errors import InvalidInput
+from tripus.arcs import Orthospectrum
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from tripus.manifold import Manifold
+else:
+    from tripus._lazy import numpy as np
 
 #: Okabe and Ito's palette, as in the C++ figures and the viewer.
 PALETTE = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#000000", "#F0E442")
@@ -57,19 +62,35 @@ def drawing(lines: Any, ax: Any = None) -> Any:
     >>> len(figure.axes[0].lines)
     1
     """
-    if isinstance(lines, (str, os.PathLike)):
-        with open(lines, encoding="utf-8") as file:
-            lines = json.load(file)
-    if isinstance(lines, Mapping):
-        lines = lines["edges"]
+    polylines = _polylines(lines)
     ax = _axes(ax, (4, 3.2), projection="3d")
-    for i, line in enumerate(lines):
-        ax.plot(*np.asarray(line, dtype=float).T, color=PALETTE[i % len(PALETTE)], lw=2)
+    for i, line in enumerate(polylines):
+        ax.plot(*line.T, color=PALETTE[i % len(PALETTE)], lw=2)
     ax.set_axis_off()
     ax.set_aspect("equal")
     return ax.figure
 
 
+def _polylines(lines: Any) -> list[Any]:
+    """The polylines of a drawing as Manifold.from_drawing takes it, each [n x 3]."""
+    if isinstance(lines, (str, os.PathLike)):
+        try:
+            lines = json.loads(_core.read_file(as_bytes(lines)))
+        except ValueError as error:
+            raise InvalidInput(f"{shown(lines)} is no drawing in JSON: {error}") from None
+    if isinstance(lines, Mapping):
+        if "edges" not in lines:
+            raise InvalidInput('a drawing as a dict has its polylines under "edges"')
+        lines = lines["edges"]
+    if isinstance(lines, bytes) or not isinstance(lines, Iterable):
+        raise TypeError(f"a drawing is a list of polylines, not {shown(lines)}")
+    polylines = [real_array(f"points of polyline {i}", line) for i, line in enumerate(lines)]
+    if not polylines or any(line.ndim != 2 or line.shape[1] != 3 for line in polylines):
+        raise InvalidInput("a drawing is a list of polylines, each an array [n x 3]")
+    return polylines
+
+
+@checked
 def valences(manifold: Manifold, ax: Any = None) -> Any:
     """Edge classes by valence.
 
@@ -86,9 +107,12 @@ def valences(manifold: Manifold, ax: Any = None) -> Any:
     return ax.figure
 
 
+@checked
 def spectrum(arcs: Manifold | Orthospectrum, ax: Any = None, *, length: float = 4.0) -> Any:
     """Lengths of the arcs orthogonal to the boundary, with multiplicities; log scale."""
     if not isinstance(arcs, Orthospectrum):
+        if not hasattr(arcs, "orthospectrum"):
+            raise TypeError(f"spectrum(): arcs is a Manifold or an Orthospectrum, not {shown(arcs)}")
         arcs = arcs.orthospectrum(length=length)
     ax = _axes(ax)
     ax.vlines(arcs.lengths, 0.5, arcs.multiplicities.astype(float), color=PALETTE[0])
@@ -97,10 +121,12 @@ def spectrum(arcs: Manifold | Orthospectrum, ax: Any = None, *, length: float = 
     return ax.figure
 
 
+@checked
 def convergence(
-    manifold: Manifold, methods: Sequence[str] = ("newton",), ax: Any = None
+    manifold: Manifold, methods: str | Sequence[str] = ("newton",), ax: Any = None
 ) -> Any:
-    """max|K| after each iteration of solving anew by each method; log scale."""
+    """max|K| after each iteration of solving anew by each method, or by one; log scale."""
+    methods = [methods] if isinstance(methods, str) else methods
     ax = _axes(ax)
     for i, method in enumerate(methods):
         history = manifold.solve(method, history=True).history
@@ -114,17 +140,24 @@ def convergence(
             label=method,
         )
     ax.set(xlabel="iteration", ylabel="max|K|", yscale="log", title=str(manifold))
-    ax.legend(frameon=False)
+    if methods:
+        ax.legend(frameon=False)
     return ax.figure
 
 
+@checked
 def volumes(many: Any, ax: Any = None, *, bins: int = 60) -> Any:
     """The volumes of a list of manifolds, or of the frame that solve_many returns."""
     if hasattr(many, "columns") or getattr(many, "dtype", None) is not None:
-        numbers = np.asarray(many["volume"] if _has_volume(many) else many, dtype=float)
+        try:
+            numbers = np.asarray(many["volume"] if _has_volume(many) else many, dtype=float)
+        except (TypeError, ValueError):
+            raise TypeError(f"volumes(): many has other things than numbers: {shown(many)}") from None
     else:
         from tripus.many import solve_many
 
+        if isinstance(many, bytes) or not isinstance(many, (str, os.PathLike, Iterable)):
+            raise TypeError(f"volumes(): many is a list of manifolds, not {shown(many)}")
         numbers = np.asarray(solve_many(many, as_array=True)["volume"])
     numbers = numbers[np.isfinite(numbers)]
     ax = _axes(ax)

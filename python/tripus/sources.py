@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from tripus import _core, interop
 from tripus._core import Manifold as CoreManifold
-from tripus._errors import InvalidInput
+from tripus._check import as_bytes, real_array, shown, whole_array
+from tripus._errors import FileError, InvalidInput
 from tripus._limits import NO_LIMITS, Progress, limits
+from tripus.diagrams import Diagram
 
 if TYPE_CHECKING:
     import numpy as np
@@ -24,14 +26,19 @@ def surface_of_drawing(
 ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]:
     """Points and triangles of the surface around a drawing; see Manifold.from_drawing."""
     if isinstance(drawing, (str, os.PathLike)):
-        with open(drawing, "rb") as file:
-            text = file.read()
+        text = _core.read_file(as_bytes(drawing))
     elif isinstance(drawing, Mapping):
-        text = json.dumps(dict(drawing)).encode()
+        try:
+            text = json.dumps(dict(drawing)).encode()
+        except (TypeError, ValueError) as error:
+            raise InvalidInput(f"the drawing is no JSON: {error}") from None
     else:
-        lines = [np.asarray(line, dtype=float) for line in drawing]
+        wanted = "a drawing is a list of polylines, each an array [n x 3]"
+        if isinstance(drawing, bytes) or not isinstance(drawing, Iterable):
+            raise TypeError(f"{wanted}, not {shown(drawing)}")
+        lines = [real_array(f"points of polyline {i}", line) for i, line in enumerate(drawing)]
         if not lines or any(line.ndim != 2 or line.shape[1] != 3 for line in lines):
-            raise InvalidInput("a drawing is a list of polylines, each an array [n x 3]")
+            raise InvalidInput(wanted)
         text = "\n\n".join(
             "\n".join(" ".join(map(repr, p)) for p in line.tolist()) for line in lines
         ).encode()
@@ -40,13 +47,18 @@ def surface_of_drawing(
 
 
 def load_text(source: str, time_limit: float | None, progress: Progress) -> CoreManifold:
+    encoded = as_bytes(source)
     if source.lstrip().startswith("PD"):
         source = " ".join(source.split())  # a planar diagram, perhaps on several lines
     if source.startswith(("% Triangulation", "% orb", "<?xml", '{"')) or "\n" in source:
-        return _core.from_text(source.encode("utf-8", "surrogateescape"), True, NO_LIMITS)
+        return _core.from_text(encoded, True, limits(time_limit, 0, progress))
     try:
         return _core.load(os.fsencode(source), limits(time_limit, 0, progress))
-    except InvalidInput:
+    except InvalidInput as error:
+        if "is a SnapPy name" in str(error):
+            raise InvalidInput(
+                f"{shown(source)} is a SnapPy name: tripus.Manifold(snappy.Manifold({source!r}))"
+            ) from None
         mesh = interop.read_by_meshio(source) if os.path.isfile(source) else None
         if mesh is None:
             raise
@@ -59,8 +71,12 @@ def load_text(source: str, time_limit: float | None, progress: Progress) -> Core
 
 
 def load_thing(source: Any, time_limit: float | None, progress: Progress) -> CoreManifold:
+    if isinstance(source, os.PathLike) and not os.path.exists(source):
+        raise FileError(f"there is no file {shown(os.fspath(source))}")
     if isinstance(source, (str, os.PathLike)):
         return load_text(os.fsdecode(os.fspath(source)), time_limit, progress)
+    if isinstance(source, Diagram):
+        return source.exterior(time_limit=time_limit, progress=progress)._core
     package = interop.package_of(source)
     if package in ("snappy", "SnapPy", "SnapPyHP", "spherogram"):
         return interop.from_snappy(source)
@@ -74,17 +90,10 @@ def load_thing(source: Any, time_limit: float | None, progress: Progress) -> Cor
     if isinstance(source, dict) and "gluings" in source:
         return interop.from_table(source["gluings"], str(source.get("name", "")))
     if isinstance(source, tuple) and len(source) == 2:
-        neighbours, images = (np.asarray(a) for a in source)
+        neighbours = whole_array("neighbours", source[0], 0xFFFFFFFE, np.uint32)
+        images = whole_array("images of vertices", source[1], 3, np.uint8)
         if neighbours.ndim == 2 and images.ndim == 3:
-            if neighbours.size and (neighbours.min() < 0 or neighbours.max() > 0xFFFFFFFE):
-                raise InvalidInput("neighbours are numbers of tetrahedra, from 0")
-            return _core.from_arrays(
-                np.ascontiguousarray(neighbours, dtype=np.uint32),
-                np.ascontiguousarray(images, dtype=np.uint8),
-                b"",
-                b"",
-                True,
-            )
+            return _core.from_arrays(neighbours, images, b"", b"", True, [])
     if isinstance(source, list):
         return interop.from_table(source)
     raise InvalidInput(

@@ -14,14 +14,16 @@ from typing import Any
 import numpy as np
 
 from tripus import _core
-from tripus._errors import Stopped
+from tripus._check import checked, shown
+from tripus._errors import InvalidInput, Stopped
+from tripus._lazy import load
 from tripus._limits import Progress, limits
-from tripus.frames import html_table
 from tripus.manifold import Manifold
 from tripus.many import read_batch
+from tripus._value import Value
 
 
-class Study:
+class Study(Value):
     """What a study found.
 
     tables     {name: pandas data frame}
@@ -31,9 +33,9 @@ class Study:
     """
 
     def __init__(self, name: str, fields: dict[str, Any]) -> None:
-        import pandas
-
+        pandas = load("pandas")
         self.name = name
+        self._fields = fields
         self.paragraph = str(fields["paragraph"])
         self.facts = {key: value for key, value, _ in fields["facts"]}
         self.tables: dict[str, Any] = {}
@@ -62,11 +64,14 @@ class Study:
         sizes = ", ".join(f"{name} [{len(t)}]" for name, t in self.tables.items())
         return f"<Study {self.name}: {sizes}>"
 
-    def _repr_html_(self) -> str:
-        from html import escape
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Study, (self.name, self._fields)
 
-        facts = {k: f"{v:.6g}" for k, v in self.facts.items()}
-        return f"<p>{escape(self.paragraph)}</p>{html_table(facts)}"
+    def _key(self) -> Any:
+        return self.name, self._fields
+
+    def _rows(self) -> dict[str, str]:
+        return {"": self.paragraph, **{k: f"{v:.6g}" for k, v in self.facts.items()}}
 
 
 def _typed(cells: Sequence[str]) -> Any:
@@ -92,6 +97,7 @@ def names() -> list[str]:
     return [name for name, *_ in _core.study_names()]
 
 
+@checked
 def run(
     name: str,
     inputs: Iterable[Any] | str | os.PathLike[str] = (),
@@ -114,8 +120,15 @@ def run(
 
     Stopped, if the time limit ended it: what is done is in the folder.
     """
+    if name not in names():
+        raise InvalidInput(f"there is no study {shown(name)}: {', '.join(names())}")
     if isinstance(inputs, (str, os.PathLike)):
         inputs = read_batch(inputs)
+    if isinstance(inputs, (bytes, Manifold)) or not isinstance(inputs, Iterable):
+        raise TypeError(
+            f"run(): inputs is a list of what Manifold takes, or the name of a file with one a "
+            f"line, not {shown(inputs)}"
+        )
     cores = [(m if isinstance(m, Manifold) else Manifold(m))._core for m in inputs]
     with tempfile.TemporaryDirectory(prefix="tripus-") as temporary:
         fields = _core.run_study(
@@ -125,7 +138,7 @@ def run(
             samples,
             list(methods),
             list(covers),
-            os.fspath(folder) if folder is not None else temporary,
+            os.fsencode(folder) if folder is not None else os.fsencode(temporary),
             limits(time_limit, threads or os.cpu_count() or 1, progress),
         )
     if fields["done"] < fields["total"] or fields["total"] == 0:

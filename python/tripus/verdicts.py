@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 from tripus import _core
 from tripus._errors import Undecided
+from tripus._check import checked
 from tripus._limits import NO_LIMITS
+from tripus._value import Value
 from tripus.frames import frame, html_table
 
 if TYPE_CHECKING:
@@ -78,11 +80,14 @@ class Volume(float):
 
     __str__ = __repr__
 
+    def _repr_html_(self) -> str:
+        return html_table({"volume": repr(self)})
+
     def __reduce__(self) -> tuple[Any, ...]:
         return Volume, (float(self), self._metric, self._bounds)
 
 
-class Verdict:
+class Verdict(Value):
     """What was found about a triangulation, with the evidence. True if there is a metric.
 
     The numbers are those of the last iterate, also where there is no metric; always finite.
@@ -98,6 +103,22 @@ class Verdict:
         self._label = signature
         for name in ("edge_lengths", "dihedral_angles"):
             fields[name].flags.writeable = False
+
+    def _key(self) -> Any:
+        return {
+            key: value
+            for key, value in self._fields.items()
+            if key not in ("seconds", "history")  # which no two runs have in common
+        }
+
+    def _rows(self) -> dict[str, str]:
+        return {
+            "outcome": self.outcome,
+            "volume": f"{self.volume:.12g}" if self else "",
+            "max|K|": f"{self.max_curvature:.3g}",
+            "method": f"{self.method}, {self.iterations} iteration{'s'[: self.iterations != 1]}",
+            "": self.message,
+        }
 
     def __bool__(self) -> bool:
         return self.outcome == "geometric"
@@ -203,18 +224,9 @@ class Verdict:
             return f"<Verdict {self.outcome}; not hyperbolic: {bigon['consequence']}>"
         return f"<Verdict {self.outcome}: {self.message}>"
 
-    def _repr_html_(self) -> str:
-        rows = {
-            "outcome": self.outcome,
-            "volume": f"{self.volume:.12g}" if self else "",
-            "max|K|": f"{self.max_curvature:.3g}",
-            "method": f"{self.method}, {self.iterations} iterations",
-            "": self.message,
-        }
-        return html_table(rows)
 
-
-class Certificate:
+@checked
+class Certificate(Value):
     """An exact proof, in integers, that a triangulation has no strict angle structure.
 
     >>> import tripus
@@ -253,21 +265,37 @@ class Certificate:
         """The certificate as `tripus check` reads it."""
         return self._text
 
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Certificate) and self._text == other._text
+    def _key(self) -> Any:
+        return self._text
 
-    def __hash__(self) -> int:
-        return hash(self._text)
+    def _rows(self) -> dict[str, str]:
+        return {
+            "certificate": self.kind,
+            "says": "no angle structure" if self.kind == "none" else "no strict angle structure",
+            "edge classes": f"{sum(x != 0 for x in self.edge)} of {len(self.edge)} have multipliers",
+        }
 
     def __repr__(self) -> str:
         return f"<Certificate of kind {self.kind}, {len(self.edge)} edge classes>"
 
 
-class AngleStructure:
+class AngleStructure(Value):
     """An exact strict angle structure: rational angles, in units of pi."""
 
     def __init__(self, text: str) -> None:
         self._text = text
+
+    def _key(self) -> Any:
+        return self._text
+
+    def _rows(self) -> dict[str, str]:
+        rows = {
+            f"tetrahedron {t}": ", ".join(map(str, six)) + " (times pi)"
+            for t, six in enumerate(self.angles[:6])
+        }
+        if len(self.angles) > 6:
+            rows["..."] = f"{len(self.angles) - 6} more tetrahedra"
+        return rows
 
     @property
     def angles(self) -> list[list[Fraction]]:
@@ -283,7 +311,7 @@ class AngleStructure:
         return f"<AngleStructure of {len(self.angles)} tetrahedra>"
 
 
-class Proof:
+class Proof(Value):
     """A proof that the metric exists, with every rounding accounted for. True if proved.
 
     Unpacks into (proved, intervals of the edge lengths), as SnapPy's verify_hyperbolicity does.
@@ -301,6 +329,17 @@ class Proof:
         self._text = text
         self._manifold = manifold
         self.message = message
+
+    def _key(self) -> Any:
+        return self._text, self._manifold
+
+    def _rows(self) -> dict[str, str]:
+        volume = self.volume
+        return {
+            "proved": "yes" if self else "no",
+            "volume": "" if volume is None else f"[{volume[0]}, {volume[1]}]",
+            "": self.message,
+        }
 
     def __bool__(self) -> bool:
         return bool(self._data()["proved"])

@@ -9,7 +9,8 @@ import tempfile
 import zlib
 from typing import TYPE_CHECKING, Any
 
-from tripus.frames import html_table
+from tripus._check import checked
+from tripus._value import Value
 
 if TYPE_CHECKING:
     import numpy as np
@@ -21,14 +22,20 @@ else:
 
 #: Tables in notebooks have a picture for manifolds up to this size.
 MOST_TETRAHEDRA_FOR_PICTURE = 200
+#: The homology of large covers takes long.
+MOST_TETRAHEDRA_FOR_HOMOLOGY = 1000
 
 
-class Page:
+@checked
+class Page(Value):
     """A page in a notebook: live, and kept in the saved notebook."""
 
     def __init__(self, text: str, height: int = 520) -> None:
         self.text = text
         self.height = height
+
+    def _key(self) -> Any:
+        return self.text, self.height
 
     def _repr_html_(self) -> str:
         # The page is in the document itself, apart from it, and may run its own scripts only.
@@ -68,9 +75,16 @@ def in_notebook() -> bool:
     return shell is not None and "IPKernelApp" in shell.config
 
 
-def view(manifold: Manifold, cells: int = 20, model: str = "ball", height: int = 520) -> Page:
+def view(
+    manifold: Manifold,
+    cells: int = 20,
+    model: str = "ball",
+    height: int = 520,
+    *,
+    discs: bool | float = False,
+) -> Page:
     """The page of a manifold; outside of notebooks it opens in a browser."""
-    page = Page(manifold.page(cells, model), height)
+    page = Page(manifold.page(cells, model, discs=discs), height)
     if not in_notebook():
         page.open()
     return page
@@ -99,33 +113,41 @@ def png(pixels: npt.NDArray[np.uint8]) -> bytes:
     )
 
 
-def repr_html(manifold: Manifold) -> str:
-    """A small table and, where there is a metric, a picture."""
-    import base64
-
+def rows_of(manifold: Manifold) -> dict[str, str]:
+    """What a notebook shows of a manifold."""
     from tripus._errors import TripusError
 
-    rows: dict[str, Any] = {
+    rows = {
         "manifold": str(manifold),
         "tetrahedra": str(manifold.num_tetrahedra()),
         "boundary": ", ".join(_boundary(link) for link in manifold.links()),
+        "cone orders": ", ".join(f"edge {e}: {k}" for e, k in manifold.cone_orders.items()),
     }
-    picture = ""
     try:
-        rows["H1"] = str(manifold.homology())
+        if manifold.num_tetrahedra() <= MOST_TETRAHEDRA_FOR_HOMOLOGY:
+            rows["H1"] = str(manifold.homology())
         verdict = manifold.verdict()
         rows["volume" if verdict else "outcome"] = (
             f"{verdict.volume:.12g}" if verdict else f"{verdict.outcome}: {verdict.message}"
         )
-        if verdict and manifold.num_tetrahedra() <= MOST_TETRAHEDRA_FOR_PICTURE:
-            data = base64.b64encode(png(manifold.picture(160, 120))).decode()
-            picture = f'<img alt="inside" src="data:image/png;base64,{data}">'
     except TripusError as error:
         rows.setdefault("note", str(error))
-    table = html_table(rows)
-    if not picture:
-        return table
-    return f'<div style="display:flex;gap:1em;align-items:center">{picture}{table}</div>'
+    return rows
+
+
+def picture_of(manifold: Manifold) -> str:
+    """The view from inside as HTML; empty where there is none, or it would take long."""
+    import base64
+
+    from tripus._errors import TripusError
+
+    try:
+        if manifold.num_tetrahedra() > MOST_TETRAHEDRA_FOR_PICTURE or not manifold.verdict():
+            return ""
+        data = base64.b64encode(png(manifold.picture(160, 120))).decode()
+    except TripusError:  # cusps and cone angles are not placed in space so far
+        return ""
+    return f'<img alt="inside" src="data:image/png;base64,{data}">'
 
 
 def _boundary(link: dict[str, Any]) -> str:
@@ -134,4 +156,6 @@ def _boundary(link: dict[str, Any]) -> str:
         return "finite vertex"
     if link["kind"] == "cusp":
         return "cusp" if link["orientable"] else "cusp (Klein bottle)"
-    return f"genus {(2 - chi) // 2}" if link["orientable"] else f"Euler characteristic {chi}"
+    surface = f"genus {(2 - chi) // 2}" if link["orientable"] else f"Euler characteristic {chi}"
+    points = link["cone_points"]
+    return surface + (f" with {points} cone point{'s'[: points != 1]}" if points else "")

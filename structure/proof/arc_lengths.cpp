@@ -5,7 +5,7 @@
 #include <array>
 
 #include "base/error.hpp"
-#include "structure/proof/detail/arb_number.hpp"
+#include "structure/proof/detail/cone_metric.hpp"
 #include "structure/proof/detail/decimal.hpp"
 #include "structure/proof/digits.hpp"
 
@@ -21,13 +21,16 @@ constexpr long kManyBits = 256;
 using Row4 = std::array<Arb, 4>;
 using Gram = std::array<Row4, 4>;
 
-Gram gram_of(const Triangulation& triangulation, const std::vector<Arb>& cosh, std::size_t t) {
+Gram gram_of(const detail::ConeMetric& metric, const std::vector<Arb>& lengths, std::size_t t) {
+  const detail::Diagonal diagonal = metric.diagonal(t);
+  const detail::GramEntries entries =
+      detail::gram_entries(detail::lengths_of(metric.triangulation(), lengths, t), diagonal);
   Gram gram;
-  for (std::size_t i = 0; i < 4; ++i) gram[i][i] = Arb(1.0);
+  for (std::size_t i = 0; i < 4; ++i) gram[i][i] = Arb(diagonal[i]);
   for (std::size_t e = 0; e < 6; ++e) {
     const auto i = static_cast<std::size_t>(topology::kEdgeEnds[e][0]);
     const auto j = static_cast<std::size_t>(topology::kEdgeEnds[e][1]);
-    gram[i][j] = gram[j][i] = -cosh[triangulation.edge_class(t, static_cast<int>(e))];
+    gram[i][j] = gram[j][i] = -entries.c[e];
   }
   return gram;
 }
@@ -57,21 +60,18 @@ Arb determinant(const Gram& g) {
 
 class Carrier {
  public:
-  Carrier(const Triangulation& triangulation, const std::vector<Arb>& lengths)
-      : triangulation_(triangulation), steps_(4 * triangulation.tetrahedron_count()) {
-    for (const Arb& length : lengths) {
-      Arb cosh;
-      arb_cosh(cosh.get(), length.get(), detail::Precision::bits());
-      cosh_.push_back(std::move(cosh));
-    }
-  }
+  Carrier(const Triangulation& triangulation, const Proof& proof, std::vector<Arb> lengths)
+      : triangulation_(triangulation),
+        metric_(triangulation, proof.cone_angles),
+        lengths_(std::move(lengths)),
+        steps_(4 * triangulation.tetrahedron_count()) {}
 
   std::optional<Interval> length_of(const ArcPath& path) {
     std::size_t t = path.tetrahedron;
     if (t >= triangulation_.tetrahedron_count()) refuse();
     require_label(path.start);
     require_label(path.end);
-    Row4 products = gram_of(triangulation_, cosh_, t)[static_cast<std::size_t>(path.start)];
+    Row4 products = gram_of(metric_, lengths_, t)[static_cast<std::size_t>(path.start)];
     for (const std::uint8_t face : path.faces) {
       require_label(face);
       const auto f = static_cast<std::size_t>(face);
@@ -111,8 +111,8 @@ class Carrier {
     if (step) return *step;
     const int face = static_cast<int>(f);
     const topology::Perm4 p = triangulation_.gluings().gluing(t, face);
-    const Gram here = gram_of(triangulation_, cosh_, t);
-    const Gram there = gram_of(triangulation_, cosh_, triangulation_.gluings().neighbour(t, face));
+    const Gram here = gram_of(metric_, lengths_, t);
+    const Gram there = gram_of(metric_, lengths_, triangulation_.gluings().neighbour(t, face));
     const auto apex = static_cast<std::size_t>(p(face));
     // Where column f of `here` holds the products instead, Cramer's rule for the three others.
     const Arb minor = cofactor(here, f, f);
@@ -133,7 +133,8 @@ class Carrier {
   }
 
   const Triangulation& triangulation_;
-  std::vector<Arb> cosh_;                   // [E]
+  detail::ConeMetric metric_;
+  std::vector<Arb> lengths_;                // [E]
   std::vector<std::optional<Row4>> steps_;  // [T x 4]
 };
 
@@ -162,7 +163,7 @@ std::vector<std::optional<Interval>> prove_arc_lengths(const Triangulation& tria
   std::vector<std::optional<Interval>> result(paths.size());
   if (!proof.proved || proof.claim != Proof::Claim::kMetric) return result;
   const detail::Precision precision(kManyBits);
-  Carrier carrier(triangulation, proved_lengths(triangulation, proof, context));
+  Carrier carrier(triangulation, proof, proved_lengths(triangulation, proof, context));
   for (std::size_t n = 0; n < paths.size(); ++n) {
     if (context.stop_requested() || context.expired()) break;
     result[n] = carrier.length_of(paths[n]);

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "geometry/edge_frames.hpp"
 #include "structure/proof/detail/arb_matrix.hpp"
+#include "structure/proof/detail/cone_metric.hpp"
 #include "structure/proof/detail/decimal.hpp"
 #include "structure/proof/detail/precise_tetrahedron.hpp"
 
@@ -25,15 +26,32 @@ constexpr double kBitsOfDigit = 3.32192809488736235;
 constexpr long kGuardBits = 96;
 constexpr int kTries = 4;
 constexpr int kExtraDigits = 12;
-/// As in prove.cpp: claimed radii are wider than what was proved.
-constexpr double kMargin = 1 + 0x1p-4;
 
 struct DigitsRun {
   const Triangulation& triangulation;
   const Proof& proof;
   const Context& context;
+  detail::ConeMetric metric{triangulation, proof.cone_angles};
   std::vector<Arb> x{};  // [E] exact
   Digits result{};
+
+  static auto angles(const std::array<Arb, 6>& l, const detail::Diagonal& diagonal) {
+    return detail::precise_tetrahedron(l, false, diagonal);
+  }
+  static auto angles_and_volume(const std::array<Arb, 6>& l, const detail::Diagonal& diagonal) {
+    return detail::precise_tetrahedron(l, true, diagonal);
+  }
+  static auto jacobian(const std::array<Arb, 6>& l, const detail::Diagonal& diagonal) {
+    return detail::precise_jacobian(l, diagonal);
+  }
+
+  /// Lengths that Newton's method leaves: parabolic edges, and one at each cusp.
+  std::vector<std::size_t> held() const {
+    std::vector<std::size_t> held = metric.pins();
+    for (std::size_t e = 0; e < x.size(); ++e)
+      if (metric.is_fixed(e)) held.push_back(e);
+    return held;
+  }
 
   bool stopped() {
     if (!context.stop_requested() && !context.expired()) return false;
@@ -42,22 +60,22 @@ struct DigitsRun {
   }
 
   std::array<Arb, 6> lengths_of(std::size_t t) const {
-    std::array<Arb, 6> l;
-    for (std::size_t e = 0; e < 6; ++e) l[e] = x[triangulation.edge_class(t, static_cast<int>(e))];
-    return l;
+    return detail::lengths_of(triangulation, x, t);
   }
 
-  /// What `compute(lengths)` gives for every tetrahedron; those with the same edge classes in the
-  /// same order share it.
+  /// What `compute(lengths, diagonal)` gives for every tetrahedron; those with the same edge
+  /// classes in the same order share it.
   template <class Compute, class Use>
   bool for_each_tetrahedron(Compute compute, Use use) {
-    std::map<std::array<std::uint32_t, 6>, decltype(compute(lengths_of(0)))> known;
+    std::map<std::array<std::uint32_t, 6>, decltype(compute(lengths_of(0), metric.diagonal(0)))>
+        known;
     for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t) {
       if (stopped()) return false;
       std::array<std::uint32_t, 6> key;
       for (std::size_t e = 0; e < 6; ++e) key[e] = triangulation.edge_class(t, static_cast<int>(e));
       auto found = known.find(key);
-      if (found == known.end()) found = known.emplace(key, compute(lengths_of(t))).first;
+      if (found == known.end())
+        found = known.emplace(key, compute(lengths_of(t), metric.diagonal(t))).first;
       if (!found->second) {
         result.reason = fmt::format("tetrahedron {} could not be enclosed", t);
         return false;
@@ -68,7 +86,9 @@ struct DigitsRun {
   }
 
   std::vector<Arb> curvature_start() const {
-    return std::vector<Arb>(x.size(), 2.0 * number_pi(Arb()));
+    std::vector<Arb> K;
+    for (std::size_t e = 0; e < x.size(); ++e) K.push_back(metric.target(e));
+    return K;
   }
 
   /// One step of Newton's method at the thread's precision.
@@ -77,26 +97,33 @@ struct DigitsRun {
     ArbMatrix hessian(n, n), curvature(n, 1), step(n, 1);
     std::vector<Arb> K = curvature_start();
     const bool enclosed =
-        for_each_tetrahedron([](const auto& l) { return detail::precise_tetrahedron(l, false); },
+        for_each_tetrahedron(angles,
                              [&](std::size_t t, const auto& found) {
                                for (std::size_t i = 0; i < 6; ++i) {
                                  Arb& sum = K[triangulation.edge_class(t, static_cast<int>(i))];
                                  sum = sum - found.angles[i];
                                }
                              }) &&
-        for_each_tetrahedron([](const auto& l) { return detail::precise_jacobian(l); },
-                             [&](std::size_t t, const auto& jacobian) {
-                               for (int i = 0; i < 6; ++i)
-                                 for (int j = 0; j < 6; ++j) {
-                                   const auto q = static_cast<std::size_t>(
-                                       geometry::packed_index(std::min(i, j), std::max(i, j)));
-                                   arb_ptr entry = hessian.at(triangulation.edge_class(t, i),
-                                                              triangulation.edge_class(t, j));
-                                   arb_add(entry, entry, jacobian[q].get(), Precision::bits());
-                                 }
-                             });
+        for_each_tetrahedron(jacobian, [&](std::size_t t, const auto& found) {
+          for (int i = 0; i < 6; ++i)
+            for (int j = 0; j < 6; ++j) {
+              const auto q =
+                  static_cast<std::size_t>(geometry::packed_index(std::min(i, j), std::max(i, j)));
+              arb_ptr entry =
+                  hessian.at(triangulation.edge_class(t, i), triangulation.edge_class(t, j));
+              arb_add(entry, entry, found[q].get(), Precision::bits());
+            }
+        });
     if (!enclosed) return false;
     for (std::size_t e = 0; e < n; ++e) arb_set(curvature.at(e, 0), K[e].get());
+    for (const std::size_t e : held()) {
+      for (std::size_t i = 0; i < n; ++i) {
+        arb_zero(hessian.at(i, e));
+        arb_zero(hessian.at(e, i));
+      }
+      arb_one(hessian.at(e, e));
+      arb_zero(curvature.at(e, 0));
+    }
     if (arb_mat_approx_solve(step.get(), hessian.get(), curvature.get(), Precision::bits()) == 0) {
       result.reason = "the Hessian is singular in approximate arithmetic";
       return false;
@@ -121,26 +148,30 @@ struct DigitsRun {
     return true;
   }
 
-  /// Theory (97) at x; the radii [E]. Sets the volume.
+  /// Theory (97) at x; the radii [E], and behind them that of the volume. Sets the volume.
   bool certify(int digits, std::vector<Arb>& radii) {
     std::vector<Arb> K = curvature_start();
     Arb volume;
-    if (!for_each_tetrahedron([](const auto& l) { return detail::precise_tetrahedron(l, true); },
-                              [&](std::size_t t, const auto& found) {
-                                volume = volume + found.volume;
-                                for (std::size_t i = 0; i < 6; ++i) {
-                                  Arb& sum = K[triangulation.edge_class(t, static_cast<int>(i))];
-                                  sum = sum - found.angles[i];
-                                }
-                              }))
+    if (!for_each_tetrahedron(angles_and_volume, [&](std::size_t t, const auto& found) {
+          volume = volume + found.volume;
+          for (std::size_t i = 0; i < 6; ++i) {
+            Arb& sum = K[triangulation.edge_class(t, static_cast<int>(i))];
+            sum = sum - found.angles[i];
+          }
+        }))
       return false;
     Arb squares;
     for (std::size_t e = 0; e < x.size(); ++e) {
+      if (metric.is_fixed(e)) continue;
       squares = squares + square(K[e]) / Arb(proof.weights[e]);
       volume = volume - 0.5 * (K[e] * x[e]);
     }
-    const Arb g = kMargin * square_root(squares.upper_end());
+    const Arb g = metric.margin() * square_root(squares.upper_end());
     for (std::size_t e = 0; e < x.size(); ++e) {
+      if (metric.is_fixed(e)) {
+        radii.emplace_back();
+        continue;
+      }
       radii.push_back((g / square_root(Arb(proof.weights[e]))).upper_end());
       const Arb reach = radii[e] + (x[e] - Arb(proof.lengths[e])).magnitude();
       if (!(Arb(proof.box[e]) - reach).positive()) {
@@ -152,6 +183,7 @@ struct DigitsRun {
     const Arb eighth = 0.125 * squares.upper_end();
     volume = (volume - eighth).widened_by(eighth);
     result.volume = {decimal_below(volume, digits), decimal_above(volume, digits)};
+    radii.push_back((volume - volume.midpoint()).magnitude());
     return true;
   }
 
@@ -171,13 +203,11 @@ struct DigitsRun {
       x[e] = x[e].widened_by(detail::from_decimal(result.radii[e]));
     }
     result.dihedral_angles.resize(triangulation.tetrahedron_count());
-    for_each_tetrahedron([](const auto& l) { return detail::precise_tetrahedron(l, false); },
-                         [&](std::size_t t, const auto& found) {
-                           for (std::size_t i = 0; i < 6; ++i)
-                             result.dihedral_angles[t][i] = {
-                                 detail::decimal_below(found.angles[i], digits),
-                                 detail::decimal_above(found.angles[i], digits)};
-                         });
+    for_each_tetrahedron(angles, [&](std::size_t t, const auto& found) {
+      for (std::size_t i = 0; i < 6; ++i)
+        result.dihedral_angles[t][i] = {detail::decimal_below(found.angles[i], digits),
+                                        detail::decimal_above(found.angles[i], digits)};
+    });
   }
 
   /// Whether everything is known to the digits wanted.

@@ -1,6 +1,7 @@
 #include "structure/proof/proof_text.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -15,7 +16,9 @@ namespace {
 using nlohmann::json;
 
 /// A decimal number that is larger by at least half a percent: radii need no more digits.
-std::string rounded_up(double value) { return fmt::format("{:.2e}", value * 1.01); }
+std::string rounded_up(double value) {
+  return value > 0 ? fmt::format("{:.2e}", value * 1.01) : "0";
+}
 
 /// Two units in the last place outwards, where 17 digits are off by less than one.
 std::string outwards(double value, double direction) {
@@ -64,6 +67,40 @@ DecimalInterval read_interval(const json& value, const std::string& place) {
   return {value[0].get<std::string>(), value[1].get<std::string>()};
 }
 
+/// In units of pi, "2/3"; or in radians, exactly, "0x1.8p+0", where it is no such fraction.
+std::string cone_angle_json(const topology::ConeAngle& angle) {
+  if (!angle.is_rational()) return fmt::format("\"{:a}\"", angle.radians());
+  if (angle.denominator() == 1) return fmt::format("\"{}\"", angle.numerator());
+  return fmt::format("\"{}/{}\"", angle.numerator(), angle.denominator());
+}
+
+topology::ConeAngle read_cone_angle(const std::string& text, std::size_t edge) {
+  using topology::ConeAngle;
+  const char *at = text.data(), *end = text.data() + text.size();
+  const auto refuse_it = [&]() {
+    refuse(fmt::format("the cone angle {} of edge class {}", quoted(text), edge),
+           "a fraction of pi such as \"2/3\", or radians such as \"0x1.8p+0\"");
+  };
+  if (text.starts_with("0x")) {
+    double radians = 0;
+    const auto [stop, code] = std::from_chars(at + 2, end, radians, std::chars_format::hex);
+    if (code != std::errc() || stop != end || !(radians >= 0) || !std::isfinite(radians))
+      refuse_it();
+    return ConeAngle(radians);
+  }
+  std::int64_t terms[2] = {0, 1};
+  auto [stop, code] = std::from_chars(at, end, terms[0]);
+  if (code == std::errc() && stop != end && *stop == '/') {
+    const auto rest = std::from_chars(stop + 1, end, terms[1]);
+    stop = rest.ptr;
+    code = rest.ec;
+  }
+  if (code != std::errc() || stop != end || terms[0] < 0 || terms[1] < 1 ||
+      std::max(terms[0], terms[1]) > ConeAngle::kLargestTerm)
+    refuse_it();
+  return ConeAngle::rational(terms[0], terms[1]);
+}
+
 json parse_object(std::string_view text) {
   json document = json::parse(text, nullptr, false);
   if (!document.is_object())
@@ -87,6 +124,7 @@ ProofText proof_text(const Proof& proof, const Digits* digits) {
   text.bits = proof.bits;
   text.escalated = proof.escalated;
   text.flat = proof.flat;
+  text.cone_angles = proof.cone_angles;
   if (digits != nullptr && digits->proved) {
     text.bits = std::max(text.bits, digits->bits);
     text.lengths = digits->lengths;
@@ -114,6 +152,8 @@ std::string to_json(const ProofText& proof) {
       "\"radii\": {}",
       proof.claim == Proof::Claim::kMetric ? "metric" : "flat", proof.bits, proof.escalated,
       list_json(proof.lengths, quoted_text), list_json(proof.radii, quoted_text));
+  if (!proof.cone_angles.empty())
+    text += ", \"cone_angles\": " + list_json(proof.cone_angles, cone_angle_json);
   if (proof.volume) text += ", \"volume\": " + interval_json(*proof.volume);
   if (!proof.dihedral_angles.empty())
     text += ", \"dihedral_angles\": " + list_json(proof.dihedral_angles, [](const auto& angles) {
@@ -148,6 +188,10 @@ ProofText parse_proof(std::string_view text) {
   const json& claim = member(object, "claim", R"("metric" or "flat")");
   if (claim != "metric" && claim != "flat") refuse("\"claim\"", R"("metric" or "flat")");
   proof.claim = claim == "metric" ? Proof::Claim::kMetric : Proof::Claim::kFlat;
+  if (const auto angles = object.find("cone_angles"); angles != object.end()) {
+    for (const std::string& angle : read_texts(object, "cone_angles"))
+      proof.cone_angles.push_back(read_cone_angle(angle, proof.cone_angles.size()));
+  }
   proof.lengths = read_texts(object, "lengths");
   proof.radii = read_texts(object, "radii");
   if (const auto volume = object.find("volume"); volume != object.end())

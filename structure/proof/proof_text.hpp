@@ -19,7 +19,8 @@ struct ProofText {
   Proof::Claim claim = Proof::Claim::kMetric;
   long bits = 53;
   std::size_t escalated = 0;
-  std::vector<std::string> lengths, radii;  ///< [E]
+  std::vector<topology::ConeAngle> cone_angles;  ///< [E]; empty for 2 pi
+  std::vector<std::string> lengths, radii;       ///< [E]
   std::optional<DecimalInterval> volume;
   std::vector<std::array<DecimalInterval, 6>> dihedral_angles;  ///< [T] or empty
   std::vector<std::size_t> flat;

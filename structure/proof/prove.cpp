@@ -7,10 +7,11 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "structure/proof/detail/cone_metric.hpp"
 #include "structure/proof/detail/edge_sums.hpp"
+#include "structure/proof/detail/factorisation_proof.hpp"
 #include "structure/proof/detail/precise_tetrahedron.hpp"
 #include "structure/proof/proof.hpp"
-#include "topology/requirements.hpp"
 
 // The strong-convexity test of docs/theory.md section 9. On the box |x - x0| <= box all tetrahedra
 // are shown to be true, and Hess H >= D = diag(d) with d_e the sum of the weights of its corners.
@@ -31,9 +32,6 @@ constexpr int kFirstBits = 128;
 constexpr double kFirstBox = 0x1p-30;
 constexpr int kAttempts = 6;
 constexpr double kPiLow = 0x1.1a62633145c07p-53;
-/// The radii that are claimed are wider than those proved by this factor, so that other code, with
-/// other bounds for d_e, can follow.
-constexpr double kMargin = 1 + 0x1p-4;
 
 /// Rounding to nearest while it lives: pairs of doubles rest on it.
 class NearestRounding {
@@ -50,6 +48,7 @@ class NearestRounding {
 /// The work on one triangulation.
 struct Attempt {
   const Triangulation& triangulation;
+  const detail::ConeMetric& metric;
   const ProveOptions& options;
   const Context& context;
   std::span<const double> lengths;
@@ -127,19 +126,16 @@ struct Attempt {
     for (std::size_t e = 0; e < pass.edges.size(); ++e) {
       const EdgeSum& edge = pass.edges[e];
       if (!(edge.weight > 0)) {  // all corners in flat tetrahedra: H does not depend on its length
-        if (edge.straight != 2)
-          return refuse(fmt::format("the angles pi at edge class {} do not add up to 2 pi", e));
+        if (!metric.cone_angles()[e].is_full() || edge.straight != 2)
+          return refuse(fmt::format("the angles pi at edge class {} do not add up to {}", e,
+                                    metric.cone_angles()[e].is_full() ? "2 pi" : "its cone angle"));
         continue;
       }
-      SumEnclosure curvature = edge.angle;
-      const double straight = static_cast<double>(edge.straight) - 2;
-      // pi is the sum of two doubles to within 2^-107.
-      curvature.add(straight * std::numbers::pi, std::fabs(straight) * 0x1p-105, straight * kPiLow);
-      const double largest = curvature.magnitude();
+      const double largest = minus_curvature(edge, e).magnitude();
       squares = up(squares + up(up(largest * largest) / edge.weight));
     }
     // An ellipsoid a little larger than g, on whose boundary H grows outwards.
-    const double g = up(std::sqrt(squares)) * kMargin;
+    const double g = up(std::sqrt(squares)) * metric.margin();
     bool inside = std::isfinite(g);
     for (std::size_t e = 0; e < pass.edges.size(); ++e) {
       proof.weights[e] = pass.edges[e].weight;
@@ -149,6 +145,20 @@ struct Attempt {
     if (!inside) return refuse(not_inside(pass));
     proof.volume = volume_of(pass, squares);
     return true;
+  }
+
+  /// The sum of the angles less what is wanted.
+  SumEnclosure minus_curvature(const EdgeSum& edge, std::size_t e) const {
+    SumEnclosure result = edge.angle;
+    const bool full = metric.cone_angles()[e].is_full();
+    const double straight = static_cast<double>(edge.straight) - (full ? 2 : 0);
+    // pi is the sum of two doubles to within 2^-107.
+    result.add(straight * std::numbers::pi, std::fabs(straight) * 0x1p-105, straight * kPiLow);
+    if (!full) {
+      const detail::Precision precision(kFirstBits);
+      add(result, -metric.target(e));
+    }
+    return result;
   }
 
   /// A lower bound of the square root.
@@ -176,8 +186,7 @@ struct Attempt {
     if (!options.volume || !options.flat.empty()) return {};
     SumEnclosure half_curvature;  // sum of K_e x_e / 2, with K = 2 pi - angles
     for (std::size_t e = 0; e < pass.edges.size(); ++e) {
-      SumEnclosure minus_k = pass.edges[e].angle;
-      minus_k.add(-2 * std::numbers::pi, 0x1p-104, -2 * kPiLow);
+      const SumEnclosure minus_k = minus_curvature(pass.edges[e], e);
       const double half = lengths[e] / 2, term = minus_k.value() * half;
       half_curvature.add(term, up(minus_k.error() * half + std::fabs(term) * 0x1p-52));
     }
@@ -219,6 +228,26 @@ bool adjust(const Attempt& attempt, std::span<const double> lengths, std::vector
   return true;
 }
 
+/// Why nothing can be proved of this metric at these lengths, or nothing.
+std::string out_of_reach(const detail::ConeMetric& metric, const ProveOptions& options,
+                         std::span<const double> lengths) {
+  if (metric.has_finite_vertex())
+    return "a vertex is finite, where the co-volume is not convex; there is no proof for it so far";
+  if (!options.flat.empty() && !metric.is_strictly_convex())
+    return "flat tetrahedra beside cusps or parabolic edges are not proved so far";
+  for (std::size_t e = 0; e < lengths.size(); ++e) {
+    if (!std::isfinite(lengths[e]))
+      return fmt::format("the length of edge class {} is not finite", e);
+    if (metric.is_fixed(e) && lengths[e] != 0)
+      return fmt::format("edge class {} is parabolic: its length is 0, not {}", e, lengths[e]);
+    if (!metric.is_fixed(e) && !metric.may_be_negative(e) && !(lengths[e] > 0))
+      return fmt::format(
+          "the length of edge class {} is {}; between hyperideal vertices it is greater than 0", e,
+          lengths[e]);
+  }
+  return {};
+}
+
 }  // namespace
 
 double Proof::largest_radius() const {
@@ -227,33 +256,35 @@ double Proof::largest_radius() const {
 
 Proof prove(const Triangulation& triangulation, std::span<const double> lengths,
             const ProveOptions& options, const Context& context) {
-  topology::require_geodesic_boundary(triangulation);
+  const detail::ConeMetric metric(triangulation, options.cone_angles);
   if (lengths.size() != triangulation.edge_count()) {
     throw InvalidInput(
         fmt::format("{} lengths for {} edge classes", lengths.size(), triangulation.edge_count()));
   }
-  Attempt attempt{triangulation, options, context, lengths};
+  Attempt attempt{triangulation, metric, options, context, lengths};
   Proof& proof = attempt.proof;
   proof.claim = options.flat.empty() ? Proof::Claim::kMetric : Proof::Claim::kFlat;
   proof.flat = options.flat;
+  if (!topology::all_full(metric.cone_angles())) proof.cone_angles = metric.cone_angles();
   proof.lengths.assign(lengths.begin(), lengths.end());
   proof.radii.resize(lengths.size());
   proof.weights.resize(lengths.size());
-  for (const double l : lengths) {
-    if (!(l > 0) || !std::isfinite(l)) {
-      proof.reason = fmt::format("a length is {}; lengths are finite and greater than 0", l);
-      return proof;
-    }
-    proof.box.push_back(kFirstBox * std::min(1.0, l));
-  }
+  proof.reason = out_of_reach(metric, options, lengths);
+  if (!proof.reason.empty()) return std::move(proof);
+  for (std::size_t e = 0; e < lengths.size(); ++e)
+    proof.box.push_back(kFirstBox * (metric.may_be_negative(e) ? 1.0 : std::min(1.0, lengths[e])));
   const NearestRounding nearest;
+  if (!metric.is_strictly_convex()) {
+    detail::prove_by_factorisation(metric, options, context, proof);
+    return std::move(proof);
+  }
   for (int k = 0; k < kAttempts && !proof.proved; ++k) {
     proof.proved = attempt.run();
     if (proof.proved) proof.reason.clear();
     if (context.stop_requested() || context.expired()) break;
     if (!proof.proved && !adjust(attempt, lengths, proof.box)) break;
   }
-  return proof;
+  return std::move(proof);
 }
 
 }  // namespace tripus::structure

@@ -25,18 +25,19 @@ std::string common_digits(const DecimalInterval& interval) {
 }  // namespace
 
 ProofText prove_report(const topology::Triangulation& triangulation, const Report& report,
-                       int digits, const Context& context) {
+                       const ProveReportOptions& options, const Context& context) {
+  ProveOptions prove_options;
+  prove_options.cone_angles = options.cone_angles;
   if (report.outcome == Outcome::kGeometric) {
-    const Proof proof = prove(triangulation, report.edge_lengths, {}, context);
-    if (digits == 0 || !proof.proved) return proof_text(proof);
-    const Digits found = prove_digits(triangulation, proof, digits, context);
+    const Proof proof = prove(triangulation, report.edge_lengths, prove_options, context);
+    if (options.digits == 0 || !proof.proved) return proof_text(proof);
+    const Digits found = prove_digits(triangulation, proof, options.digits, context);
     return proof_text(proof, &found);
   }
   if (report.outcome == Outcome::kDegenerate) {
-    ProveOptions flat;
-    flat.volume = false;
-    flat.flat = report.flat_tetrahedra;
-    return proof_text(prove(triangulation, report.edge_lengths, flat, context));
+    prove_options.volume = false;
+    prove_options.flat = report.flat_tetrahedra;
+    return proof_text(prove(triangulation, report.edge_lengths, prove_options, context));
   }
   ProofText none;
   none.reason = report.certificate
@@ -58,8 +59,8 @@ std::string proof_message(const ProofText& proof) {
       return std::strtold(radius.c_str(), nullptr);
     });
     text = fmt::format(
-        "Proved: this triangulation carries the hyperbolic metric with geodesic boundary; each "
-        "length to within {}",
+        "Proved: this triangulation carries the hyperbolic metric{}; each length to within {}",
+        proof.cone_angles.empty() ? "" : " with these cone angles",
         widest == proof.radii.end() ? "0" : *widest);
     if (proof.volume) text += "; volume " + common_digits(*proof.volume);
     text += ".";

@@ -7,10 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include "canonical/canonize.hpp"
 #include "topology/covers/cover_homology.hpp"
 #include "topology/diagrams/exterior.hpp"
 #include "topology/diagrams/moves.hpp"
 #include "topology/diagrams/read_diagram.hpp"
+#include "topology/diagrams/small_exterior.hpp"
 #include "topology/diagrams/tables.hpp"
 #include "topology/diagrams/wirtinger.hpp"
 
@@ -88,24 +90,43 @@ TEST(DiagramMoves, IhTurnsATrivialThetaIntoATrivialHandcuff) {
   EXPECT_EQ(loops, 4u);  // two loops, two ends each
 }
 
-// 250 sequences of 60 moves on knots, links, theta curves and handlebody-knots.
-TEST(DiagramMoves, RandomSequencesKeepTheExterior) {
+/// The signature of the canonical decomposition with its orientation; empty if none was found.
+std::string canonical_signature(const Diagram& diagram) {
+  const auto answer =
+      canonical::canonize(Triangulation(small_exterior({.name = {}, .diagram = diagram}).gluings));
+  return answer.manifold ? answer.manifold->signature.oriented : "";
+}
+
+// 1,000 sequences of 60 moves on knots, links, theta curves and handlebody-knots. For those that
+// are hyperbolic the manifolds are the same, orientation included, and those of the mirror images
+// are the mirror's.
+TEST(DiagramMoves, AThousandRandomSequencesKeepTheExterior) {
   std::map<DiagramMove, std::size_t> made;
   std::uint64_t seed = 1;
+  std::size_t hyperbolic = 0;
   for (const char* name : {"4_1", "L5a1", "5_1 theta", "2_1 handcuff", "hk5_3"}) {
     const Diagram start = find_diagram(name)->diagram;
     const auto expected = invariants(start);
-    for (int sequence = 0; sequence < 50; ++sequence, ++seed) {
+    const std::string signature = canonical_signature(start);
+    const std::string mirrored = canonical_signature(start.mirror_image());
+    for (int sequence = 0; sequence < 200; ++sequence, ++seed) {
       SCOPED_TRACE(std::string(name) + ", seed " + std::to_string(seed));
       const MovedDiagram end =
-          random_moves(start, {.count = 60, .seed = seed, .max_crossings = 18});
+          random_moves(start, {.count = 60, .seed = seed, .max_crossings = 14});
       for (const DiagramMove move : kDiagramMoves) made[move] += end.made[std::size_t(move)];
       ASSERT_EQ(invariants(end.diagram), expected);
       ASSERT_EQ(first_homology(Triangulation(exterior(end.diagram).gluings)),
                 first_homology(Triangulation(exterior(start).gluings)));
+      if (signature.empty()) continue;
+      ++hyperbolic;
+      ASSERT_EQ(canonical_signature(end.diagram), signature);
+      if (sequence % 4 == 0) {
+        ASSERT_EQ(canonical_signature(end.diagram.mirror_image()), mirrored);
+      }
     }
   }
-  for (const DiagramMove move : kDiagramMoves) EXPECT_GT(made[move], 20u) << to_string(move);
+  EXPECT_EQ(hyperbolic, 800u);
+  for (const DiagramMove move : kDiagramMoves) EXPECT_GT(made[move], 100u) << to_string(move);
 }
 
 TEST(DiagramMoves, TheSameSeedGivesTheSameDiagram) {

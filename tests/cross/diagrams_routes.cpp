@@ -1,6 +1,8 @@
 // Two routes from a diagram to its manifold: the octahedral triangulation; and the drawing in
 // space, the tube around it, a mesh. The manifolds agree, orientation included.
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -10,6 +12,7 @@
 #include "meshing/manifold.hpp"
 #include "meshing/tube/tube_surface.hpp"
 #include "topology/covers/cover_homology.hpp"
+#include "topology/diagrams/read_diagram.hpp"
 #include "topology/diagrams/small_exterior.hpp"
 #include "topology/diagrams/tables.hpp"
 #include "topology/isosig.hpp"
@@ -40,6 +43,23 @@ TEST_P(DiagramRoutes, HandlebodyKnotsAreIsometric) {
 
 INSTANTIATE_TEST_SUITE_P(Table, DiagramRoutes,
                          ::testing::Values("5_1 theta", "hk5_3", "hk6_2", "hk6_9"));
+
+// What appcontour has of these: pictures and Gauss codes.
+TEST(DiagramRoutes, OtherNotationsGiveTheManifoldsOfTheTables) {
+  for (const auto& [name, text] : std::vector<std::pair<const char*, const char*>>{
+           {"hk5_3", "knot { ^  ^  ; |  X | ; h X | ; | x || ; || X | ; | x y  ; U U   ; }"},
+           {"5_1 theta", "knot { ^ ; h ^ ^ |; | x x x ; X X U |; | U  y  ; U ; }"},
+           {"L6a4", "knot {^ ^; / x \\; /( ^ )\\; (  x x  ); X  X  %; (  U U  ); U; }"},
+           {"L5a1", "Gauss: 1 -4 5 -3 / 3 -1 2 -5 4 -2"},
+           {"L6n1", "gausscode {{1 6 -5 -3} {-4 -1 2 5} {-6 4 3 -2}}"}}) {
+    const topology::Diagram read = topology::read_diagram(text).diagram;
+    const canonical::Comparison comparison = canonical::compare(
+        topology::Triangulation(by_octahedra(topology::find_diagram(name)->diagram)),
+        topology::Triangulation(by_octahedra(read)));
+    EXPECT_EQ(comparison.verdict, canonical::Verdict::kHomeomorphic)
+        << name << ": " << comparison.message;
+  }
+}
 
 TEST(DiagramRoutes, OrientationsAgree) {
   const topology::Diagram& diagram = topology::find_diagram("5_1 theta")->diagram;

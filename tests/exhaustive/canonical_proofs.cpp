@@ -44,6 +44,48 @@ TEST(CanonicalProofs, CoverAllDecompositionsIntoTetrahedra) {
   EXPECT_GT(others, 0u);
 }
 
+// SnapPy's cusped census, and cusps beside geodesic boundary: the same rule.
+TEST(CanonicalProofs, CoverDecompositionsIntoTetrahedraWithCusps) {
+  std::vector<std::string> signatures = testing::data_lines("triangulations-cusped.txt");
+  for (const auto& row : testing::data_table("cusped-census-5.tsv"))
+    if (row.at("tetrahedra") != "5") signatures.push_back(row.at("isosig"));
+  std::size_t tetrahedra = 0, others = 0, several_cusps = 0, bent_by_cusps = 0;
+  for (const std::string& signature : signatures) {
+    const auto answer = canonize(topology::Triangulation(topology::decode_isosig(signature)));
+    if (!answer.manifold) continue;
+    const CanonicalManifold& manifold = *answer.manifold;
+    const CanonicalProof proof = prove_canonical(manifold);
+    EXPECT_TRUE(proof.metric.proved) << signature << ": " << proof.metric.reason;
+    std::size_t transparent = 0;
+    for (const auto& faces : manifold.faces.kind)
+      for (const FaceKind kind : faces) transparent += kind == FaceKind::kTransparent;
+    // A face that only the horospheres bend is true, but 0 in its first term, which is not proved.
+    EXPECT_GE(2 * proof.unproved.size(), transparent) << signature;
+    EXPECT_EQ(proof.proved, proof.unproved.empty()) << signature;
+    bent_by_cusps += 2 * proof.unproved.size() > transparent;
+    (proof.proved ? tetrahedra : others) += 1;
+    several_cusps += proof.proved && manifold.triangulation.vertex_count() > 1;
+  }
+  std::printf("%zu proved (%zu with several links), %zu with larger cells\n", tetrahedra,
+              several_cusps, others);
+  EXPECT_GT(tetrahedra, 50u);
+  EXPECT_GT(others, 0u);
+  EXPECT_GT(several_cusps, 5u);
+  EXPECT_LE(bent_by_cusps, 2u);
+}
+
+TEST(CanonicalProofs, OfOrbifolds) {
+  const topology::Triangulation m(topology::decode_isosig("cPcbbbiht"));
+  const auto order = [](std::int64_t n) { return topology::ConeAngle::rational(2, n); };
+  CanonizeOptions options;
+  options.solve.cone_angles = {order(3), order(2)};
+  const auto answer = canonize(m, options);
+  ASSERT_TRUE(answer.manifold) << answer.message;
+  const CanonicalProof proof = prove_canonical(*answer.manifold);
+  EXPECT_TRUE(proof.metric.proved) << proof.metric.reason;
+  EXPECT_EQ(proof.metric.cone_angles.size(), answer.manifold->triangulation.edge_count());
+}
+
 TEST(CanonicalProofs, DecideComparisons) {
   const auto verdict = [](const char* a, const char* b) {
     const Comparison comparison = compare(topology::Triangulation(topology::decode_isosig(a)),

@@ -188,6 +188,13 @@ TEST(ProvedLengths, OfLongArcsTakeMoreDigitsThanTheProofHas) {
   }
 }
 
+TEST(ProvedLengths, AreRefusedWhereThereAreCusps) {
+  const topology::Triangulation triangulation(topology::decode_isosig("dLQacccjjkg"));
+  const auto report = structure::solve(triangulation);
+  const auto spectrum = testing::spectrum_of(triangulation, report, 3, true);
+  EXPECT_THROW(prove_lengths(triangulation, report.edge_lengths, spectrum), Unsupported);
+}
+
 TEST(ProvedLengths, OfWaysThatAreNone) {
   const Triangulation triangulation(topology::decode_isosig("cPcbbbihq"));
   const auto report = metric_on(triangulation);

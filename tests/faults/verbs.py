@@ -45,6 +45,8 @@ VERBS = [
          journal=("out.jsonl",), resumes=True),
     Verb("cover-resume", ("cover", "--batch", "few", "--degree", "3", "--json", "--resume",
                           "out.jsonl"), journal=("out.jsonl",), resumes=True),
+    Verb("gallery", ("view", "--gallery", "few", "-o", "index.html", "--json", "--resume",
+                     "out.jsonl"), journal=("out.jsonl",), resumes=True),
     Verb("simplify", ("simplify", "cover.json", "-o", "out.json"), ("out.json",)),
     Verb("cover", ("cover", "cPcbbbihq", "--degree", "5", "-o", "out.txt"), ("out.txt",)),
     Verb("canonize", ("canonize", "cPcbbbihq", "--json")),

@@ -8,6 +8,7 @@
 
 #include "structure/solve.hpp"
 #include "tests/support/data_files.hpp"
+#include "tests/support/orb_examples.hpp"
 #include "topology/formats/formats.hpp"
 #include "topology/isosig.hpp"
 #include "topology/vertex_kinds.hpp"
@@ -108,43 +109,12 @@ TEST(Cusps, VolumesOfFrigerioMartelliPetronio) {
   EXPECT_GE((met[{2, 2}]), 1);
 }
 
-/// An example of Orb: the triangulation and its cone angles.
-struct Labelled {
-  Triangulation triangulation;
-  std::vector<ConeAngle> cone_angles;
-};
-
-Labelled orb_example(const testing::Row& row) {
-  const auto faces = testing::split(row.at("gluings"), ' ');
-  topology::Gluings gluings(faces.size() / 4);
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const auto parts = testing::split(faces[i], ':');
-    const std::string& p = parts.at(1);
-    gluings.set_one_side(
-        i / 4, static_cast<int>(i % 4),
-        static_cast<topology::TetrahedronIndex>(std::stoul(parts[0])),
-        topology::Perm4::from_images(p[0] - '0', p[1] - '0', p[2] - '0', p[3] - '0'));
-  }
-  Labelled example{Triangulation(std::move(gluings)), {}};
-  example.cone_angles.resize(example.triangulation.edge_count());
-  if (row.at("labels") == "-") return example;
-  for (const std::string& label : testing::split(row.at("labels"), ' ')) {
-    const auto sides = testing::split(label, '=');
-    const auto place = testing::split(sides.at(0), ':');
-    const int edge =
-        topology::kEdgeNumber[std::size_t(place.at(1)[0] - '0')][std::size_t(place.at(1)[1] - '0')];
-    example.cone_angles[example.triangulation.edge_class(std::stoul(place[0]), edge)] =
-        topology::parse_cone_order(sides.at(1));
-  }
-  return example;
-}
-
 TEST(Orbifolds, ExamplesOfOrbThatAreGeometric) {
   int convex = 0, finite = 0;
   for (const auto& row : testing::data_table("orb-examples.tsv")) {
     if (row.at("solution") != "geometric_solution") continue;
     SCOPED_TRACE(row.at("name"));
-    const Labelled example = orb_example(row);
+    const testing::Labelled example = testing::orb_example(row);
     const bool has_finite = row.at("finite_vertices") == "yes";
     const Report report = solved(example.triangulation, example.cone_angles);
     expect_volume(report, std::stod(row.at("volume")), 1e-11);

@@ -34,7 +34,7 @@ USES = {
     "meshing": ["topology"],
     "embedding": ["structure"],
     "manifold": ["canonical", "orthospectrum", "meshing", "embedding"],
-    "viewer": ["embedding"],
+    "viewer": ["embedding", "orthospectrum"],
     "studies": ["structure", "canonical"],
     "cli": ["manifold", "viewer", "studies", "drawing"],
     "python": ["cli"],

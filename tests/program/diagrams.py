@@ -59,6 +59,48 @@ class Diagrams(ProgramTest):
             self.assertEqual(run.status, 2)
             self.assertIn(message, run.err)
 
+    def test_spellings_that_people_bring(self):
+        nodes = FIGURE_EIGHT[len("PD: "):]
+        trefoil = {"X_{1425} X_{3641} X_{5263}", "X1425 X3641 X5263", "3_1", "trefoil", "BR[2, {1,1,1}]",
+                   "Gauss: 1 -2 3 -1 2 -3", "[4, 6, 2]", "knot { ^ ^ ; | X | ; | X | ; | X | ; U U ; }"}
+        eight = {"PD: PD[" + nodes.replace("] X", "], X") + "]", "pd = " + nodes.lower(), "Figure-eight knot",
+                 "{{4,2,5,1},{8,6,1,5},{6,3,7,4},{2,7,3,8}}", "PD Clockwise: " + nodes}
+        for texts, signatures in ((trefoil, {"cPcbbbadh", "cPcbbbadu"}), (eight, {"cPcbbbiht"})):
+            for text in texts:
+                run = self.run_program("info", text, "--json")
+                self.assertEqual(run.status, 0, run.err)
+                self.assertIn(read_json(run.text)["isosig"], signatures, text)
+
+    def test_slips_are_not_passed_over(self):
+        for text, message in (
+                ('{"diagram": [["V",[1,1]]], "cone_order": {"1": 3}}', "is no key of a diagram"),
+                ('{"diagram": [["V",[1,1]]], "clockwise": "yes"}', "write true or false"),
+                ("PD: X[4,2,5,1 X[8,6,1,5]", "add ] before"),
+                ("hk5_3m", "the nearest names there are hk5_3"),
+                ("K4a1", "the nearest names there are 4_1"),
+                ("4^2_1", "the nearest names there are L4a1"),
+                ("morse { ^ ; U ; }", "it is the contour of a surface")):
+            run = self.run_program("info", text)
+            self.assertEqual(run.status, 2, text)
+            self.assertIn(message, run.err)
+
+    def test_strands_are_drilled_out_again(self):
+        kept = FIGURE_EIGHT + " Cone[1,4]"
+        answer = self.json_answer("simplify", kept, "--drill", "singular")
+        self.assertEqual((answer["isosig"], answer["stages"]["drilled"]), ("cPcbbbiht", 7))
+        # An arc from the cusp to itself: a boundary of genus 2 is left.
+        answer = self.json_answer("simplify", "4_1", "--drill", "0")
+        self.assertEqual(answer["isosig"], self.json_answer("simplify", "4_1", "--drill", "0,0")["isosig"])
+        for arguments, message in (
+                ((kept,), "singular edges"),
+                ((kept, "--drill", "9"), "expected an edge class from 0 to"),
+                ((kept, "--drill", "x"), "expected an edge class"),
+                ((kept, "--drill", "0"), "would lose it"),
+                (("4_1", "--drill", "singular"), "no edge has a cone order")):
+            run = self.run_program("simplify", *arguments)
+            self.assertEqual(run.status, 2)
+            self.assertIn(message, run.err)
+
     def test_a_piece_that_touches_nothing_is_told(self):
         run = self.run_program("info", FIGURE_EIGHT + " V[21,22] V[21,22]")
         self.assertEqual(run.status, 0)
@@ -103,6 +145,19 @@ class Table(ProgramTest):
         self.assertEqual((run.status, len(run.lines)), (0, 90))
         self.assertRegex(run.text, r"hk5_3 .*6\.451990270835\d* *\* isometries 6 \+ 0")
         self.assertRegex(run.text, r"(?m)^hk6_2 .*= 6_4 handcuff, hk7_10$")
+
+    def test_knots_have_isometries_too(self):
+        run = self.run_program("table", "knots", "4_1")
+        self.assertRegex(run.text, r"4_1 .*volume 2\.02988321\d* +isometries 4 \+ 4")
+        rows = read_json(self.run_program("table", "links", "L5a1", "--json").text)["rows"]
+        self.assertEqual(rows[0]["same_as"], ["L7n2", "L8n2", "L9n3"])
+        self.assertEqual(rows[0]["isometry_group"]["order"], 8)
+
+    def test_a_database_is_replaced_whole(self):
+        self.write("k.sqlite", "what stood there before")
+        run = self.run_program("table", "knots", "4_1", "--database", "k.sqlite")
+        self.assertEqual(run.status, 0, run.err)
+        self.assertTrue((self.folder / "k.sqlite").read_bytes().startswith(b"SQLite format 3"))
 
     def test_json_has_diagrams(self):
         rows = read_json(self.run_program("table", "theta-curves", "5_1 theta", "--json").text)["rows"]

@@ -1,11 +1,13 @@
 """tripus orthospectrum: the JSON, the text, the files, bad input, interruption."""
 
+import json
 import math
 import signal
 import subprocess
 import time
 import xml.etree.ElementTree as ElementTree
 
+import samples
 from support import TRIPUS, TRIPUS_LENGTH, TRIPUS_VOLUME, ProgramTest, read_json
 
 WITHOUT_METRIC = "dLQbcbcaekw"
@@ -85,7 +87,7 @@ class OrthospectrumJson(ProgramTest):
         whole = self.json_answer("orthospectrum", TRIPUS, "--length", "7")
         sums = self.json_answer("orthospectrum", TRIPUS, "--length", "7", "--summary")
         self.assertEqual(sums["arcs"], [])
-        for key in ("arc_count", "area", "volume", "dimension"):
+        for key in ("arc_count", "shortest_return_path", "area", "volume", "dimension"):
             self.assertEqual(sums[key], whole[key])
 
 
@@ -152,6 +154,18 @@ class OrthospectrumProofs(ProgramTest):
 class OrthospectrumCusps(ProgramTest):
     CUSPED = "dLQacccjjkg"  # genus 2 and a torus
 
+    def test_proofs_are_refused_by_name(self):
+        answer = self.assert_refused("orthospectrum", self.CUSPED, "--prove", says="--prove",
+                                     kind="unsupported")
+        self.assertIn("torus", answer["error"]["message"])
+        self.assertEqual(answer["input"], self.CUSPED)
+
+    def test_cone_points_are_refused_by_name(self):
+        gluings = json.loads(samples.as_json(samples.TRIPUS_GLUINGS, "orbifold"))
+        self.write("orbifold.json", json.dumps({**gluings, "cone_orders": [3]}))
+        self.assert_refused("orthospectrum", "orbifold.json", says="singular edges",
+                            kind="unsupported")
+
     def test_arcs_and_picture(self):
         answer = self.json_answer("orthospectrum", self.CUSPED, "--length", "8", "--summary")
         self.assertAlmostEqual(answer["volume"]["from_area"], 7.79763688,
@@ -198,7 +212,8 @@ class OrthospectrumRefusals(ProgramTest):
 class OrthospectrumEnds(ProgramTest):
     def test_time_limit(self):
         answer = self.json_answer("orthospectrum", TRIPUS, "--length", "19", "--force", "--summary",
-                                  "--time-limit", "0.3", status=1)
+                                  "--time-limit", "0.3", status=1,
+                                  err="tripus: the time limit of 0.3 s was reached\n")
         self.assertEqual(answer["end"], "time-limit")
         self.assertLess(answer["length"], 19)
 

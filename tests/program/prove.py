@@ -80,7 +80,48 @@ class Prove(ProgramTest):
         answer = self.json_answer("prove", "dLQbcbcaekw", status=1)
         self.assertIs(answer["proof"]["proved"], False)
         self.assertIn("certificate", answer["proof"]["reason"])
-        self.assert_refused("prove", "cPcbbbiht", says="cPcbbbiht")
+
+    def test_cusps_and_cone_angles(self):
+        # The figure-eight knot's volume (OEIS A091518).
+        answer = self.json_answer("prove", "cPcbbbiht", "--digits", "40")
+        lower, upper = answer["proof"]["volume"]
+        self.assertTrue(lower.startswith("2.02988321281930725004240510854904057188"))
+        self.write("cusp.json", json.dumps(answer))
+        self.assertIs(self.json_answer("check", "cusp.json", "cPcbbbiht")["valid"], True)
+        self.assertIs(self.json_answer("check", "cusp.json", "cPcbbbdxm", status=0)["valid"], True)
+        labelled = "cPcbbbiht 0=2,1=3"
+        answer = self.json_answer("prove", labelled)
+        self.assertEqual(answer["proof"]["cone_angles"], ["1", "2/3"])
+        self.write("orbifold.json", json.dumps(answer))
+        self.assertIs(self.json_answer("check", "orbifold.json", labelled)["valid"], True)
+        unlabelled = self.json_answer("check", "orbifold.json", "cPcbbbiht", status=1)
+        self.assertIn("cone angles", unlabelled["message"])
+        for broken in ("2/0", "-1", "0x", "nan", "1/3/5"):
+            with self.subTest(broken):
+                changed = {**answer["proof"], "cone_angles": [broken, "2"]}
+                self.write("broken.json", json.dumps({"proof": changed}))
+                self.assert_refused("check", "broken.json", labelled, says="cone angle")
+        parabolic = self.json_answer("solve", "cPcbbbihq", "--cone-order", "0=0", "--prove")
+        self.assertEqual((parabolic["proof"]["lengths"], parabolic["proof"]["radii"]),
+                         (["0x0p+0"], ["0"]))
+
+    def test_closed_manifolds_are_not_proved(self):
+        # The Weeks manifold's vertex is finite.
+        answer = self.json_answer("prove", "jLvAMPQadfgghhiiijaqgjqxims", status=1)
+        self.assertIn("finite", answer["proof"]["reason"])
+
+    def test_canonize_with_cusps(self):
+        for signature in ("cPcbbbiht", "dLQacccjjkg"):
+            self.assertIs(self.json_answer("canonize", signature, "--prove")["proof"]["proved"], True)
+
+    def test_census_of_a_list_with_proofs(self):
+        self.write("list.txt", "cPcbbbihq\ncMcabbjds\ndLQacccjjkg\n")
+        answer = self.run_program("census", "--from", "list.txt", "--prove", "--tsv", "c.tsv",
+                                  "--proofs", "p.tsv", "--quiet")
+        self.assertEqual(answer.status, 0, answer.text)
+        answer = self.run_program("census", "--in", "c.tsv", "--check", "--proofs", "p.tsv")
+        self.assertEqual((answer.status, answer.out), (0, "3 of 3 manifolds have a valid proof\n"))
+        self.assert_refused("census", "--from", "list.txt", "--prove", says="--proofs")
 
     def test_canonize_and_compare(self):
         answer = self.json_answer("canonize", TRIPUS, "--prove")

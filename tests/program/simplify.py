@@ -101,7 +101,7 @@ class Interruption(ProgramTest):
         time.sleep(1.0)
         process.send_signal(signal.SIGINT)
         out, err = process.communicate(timeout=60)
-        self.assertEqual((process.returncode, err), (1, b""))
+        self.assertEqual((process.returncode, err), (1, b"tripus: interrupted\n"))
         answer = read_json(out.decode())
         self.assertIs(answer["interrupted"], True)
         self.assertIn("interrupted", answer["message"])

@@ -203,9 +203,12 @@ class Starts(ProgramTest):
 
 class Limits(ProgramTest):
     def test_one_iteration_is_unresolved(self):
-        for options in (["--max-iterations", "1"], ["--time-limit", "1e-9"]):
+        for options, err in ((["--max-iterations", "1"], ""),
+                             (["--time-limit", "1e-9"],
+                              "tripus: the time limit of 1e-09 s was reached\n")):
             with self.subTest(options):
-                answer = self.json_answer("solve", TRIPUS, "--initial", "5", *options, status=1)
+                answer = self.json_answer("solve", TRIPUS, "--initial", "5", *options, status=1,
+                                          err=err)
                 self.assertEqual(answer["outcome"], "unresolved")
                 self.assertIn("limit", answer["message"])
                 self.assertLessEqual(answer["iterations"], 1)

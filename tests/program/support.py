@@ -73,11 +73,11 @@ class ProgramTest(unittest.TestCase):
         (self.folder / name).write_bytes(content)
         return name
 
-    def json_answer(self, *arguments, status=0, stdin=b""):
-        """The one JSON object of a run that has nothing to say on standard error."""
+    def json_answer(self, *arguments, status=0, stdin=b"", err=""):
+        """The one JSON object of a run that has no more than `err` to say on standard error."""
         result = self.run_program(*arguments, "--json", stdin=stdin)
         self.assertEqual(result.status, status, result.err or result.text)
-        self.assertEqual(result.err, "")
+        self.assertEqual(result.err, err)
         self.assertEqual(result.text.count("\n"), 1)
         return read_json(result.text)
 

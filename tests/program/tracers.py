@@ -15,6 +15,13 @@ def apply(m, x):
     return [sum(m[4 * i + j] * x[j] for j in range(4)) for i in range(4)]
 
 
+def apply_inverse(m, x):
+    """The inverse of an isometry is J m^T J."""
+    flipped = [x[0], x[1], x[2], -x[3]]
+    y = [sum(m[4 * i + j] * flipped[i] for i in range(4)) for j in range(4)]
+    return [y[0], y[1], y[2], -y[3]]
+
+
 def multiply(a, b):
     return [sum(a[4 * i + k] * b[4 * k + j] for k in range(4))
             for i in range(4) for j in range(4)]
@@ -36,8 +43,11 @@ class OutsideTracer:
         self.camera = facts["camera"]
         self.size = (picture.width, picture.height)
         self.cells = []
+        self.places = []
+        self.tetrahedra = [cell["tetrahedron"] for cell in facts["cells"]]
         for cell in facts["cells"]:
             isometry = multiply(facts["toModel"], cell["isometry"])
+            self.places.append(isometry)
             shape = data["tetrahedra"][cell["tetrahedron"]]
             self.cells.append([apply(isometry, n) for n in shape["faces"] + shape["vertices"]])
 
@@ -80,8 +90,12 @@ class OutsideTracer:
 
     def see(self, x, y):
         """(cell, surface + 1) seen at a place of the picture, (0, 0) for none."""
+        return self.see_point(x, y)[0]
+
+    def see_point(self, x, y):
+        """The same, and the point in the coordinates of the cell's tetrahedron."""
         o, d = self.camera["eye"], self.ray(x, y)
-        nearest, seen = math.inf, (0, 0)
+        nearest, seen, met = math.inf, (0, 0), None
         for number, normals in enumerate(self.cells):
             for surface, n in enumerate(normals):
                 for s in self.crossings(n, o, d):
@@ -92,7 +106,8 @@ class OutsideTracer:
                         continue
                     if all(i == surface or product(m, point) <= 0 for i, m in enumerate(normals)):
                         nearest, seen = s, (number, surface + 1)
-        return seen
+                        met = apply_inverse(self.places[number], point)
+        return seen, met
 
 
 class InsideTracer:
@@ -137,6 +152,10 @@ class InsideTracer:
     def see(self, x, y):
         """(kind, tetrahedron, vertex or edge) seen at a place of the picture; None if it is too far
         for this arithmetic."""
+        return self.see_point(x, y)[0]
+
+    def see_point(self, x, y):
+        """The same, and the point in the coordinates of that tetrahedron."""
         a = (2 * x / self.size[0] - 1) * self.tangent[0]
         b = (2 * y / self.size[1] - 1) * self.tangent[1]
         length = math.sqrt(a * a + b * b + 1)
@@ -156,11 +175,13 @@ class InsideTracer:
             # A tube that was met beside an earlier tetrahedron was its business.
             first = min(event for event in events if event[0] >= gone - 1e-9)
             if first[0] < exit_at:
-                return (first[1], t, first[2])
+                c, s = math.cosh(first[0]), math.sinh(first[0])
+                met = [c * a + s * b for a, b in zip(p, u)]
+                return (first[1], t, first[2]), apply_inverse(place, met)
             if exit_at > 6:
-                return None
+                return None, None
             gone = exit_at
             place = multiply(place, self.data["face_pairings"][t][face])
             neighbour, word = self.data["gluings"][t][face]
             came, t = int(word[face]), neighbour
-        return None
+        return None, None

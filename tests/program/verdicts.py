@@ -213,7 +213,8 @@ class Retriangulation(ProgramTest):
 
     def test_ends_in_time(self):
         answer = self.json_answer("solve", NONE, "--retriangulate", "--budget", "100000000",
-                                  "--time-limit", "0.2", status=1)
+                                  "--time-limit", "0.2", status=1,
+                                  err="tripus: the time limit of 0.2 s was reached\n")
         self.assertEqual(answer["retriangulation"]["ended"], "time limit")
         self.assertIn("the time limit was reached", answer["message"])
 

@@ -81,6 +81,42 @@ class Pictures(ProgramTest):
         self.assertIn('"file": "a.png"', result.text)
 
 
+class Discs(ProgramTest):
+    """--discs: what the option takes. Where they are drawn: tests/cross/viewer_discs.cpp, web.py."""
+
+    def picture(self, *arguments):
+        result = self.run_program("view", *arguments, "--png", "out.png", "--size", "64x48",
+                                  "--cells", "2")
+        self.assertEqual((result.status, result.err), (0, ""))
+        return (self.folder / "out.png").read_bytes()
+
+    def test_with_and_without_a_length_before_and_after_the_input(self):
+        usual = self.picture(TRIPUS)
+        some = self.picture(TRIPUS, "--discs")
+        few = self.picture(TRIPUS, "--discs", "1")
+        self.assertEqual(len({usual, some, few}), 3)
+        self.assertEqual(self.picture("--discs", TRIPUS), some)
+        self.assertEqual(self.picture("--discs", "1", TRIPUS), few)
+        self.assertEqual(self.picture("--discs=1", TRIPUS), few)
+
+    def test_bad_lengths(self):
+        for length in ("0", "-1", "nan", "inf", "1e9", "20.1"):
+            self.assert_refused("view", TRIPUS, "--discs", length, "--png", "a.png",
+                                says="at most 20", kind="usage")
+        self.assert_refused("view", TRIPUS, "--discs", "many", "--png", "a.png", says="--discs",
+                            kind="usage")
+        self.assert_refused("view", "--discs", "2", "--png", "a.png", says="INPUT", kind="usage")
+        self.assert_refused("view", TRIPUS, "--discs", "17", "--png", "a.png", says="--discs 17")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_in_a_gallery(self):
+        self.write("list", TRIPUS + "\ndLQbccchrqg\n")
+        result = self.run_program("view", "--gallery", "list", "--discs", "2", "-o", "index.html")
+        self.assertEqual((result.status, result.err), (0, ""))
+        for page in self.folder.glob("0*.html"):
+            self.assertIn('"discs":{"length":2', page.read_text())
+
+
 class WindowsWithoutADisplay(ProgramTest):
     def test_say_what_to_do(self):
         environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}

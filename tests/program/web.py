@@ -1,5 +1,6 @@
 """tripus view -o page.html and --gallery: the pages, and what they draw in a browser."""
 
+import json
 import math
 import os
 import re
@@ -172,6 +173,130 @@ class Pictures(ProgramTest):
         self.assertLess(nearer["distance"], 0.6 * still["distance"])
 
 
+def disc_at(data, tetrahedron, vertex, x):
+    """The number of the disc of a truncation that holds a point, from 1, or 0: its distance from the
+    centre has cosh less than coth of the arc's length, cosh of log coth of half of it."""
+    tile = data["discs"]["tiles"][4 * tetrahedron + vertex]
+    for n in range(0, len(tile), 5):
+        if -product(x, tile[n:n + 4]) < 1 / math.tanh(tile[n + 4]):
+            return 1 + n // 5
+    return 0
+
+
+class Discs(ProgramTest):
+    """The discs of arcs on the truncations, in every view."""
+
+    WISHES = {
+        "ball": "size=200x150&model=ball&cells=12",
+        "upper": "size=200x150&model=upper&cells=12&yaw=2&pitch=0.6",
+        "centre": "size=200x150&view=inside&tube=0.01&lines=0",
+        "wall": "size=200x150&view=inside&tube=0.01&place=wall",
+        "off": "size=40x30&model=ball&cells=12&discs=0",
+        "said": "size=200x150&model=ball&cells=1&hover=" +
+                ",".join(f"{x / 10}:{y / 10}" for x in range(2, 9) for y in range(2, 9)),
+    }
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        with tempfile.TemporaryDirectory() as folder:
+            page = Path(folder) / "page.html"
+            subprocess.run([os.environ["TRIPUS_PROGRAM"], "view", TRIPUS, "--discs", "4.5", "-o",
+                            page], check=True, stdout=subprocess.DEVNULL, timeout=100)
+            cls.text = page.read_text()
+            cls.data = page_data(cls.text)
+            cls.pictures = dict(zip(cls.WISHES, draw(page, *cls.WISHES.values())))
+
+    def test_data(self):
+        discs = self.data["discs"]
+        self.assertEqual((discs["length"], discs["longest"]), (4.5, 4.5))
+        self.assertAlmostEqual(discs["shortest"], self.data["edge_lengths"][0], delta=1e-12)
+        self.assertEqual(len(discs["tiles"]), 8)
+        for number, tile in enumerate(discs["tiles"]):
+            pole = self.data["tetrahedra"][number // 4]["vertices"][number % 4]
+            self.assertEqual(tile[4::5], sorted(tile[4::5]))
+            for n in range(0, len(tile), 5):
+                self.assertAlmostEqual(product(tile[n:n + 4], tile[n:n + 4]), -1, delta=1e-6)
+                self.assertAlmostEqual(product(tile[n:n + 4], pole), 0, delta=1e-6)
+
+    def assert_discs(self, name, tracer, tile_of, read):
+        """Samples on truncations show the disc that is there, or one less than a pixel away."""
+        picture, compared, held, moved = self.pictures[name], 0, 0, 0
+
+        def expected(x, y):
+            seen, point = tracer.see_point(x, y)
+            tile = tile_of(seen)
+            return seen, None if tile is None else disc_at(self.data, *tile, point)
+        for y in range(2, picture.height, 4):
+            for x in range(2, picture.width, 4):
+                seen, disc = expected(x + 0.5, y + 0.5)
+                wall, shown = read(picture.at(picture.identities, x, y))
+                if disc is None or wall != seen:
+                    continue
+                compared += 1
+                held += shown > 0
+                if shown == min(disc, 15):
+                    continue
+                moved += 1
+                around = [expected(x + 0.5 + dx, y + 0.5 + dy)[1]
+                          for dx in (-0.7, 0, 0.7) for dy in (-0.7, 0, 0.7)]
+                self.assertIn(shown, [min(n, 15) for n in around if n is not None], (name, x, y))
+        self.assertGreater(compared, 80)
+        self.assertGreater(held, compared / 3)
+        self.assertLess(moved, compared / 8)
+
+    def test_stand_where_rays_meet_them(self):
+        for name in ("ball", "upper"):
+            tracer = OutsideTracer(self.data, self.pictures[name])
+            self.assert_discs(
+                name, tracer,
+                lambda seen: (tracer.tetrahedra[seen[0]], seen[1] - 5) if seen[1] > 4 else None,
+                lambda pixel: ((pixel[0] + 256 * pixel[1], pixel[2] & 15), pixel[2] >> 4))
+
+    def test_stand_where_geodesics_meet_them(self):
+        for name in ("centre", "wall"):
+            tracer = InsideTracer(self.data, self.pictures[name], tube=0.01)
+            self.assert_discs(
+                name, tracer,
+                lambda seen: seen[1:] if seen is not None and seen[0] == 1 else None,
+                lambda pixel: ((pixel[0], pixel[1], pixel[2] & 15), pixel[2] >> 4))
+
+    def test_are_seen_and_can_be_switched_off(self):
+        off = self.pictures["off"]
+        self.assertEqual({off.identities[i] >> 4 for i in range(2, len(off.identities), 4)}, {0})
+        for picture in self.pictures.values():
+            self.assertEqual((picture.problem, picture.facts["error"]), ("", 0))
+            self.assertNotIn(MAGENTA, {picture.at(picture.colours, x, y)[:3]
+                                       for y in range(picture.height) for x in range(picture.width)})
+
+        def reddish(picture):  # the colour of the largest discs, whatever the light
+            colours = picture.colours
+            return sum(colours[i] > 1.8 * max(colours[i + 1], colours[i + 2])
+                       for i in range(0, len(colours), 4)) / (picture.width * picture.height)
+        self.assertGreater(reddish(self.pictures["ball"]), 0.05)
+        self.assertGreater(reddish(self.pictures["centre"]), 0.2)
+        self.assertLess(reddish(off), 0.002)
+
+    def test_are_told_of_under_the_pointer(self):
+        said = "\n".join(self.pictures["said"].facts["hover"])
+        self.assertIn("disc of an arc of length 0.596133894891", said)
+
+    def test_have_a_legend_where_they_are(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = Path(folder) / "page.html"
+            page.write_text(self.text)
+            shown = page_text(page, "dump=1&size=20x15")
+            self.assertIn('<section id="discs-part">', shown)
+            self.assertIn("linear-gradient(to right, rgb(168, 28, 48)", shown)
+            self.assertIn("<span>0.596</span>", shown)
+            self.assertIn("<span>4.5</span>", shown)
+        plain = self.run_program("view", TRIPUS, "-o", "plain.html")
+        self.assertEqual(plain.status, 0)
+        text = (self.folder / "plain.html").read_text()
+        self.assertNotIn("discs", page_data(text))
+        self.assertIn('<section id="discs-part" hidden', page_text(self.folder / "plain.html"))
+
+
 class Files(ProgramTest):
     def page(self, *arguments):
         result = self.run_program("view", *arguments, "-o", "page.html")
@@ -275,6 +400,46 @@ class Gallery(ProgramTest):
         self.assertEqual([f"out/{link}" for link in links], files[:len(signatures)])
         self.assertIn(f"Without a page ({len(bad)})", index)
         self.assertIn("nonsense!", index)
+
+    def test_goes_on(self):
+        lines = (DATA / "triangulations-2.txt").read_text().split()[:6]
+        self.write("list", "\n".join([*lines, "nonsense!", WITHOUT_METRIC]) + "\n")
+        arguments = ("view", "--gallery", "list", "-o", "index.html", "--json", "--resume", "done")
+        self.assertEqual(self.run_program(*arguments).status, 0)
+        whole = (self.folder / "done").read_text().splitlines(keepends=True)
+        index = (self.folder / "index.html").read_text()
+        for kept in (0, 3, len(whole) - 1, len(whole)):
+            pages = [self.folder / answer["file"] for answer in map(json.loads, whole[kept:])
+                     if "file" in answer]
+            for page in pages:
+                page.unlink()
+            self.write("index.html", "an old one")
+            self.write("done", "".join(whole[:kept]) + ('{"tripus": "0' if kept < 8 else ""))
+            result = self.run_program(*arguments)
+            self.assertEqual((result.status, result.out), (0, b""), result.err)
+            self.assertEqual((self.folder / "index.html").read_text(), index)
+            self.assertTrue(all(page.exists() for page in pages))
+            self.assertEqual(len((self.folder / "done").read_text().splitlines()), len(whole))
+
+    def test_does_not_go_on_without_its_pages(self):
+        self.write("list", TRIPUS + "\n")
+        arguments = ("view", "--gallery", "list", "-o", "index.html", "--json", "--resume", "done")
+        self.run_program(*arguments)
+        done = (self.folder / "done").read_text()
+        page = self.folder / json.loads(done)["file"]
+        page.unlink()
+        result = self.run_program(*arguments)
+        self.assertEqual(result.status, 2)
+        self.assertIn("line 1 is of a page that is gone", result.err)
+        other = ("view", "--gallery", "list", "-o", "other.html", "--json", "--resume", "done")
+        for text, says in ((done.replace(page.name, "x.html"), "is of another index"),
+                           (done.replace('"volume": 6', '"volume": "6').replace(
+                               ', "file"', '", "file"'), "line 1")):
+            self.write("done", text)
+            result = self.run_program(*other)
+            self.assertEqual(result.status, 2)
+            self.assertIn(says, result.err)
+        self.assertFalse((self.folder / "other.html").exists())
 
     def test_what_was_there_stays(self):
         self.write("list.html", TRIPUS + "\n")

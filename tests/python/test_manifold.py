@@ -39,7 +39,8 @@ MANIFOLD = {
     "solve": "solve", "retriangulated": "retriangulated", "canonical": "canonical",
     "isometry_signature": "isometry_signature", "isometry_group": "symmetry_group",
     "compare": "compare", "is_isometric_to": "is_isometric_to", "identify": "identify",
-    "to_json": "to_json", "write": "write",
+    "to_json": "to_json", "write": "write", "cone_angles": "cone_angles",
+    "with_cone_angles": "with_cone_angles", "cover": "cover", "drilled": "drilled",
 }
 METRIC = {
     "Metric": "__init__", "volume": "volume", "edge_lengths": "edge_lengths",
@@ -57,7 +58,8 @@ def public_members(header, name):
     """Names of the public functions of a C++ class."""
     text = (ROOT / "manifold" / header).read_text()
     body = re.search(rf"class {name} {{\n public:(.*?)\n private:", text, re.DOTALL).group(1)
-    body = re.sub(r"\{[^{}]*\}", ";", re.sub(r"//[^\n]*", "", body))
+    body = re.sub(r"//[^\n]*| = \{\}", "", body)
+    body = re.sub(r"\{[^{}]*\}", ";", body)
     found = set()
     for declaration in body.split(";"):
         declaration = re.sub(r"\{.*", "", declaration, flags=re.DOTALL)
@@ -106,7 +108,7 @@ def test_sources(M, tmp_path):
 
 @pytest.mark.parametrize("source", ["", "hello", " ", "cPcbbbihx", 5, None, [], [[1]], {}, b"cPcbbbihq",
                                     {"gluings": [[None] * 3]}, [[[1, "0000"]] * 4], np.eye(3), object(),
-                                    ([[9] * 4], [[[0, 1, 2, 3]] * 4]), "nowhere/file.json"])
+                                    ([[9] * 4], [[[0, 1, 2, 3]] * 4])])
 def test_other_sources_are_refused(source):
     with pytest.raises(tripus.InvalidInput) as caught:
         tripus.Manifold(source)
@@ -149,6 +151,28 @@ def test_equality_never_raises_and_fits_the_hash(M):
     for thing in (None, 1, "cPcbbbihq", object(), np.zeros(3)):
         assert not (M == thing) if not isinstance(thing, np.ndarray) else True
     assert len({M, other, tripus.Manifold("cPcbbbdhq")}) == 2
+
+
+def test_habits_of_snappy():
+    M = tripus.Manifold("4_1")
+    assert M.triangulation_isosig(decorated=False) == "cPcbbbiht"
+    with pytest.raises(tripus.Unsupported):
+        M.triangulation_isosig(decorated=True)
+    with pytest.raises(AttributeError, match="links"):
+        M.cusp_info()
+    with pytest.raises(AttributeError, match=r"to_snappy\(\).complex_volume"):
+        M.complex_volume()
+    with pytest.raises(AttributeError, match="tripus.Diagram"):
+        tripus.Link
+    with pytest.raises(tripus.InvalidInput, match="snappy.Manifold"):
+        tripus.Manifold("m015")
+    # Permutations of the generators that fundamental_group() shows, or of all.
+    assert M.fundamental_group().num_generators() == 2
+    swap = [1, 0]
+    assert M.cover([[0, 1], swap]) in M.covers(2)
+    assert M.cover([[0, 1], swap]).num_tetrahedra() == 4
+    with pytest.raises(tripus.InvalidInput):
+        M.cover([swap, [0, 0]])
 
 
 def test_it_does_not_change(M):
@@ -276,7 +300,8 @@ def test_comparisons(M):
     assert M.is_isometric_to(M.relabelled(1))
     answer = M.is_isometric_to(tripus.Manifold("cPcbbbdhq"))
     assert not answer and answer.message
-    assert len(M.is_isometric_to(M, return_isometries=True)) == 1
+    isometries = M.is_isometric_to(M, return_isometries=True)
+    assert len(set(isometries)) == M.symmetry_group().order() == 6
     assert M.is_isometric_to(tripus.Manifold("cPcbbbdhq"), return_isometries=True) == []
     undecided = tripus.Comparison({**answer._fields, "verdict": "unresolved"})
     with pytest.raises(tripus.Undecided):
@@ -414,8 +439,10 @@ def test_census_and_methods():
     assert all(6 <= e.volume <= 7 for e in tripus.census(volume=(6, 7)))
     with pytest.raises(TypeError):
         tripus.census(num_tetrahedra=2)
-    with pytest.raises(tripus.InvalidInput):
+    with pytest.raises(TypeError, match="volume is a pair of numbers, not 5"):
         tripus.census(volume=5)
+    with pytest.raises(tripus.InvalidInput):
+        tripus.census(volume=(5, 6, 7))
     with pytest.raises(tripus.InvalidInput):
         tripus.census(homology="nonsense")
 
@@ -441,3 +468,58 @@ def test_paths_of_any_bytes(M, tmp_path):
     N = tripus.Manifold(path)
     assert N == M and N.volume() == M.volume()
     repr(N), N._repr_html_(), json.loads(N.to_json()), pickle.dumps(N)
+
+
+def test_arcs_and_discs(M):
+    path = M.shortest_return_path()
+    assert abs(path.length - 0.596133894890837) < 1e-13 and path.edges == [0]
+    assert float(path) == min(M.metric.edge_lengths)
+    arcs = M.orthospectrum(length=5, prove=True)
+    assert arcs.multiplicities.tolist()[:8] == [1, 4, 12, 12, 12, 6, 24, 48]  # docs/orthospectrum.md
+    for length, (low, high) in zip(arcs.lengths, arcs.proved_lengths):
+        assert low - 1e-12 <= length <= high + 1e-12 and high - low < 1e-9
+    assert M.orthospectrum(length=2).proved_lengths is None
+    discs = M.basmajian_discs(length=5)
+    assert len(discs) == 2 * arcs.arc_count and discs.boundary_area == pytest.approx(4 * np.pi)
+    assert discs.area == pytest.approx(arcs.area["counted"], rel=1e-12)
+    assert np.allclose(np.tanh(discs.lengths / 2), np.exp(-discs.radii))
+    assert (discs.feet**2).sum(axis=1).max() < 1 and discs.tiles.max() <= 3
+    assert discs.svg().startswith("<svg") and discs.svg().count("<circle") > len(discs)
+    with pytest.raises(tripus.InvalidInput):
+        M.orthospectrum(length=0)
+    # A cusp has a horosphere, whose area is none of the boundary's.
+    mixed = tripus.Manifold("dLQacccjjkg")
+    assert mixed.num_cusps() == 1
+    for area in (mixed.orthospectrum(length=2).area["exact"], mixed.basmajian_discs(2).boundary_area):
+        assert area == pytest.approx(4 * np.pi)
+
+
+def test_discs_do_not_overlap(M):
+    discs = M.basmajian_discs(length=7)
+    assert (np.diff(discs.radii) <= 1e-12).all()
+    # Of one tile: points of the disc (x, y) are directions (x, y, 1) of the hyperboloid.
+    tile = (discs.tiles == [0, 1]).all(axis=1)
+    x, y = discs.feet[tile].T
+    z = 1 / np.sqrt(1 - x**2 - y**2)
+    points = np.stack([z * x, z * y, z], axis=1)
+    cosh = points[:, None, 2] * points[None, :, 2] - points[:, :2] @ points[:, :2].T
+    radii = discs.radii[tile]
+    apart = np.arccosh(np.maximum(cosh, 1)) - radii[:, None] - radii[None, :]
+    np.fill_diagonal(apart, 1)
+    assert tile.sum() > 100 and apart.min() > -1e-6
+
+
+def test_spectrum_with_a_cusp_counts_the_compact_boundary():
+    arcs = tripus.Manifold("dLQacccjjkg").orthospectrum(length=7)
+    assert abs(arcs.area["exact"] - 4 * np.pi) < 1e-12
+    tail, uncertainty = arcs.area["tail"]
+    assert abs(arcs.area["counted"] + tail - 4 * np.pi) < uncertainty
+
+
+def test_pages_with_discs(M):
+    assert '"discs":{' not in M.page()
+    assert '"discs":{"length":1,' in M.page(discs=1)
+    assert '"discs":{"length":4.9' in M.page(discs=True)
+    for bad in (0.0, -1.0, float("nan"), 25.0, 18.0):
+        with pytest.raises(tripus.InvalidInput):
+            M.page(discs=bad)

@@ -118,7 +118,8 @@ def test_errors_are_those_of_the_program(name):
 
     done = subprocess.run([os.environ["TRIPUS_PROGRAM"], "info", name], capture_output=True,
                           text=True)
-    with pytest.raises(tripus.InvalidInput) as caught:
+    expected = tripus.FileError if name.endswith(".json") else tripus.InvalidInput
+    with pytest.raises(expected) as caught:
         tripus.Manifold(name)
     assert str(caught.value) in done.stderr
 

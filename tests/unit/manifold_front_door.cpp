@@ -1,4 +1,5 @@
 // tripus::Manifold: the same answers as the libraries behind it, computed once, from many threads.
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +15,8 @@
 
 #include "base/output_file.hpp"
 #include "embedding/export/mesh_formats.hpp"
+#include "topology/diagrams/read_diagram.hpp"
+#include "topology/diagrams/small_exterior.hpp"
 
 namespace tripus {
 namespace {
@@ -146,8 +149,72 @@ TEST(FrontDoor, KeepsWhatItWasMadeFrom) {
   EXPECT_EQ(M.oriented_signature(), "cPcbbbihq-");
   EXPECT_FALSE(load("cPcbbbihq").is_orientation_known());
   EXPECT_EQ(load("cPcbbbihq").oriented_signature(), std::nullopt);
-  given.cone_angles.assign(1, 1.0);
-  EXPECT_THROW(Manifold(given, "labelled"), Unsupported);
+  given.cone_angles.assign(2, 1.0);
+  EXPECT_THROW(Manifold(given, "too many labels"), InvalidInput);
+}
+
+TEST(FrontDoor, KnowsConeAngles) {
+  using topology::ConeAngle;
+  const ConeAngle half = topology::parse_cone_order("2");
+  const Manifold plain = load("cPcbbbiht"), M = load("cPcbbbiht 0=2,1=2");
+  EXPECT_TRUE(plain.cone_angles().empty());
+  ASSERT_EQ(M.cone_angles().size(), 2u);
+  EXPECT_EQ(M.cone_angles()[0], half);
+  EXPECT_EQ(M.label(), "cPcbbbiht 0=2,1=2");
+  const Manifold same = plain.with_cone_angles({half, half});
+  EXPECT_EQ(same.label(), M.label());
+  EXPECT_EQ(same.with_cone_angles({}).label(), "cPcbbbiht");
+  EXPECT_EQ(Manifold(M.triangulation()).with_cone_angles({half, half}).label(), M.label());
+  for (const Manifold& labelled : {M, same}) {
+    ASSERT_NE(labelled.metric(), nullptr);
+    EXPECT_NEAR(labelled.metric()->volume(), kTripusVolume, 1e-12);
+    EXPECT_THROW((void)labelled.metric()->embedding(), Unsupported);
+    EXPECT_TRUE(labelled.metric()->prove().proved);
+    EXPECT_TRUE(nlohmann::json::parse(labelled.to_json()).contains("cone_orders"));
+  }
+  // Labels of the call are on top of those of the manifold.
+  structure::SolveOptions without;
+  without.cone_angles.resize(2);
+  EXPECT_NEAR(M.solve(without).volume, plain.metric()->volume(), 1e-12);
+  EXPECT_EQ(M.compare(same).verdict, canonical::Verdict::kHomeomorphic);
+  EXPECT_EQ(M.compare(plain.with_cone_angles({half, topology::parse_cone_order("3")})).verdict,
+            canonical::Verdict::kDifferent);
+  EXPECT_NE(M.isometry_signature(), plain.isometry_signature());
+  // A cover has the labels of what lies below, and so a multiple of the volume.
+  for (const Manifold& cover : plain.with_cone_angles({half, ConeAngle()}).covers(3)) {
+    EXPECT_EQ(std::ranges::count(cover.cone_angles(), half), 3);
+    EXPECT_EQ(cover.cone_angles().size(), 6u);
+  }
+  EXPECT_THROW(M.simplified(), Unsupported);
+  EXPECT_THROW(M.with_cone_angles({half}), InvalidInput);
+}
+
+TEST(FrontDoor, MakesTheCoverOfPermutations) {
+  const Manifold M = load("cPcbbbihq");
+  const std::size_t generators = M.fundamental_group().presentation.generator_count;
+  const std::vector<std::uint32_t> swap{1, 0}, stay{0, 1};
+  std::size_t covers = 0;
+  for (unsigned choice = 0; choice < 1u << generators; ++choice) {
+    std::vector<std::vector<std::uint32_t>> images;
+    for (std::size_t g = 0; g < generators; ++g)
+      images.push_back((choice >> g & 1u) != 0 ? swap : stay);
+    try {
+      EXPECT_EQ(M.cover(images).tetrahedron_count(), 4u);
+      ++covers;
+    } catch (const InvalidInput&) {
+    }
+  }
+  EXPECT_EQ(covers, M.covers(2).size());
+  EXPECT_THROW(M.cover({}), InvalidInput);
+  const auto each = [&](std::vector<std::uint32_t> images) {
+    return std::vector<std::vector<std::uint32_t>>(generators, std::move(images));
+  };
+  EXPECT_THROW(M.cover(each({0, 0})), InvalidInput);
+  EXPECT_THROW(M.cover(each({})), InvalidInput);
+  const std::atomic<bool> stop{true};
+  Context stopped;
+  stopped.stop_flag = &stop;
+  EXPECT_THROW(M.cover(each({1, 0}), stopped), Error);
 }
 
 TEST(OutputFile, IsWholeOrNotThere) {
@@ -185,6 +252,18 @@ TEST(OutputFile, IsWholeOrNotThere) {
   EXPECT_THROW(write_file("/dev/full", "never"), IoError);
   fs::permissions(path, fs::perms::owner_all);
   fs::remove_all(folder);
+}
+
+TEST(FrontDoor, DrillsEdgesOut) {
+  // The knot 4_1 as an edge of the sphere, with a cone order that is taken away first.
+  const auto loaded = topology::small_exterior(
+      topology::read_diagram("PD: X[4,2,5,1] X[8,6,1,5] X[6,3,7,4] X[2,7,3,8] Cone[1,4]"));
+  std::size_t knot = 0;
+  while (loaded.cone_angles[knot].is_full()) ++knot;
+  const Manifold sphere(loaded.gluings);
+  EXPECT_EQ(sphere.drilled({knot}).signature(), "cPcbbbiht");
+  EXPECT_THROW(sphere.drilled({sphere.triangulation().edge_count()}), InvalidInput);
+  EXPECT_THROW(sphere.drilled({knot, knot}), InvalidInput);
 }
 
 }  // namespace

@@ -57,6 +57,8 @@ TEST(OrthospectrumSums, SumsOfPartsAreThoseOfTheWhole) {
   }
   first.add(second);
   EXPECT_EQ(first.oriented_count(), 40u);
+  EXPECT_EQ(first.shortest(), 0.1);
+  EXPECT_EQ(Sums().shortest(), std::nullopt);
   EXPECT_EQ(first.histogram(), whole.histogram());
   EXPECT_NEAR(first.area(), whole.area(), 1e-12);
   EXPECT_NEAR(first.volume(), whole.volume(), 1e-12);

@@ -62,6 +62,13 @@ Cover cyclic_cover_of_class(const Triangulation& base, std::size_t degree,
 /// base is orientable or not connected.
 Cover orientable_double_cover(const Triangulation& base);
 
+/// The connected cover on whose sheets the generators of `fundamental_group(base)` act by the
+/// permutations [generators][d]. Throws InvalidInput, naming what is wrong, if they are no
+/// permutations, no action or not transitive; Stopped. Polls `stop_requested` (may be null).
+Gluings cover_of_permutations(const Triangulation& base,
+                              const std::vector<std::vector<std::uint32_t>>& images,
+                              const std::atomic<bool>* stop_requested = nullptr);
+
 /// The cover of an action of the fundamental group.
 Gluings cover_of_action(const Gluings& base, const FundamentalGroup& group,
                         const TransitiveAction& action);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -29,7 +30,9 @@ struct SmithForm {
   std::vector<BigInteger> factors;  ///< the diagonal entries > 1, each dividing the next
 };
 
-/// The Smith normal form of a sparse integer matrix. Any size of number; no overflow.
-SmithForm smith_form(std::vector<SparseRow<std::int64_t>> rows, std::size_t column_count);
+/// The Smith normal form of a sparse integer matrix. Any size of number; no overflow. Polls
+/// `stop_requested` (may be null); throws Stopped.
+SmithForm smith_form(std::vector<SparseRow<std::int64_t>> rows, std::size_t column_count,
+                     const std::atomic<bool>* stop_requested = nullptr);
 
 }  // namespace tripus::topology::detail

@@ -40,7 +40,7 @@ class Neighbours {
       throw InvalidInput("too many nodes are joined by several arcs; write it as PD");
   }
 
-  /// The arcs at each node, in the first way that lies in the plane.
+  /// The arcs at each node, in the first way that lies in the plane. Crossings are not looked at.
   Diagram drawn(std::vector<DiagramNode> nodes) {
     for (auto& node : nodes) node.arcs.clear();
     for (std::size_t n = 0; n < nodes.size(); ++n) nodes[n].arcs.resize(lists_[n].size());
@@ -90,47 +90,116 @@ class Neighbours {
   std::map<std::pair<std::size_t, std::size_t>, std::array<std::vector<Place>, 2>> bundles_;
 };
 
-}  // namespace
-
 // embedding:4 {0: (4, 5, 6), ...}: bit i of the number belongs to the crossing i, counted among the
 // nodes with four neighbours. If it is set, the first and third of its arcs pass below, else above.
-NamedDiagram read_embedding(std::string_view text) {
-  Scanner scan(text);
-  scan.take_word("embedding");
-  const std::int64_t choice = scan.take(':') ? scan.integer() : 0;
-  scan.expect('{');
-  std::vector<std::vector<std::size_t>> lists;
-  while (!scan.take('}')) {
-    scan.take(',');
-    const std::size_t at = scan.position();
-    if (scan.integer() != static_cast<std::int64_t>(lists.size()))
-      scan.fail("expected node " + std::to_string(lists.size()) + "; the nodes come in their order",
-                at);
-    scan.expect(':');
-    scan.expect('(');
-    lists.emplace_back();
-    while (!scan.take(')')) {
-      lists.back().push_back(static_cast<std::size_t>(scan.integer()));
-      if (scan.peek() != ')') scan.expect(',');
+// "odd" (or o) before the neighbours sets it too, "even" (or e) does not. A minus sign before the
+// brace: all are clockwise. +3 at the end: three circles that meet nothing.
+class EmbeddingReader {
+ public:
+  explicit EmbeddingReader(std::string_view text) : scan_(text) {}
+
+  NamedDiagram read() {
+    scan_.take_word("embedding");
+    const bool chosen = scan_.take(':');
+    const std::int64_t choice = chosen ? scan_.integer() : 0;
+    const bool clockwise = scan_.take('-');
+    if (scan_.peek() != '{') scan_.expect('{');
+    brackets_.open(scan_);
+    while (scan_.peek() != '}') {
+      if (scan_.at_end()) brackets_.fail_open(scan_);
+      if (scan_.take(',')) continue;
+      scan_.peek() == '+' ? circles() : node(chosen);
     }
+    brackets_.close(scan_);
+    if (!scan_.at_end()) scan_.fail("expected the end" + scan_.found());
+    return drawn(choice, clockwise);
   }
-  std::vector<DiagramNode> nodes(lists.size());
-  std::vector<std::size_t> turned;
-  std::size_t crossings = 0;
-  for (std::size_t n = 0; n < lists.size(); ++n) {
-    nodes[n].kind = lists[n].size() == 4 ? NodeKind::kCrossing : NodeKind::kVertex;
-    if (nodes[n].kind == NodeKind::kVertex) continue;
-    if (crossings >= 62)
-      throw InvalidInput("an embedding of more than 62 crossings; write it as PD");
-    if ((choice >> crossings++ & 1) == 0) turned.push_back(n);
+
+ private:
+  void circles() {
+    const std::size_t at = scan_.position();
+    circles_ = scan_.integer();
+    if (circles_ > 1000) scan_.fail("more than 1000 circles that meet nothing", at);
   }
-  std::vector<DiagramNode> drawn = Neighbours(std::move(lists)).drawn(std::move(nodes)).nodes();
-  for (const std::size_t n : turned)
-    std::rotate(drawn[n].arcs.begin(), drawn[n].arcs.begin() + 1, drawn[n].arcs.end());
-  NamedDiagram result;
-  result.diagram = Diagram(drawn);
-  return result;
-}
+
+  void node(bool chosen) {
+    const std::size_t at = scan_.position();
+    if (scan_.integer() != static_cast<std::int64_t>(lists_.size()))
+      scan_.fail(
+          "expected node " + std::to_string(lists_.size()) + "; the nodes come in their order", at);
+    scan_.expect(':');
+    const std::size_t word_at = scan_.position();
+    const std::string_view word = scan_.letters();
+    const bool odd = word == "odd" || word == "o";
+    if (!odd && !word.empty() && word != "even" && word != "e")
+      scan_.fail("expected odd, even or the neighbours in round brackets", word_at);
+    if (!word.empty() && chosen)
+      scan_.fail("the crossings are given by the number behind \"embedding\" already; take " +
+                     quoted(std::string(word)) + " away",
+                 word_at);
+    if (scan_.peek() != '(') scan_.expect('(');
+    brackets_.open(scan_);
+    lists_.emplace_back();
+    while (!is_closing(scan_.peek())) {
+      if (!scan_.at_number()) brackets_.fail_open(scan_);
+      const std::size_t neighbour_at = scan_.position();
+      const std::int64_t neighbour = scan_.integer();
+      if (neighbour < 0) scan_.fail("the nodes are counted from 0", neighbour_at);
+      lists_.back().push_back(static_cast<std::size_t>(neighbour));
+      if (scan_.peek() != ')') scan_.take(',');
+    }
+    brackets_.close(scan_);
+    odd_.push_back(odd);
+    places_.push_back("node " + std::string(scan_.since(at)) + " (" + scan_.place(at) + ")");
+    if (!word.empty() && lists_.back().size() != 4)
+      scan_.fail(quoted(std::string(word)) + " is for crossings, which have four neighbours",
+                 word_at);
+  }
+
+  NamedDiagram drawn(std::int64_t choice, bool clockwise) {
+    std::vector<DiagramNode> nodes(lists_.size());
+    std::vector<std::size_t> above;
+    std::size_t crossings = 0;
+    for (std::size_t n = 0; n < lists_.size(); ++n) {
+      nodes[n].place = places_[n];
+      nodes[n].kind = kind_of(lists_[n].size());
+      if (nodes[n].kind == NodeKind::kVertex) continue;
+      if (crossings >= 62 && choice != 0)
+        throw InvalidInput("a number for more than 62 crossings; write \"odd\" before their arcs");
+      if (!odd_[n] && (choice >> (choice == 0 ? 0 : crossings) & 1) == 0) above.push_back(n);
+      ++crossings;
+    }
+    if (choice < 0 || (crossings < 62 && choice >> crossings != 0))
+      throw InvalidInput("the number " + std::to_string(choice) + " behind \"embedding\" has no " +
+                         std::to_string(crossings) + " bits, one a crossing");
+    NamedDiagram result;
+    if (!lists_.empty() || circles_ == 0) {
+      std::vector<DiagramNode> drawn = Neighbours(lists_).drawn(nodes).nodes();
+      for (const std::size_t n : above)
+        std::rotate(drawn[n].arcs.begin(), drawn[n].arcs.begin() + 1, drawn[n].arcs.end());
+      if (clockwise) turn_round(drawn);
+      nodes = std::move(drawn);
+    }
+    auto name = static_cast<std::int64_t>(4 * lists_.size());
+    for (std::int64_t k = 0; k < circles_; ++k) {
+      ++name;
+      nodes.push_back({NodeKind::kVertex, {name, name}});
+    }
+    result.diagram = Diagram(nodes);
+    return result;
+  }
+
+  Scanner scan_;
+  Brackets brackets_;
+  std::vector<std::vector<std::size_t>> lists_;
+  std::vector<bool> odd_;
+  std::vector<std::string> places_;
+  std::int64_t circles_ = 0;
+};
+
+}  // namespace
+
+NamedDiagram read_embedding(std::string_view text) { return EmbeddingReader(text).read(); }
 
 // a=V(b0 c0 d3) b=V(a0 d2 c1) c=X(a1 b2 d1 d0): each dart with the node and the slot that it meets.
 NamedDiagram read_knotpy(std::string_view text) {
@@ -142,6 +211,7 @@ NamedDiagram read_knotpy(std::string_view text) {
     std::size_t at;
   };
   std::vector<DiagramNode> nodes;
+  std::vector<std::string> written;
   std::vector<std::vector<End>> ends;
   while (!scan.at_end() && scan.peek() != '[') {  // [...] are attributes
     if (scan.take(',')) continue;
@@ -155,6 +225,7 @@ NamedDiagram read_knotpy(std::string_view text) {
       scan.fail("there are two nodes " + quoted(name), at);
     scan.expect('(');
     nodes.push_back({kind == "X" ? NodeKind::kCrossing : NodeKind::kVertex});
+    written.push_back(name);
     ends.emplace_back();
     while (!scan.take(')')) {
       if (scan.take(',')) continue;
@@ -164,6 +235,7 @@ NamedDiagram read_knotpy(std::string_view text) {
         scan.fail("expected an arc end such as b0, a node and a place" + scan.found());
       ends.back().push_back({other, scan.integer(), here});
     }
+    nodes.back().place = std::string(scan.since(at)) + " (" + scan.place(at) + ")";
   }
   std::int64_t names = 0;
   for (std::size_t n = 0; n < nodes.size(); ++n) nodes[n].arcs.assign(ends[n].size(), 0);
@@ -174,13 +246,16 @@ NamedDiagram read_knotpy(std::string_view text) {
       if (other == numbers.end()) scan.fail("there is no node " + quoted(end.node), end.at);
       const auto slot = static_cast<std::size_t>(end.slot);
       if (end.slot < 0 || slot >= ends[other->second].size())
-        scan.fail("node " + end.node + " has no arc end " + std::to_string(end.slot), end.at);
+        scan.fail("node " + end.node + " has no arc end " + std::to_string(end.slot) + ": its " +
+                      std::to_string(ends[other->second].size()) + " are counted from 0",
+                  end.at);
       const End& back = ends[other->second][slot];
       const auto back_node = numbers.find(back.node);
       if (back_node == numbers.end() || back_node->second != n ||
           back.slot != static_cast<std::int64_t>(k))
-        scan.fail("this end is not met from the other side: " + end.node + " names " + back.node +
-                      std::to_string(back.slot) + " there",
+        scan.fail("node " + written[n] + " names " + end.node + std::to_string(end.slot) +
+                      ", which is not met from the other side: there stands " + back.node +
+                      std::to_string(back.slot) + ", not " + written[n] + std::to_string(k),
                   end.at);
       if (nodes[n].arcs[k] == 0) nodes[n].arcs[k] = nodes[other->second].arcs[slot] = ++names;
     }

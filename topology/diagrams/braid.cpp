@@ -1,5 +1,7 @@
 // Closed braids.
 #include <algorithm>
+#include <cstdlib>
+#include <string>
 
 #include "topology/diagrams/detail/forms.hpp"
 #include "topology/diagrams/detail/scanner.hpp"
@@ -10,38 +12,68 @@ namespace {
 /// More strands than that no one writes by hand; it bounds what a short text makes.
 constexpr std::int64_t kMostStrands = 100'000;
 
+struct Word {
+  std::vector<std::int64_t> letters;
+  std::int64_t strands = 1;
+};
+
+/// KnotTheory's BR[3, {1,-2,...}] has the number of strands in front; it is not a letter.
+void take_strands(Word& word, const Scanner& scan) {
+  if (word.letters.size() != 1 || word.letters[0] < 1)
+    scan.fail("a bracket among the letters; before it stands at most the number of strands");
+  word.strands = word.letters[0];
+  word.letters.clear();
+}
+
+Word parse(std::string_view text) {
+  Scanner scan(text);
+  scan.letters();
+  scan.take(':');
+  scan.take('=');
+  Brackets brackets;
+  Word word;
+  bool counted = false;
+  while (!scan.at_end()) {
+    const char c = scan.peek();
+    const std::size_t at = scan.position();
+    if (scan.take(',')) continue;
+    if (is_opening(c)) {
+      if (!word.letters.empty()) {
+        take_strands(word, scan);
+        counted = true;
+      }
+      brackets.open(scan);
+    } else if (is_closing(c)) {
+      brackets.close(scan);
+    } else if (Scanner::is_letter(c)) {  // a, A: 1, -1
+      for (const char letter : scan.letters())
+        word.letters.push_back(letter >= 'a' ? letter - 'a' + 1 : -(letter - 'A' + 1));
+    } else {
+      word.letters.push_back(scan.integer());
+    }
+    if (!word.letters.empty() && (word.letters.back() == 0 || word.letters.back() >= kMostStrands ||
+                                  word.letters.back() <= -kMostStrands))
+      scan.fail("the letter " + std::to_string(word.letters.back()) +
+                    " is no generator; write 1, -1, 2, -2, ... for crossings of neighbours",
+                at);
+  }
+  brackets.require_closed(scan);
+  if (word.letters.empty() && !counted)
+    scan.fail("the braid has no letters; write Braid: 1 -2 1 -2");
+  for (const std::int64_t letter : word.letters) {
+    if (counted && std::abs(letter) >= word.strands)
+      scan.fail("the letter " + std::to_string(letter) + " needs more strands than the " +
+                std::to_string(word.strands) + " that are announced");
+    word.strands = std::max(word.strands, std::abs(letter) + 1);
+  }
+  return word;
+}
+
 }  // namespace
 
 // The strands run upwards. At a positive crossing the strand from the lower left passes above.
 NamedDiagram read_braid(std::string_view text) {
-  Scanner scan(text);
-  scan.letters();
-  scan.take(':');
-  std::vector<std::int64_t> letters;
-  std::int64_t strands = 1;
-  char last_open = '\0';
-  while (!scan.at_end()) {
-    const char c = scan.peek();
-    if (c == ',' || is_opening(c)) {
-      if (is_opening(c)) last_open = c;
-      scan.take_any();
-      continue;
-    }
-    if (is_closing(c)) {
-      if (last_open == '\0') scan.fail("this bracket closes nothing that is open");
-      scan.take_any();
-      continue;
-    }
-    const std::size_t at = scan.position();
-    const std::int64_t letter = scan.integer();
-    if (letter == 0 || std::abs(letter) >= kMostStrands)
-      scan.fail("the letter " + std::to_string(letter) +
-                    " is no generator; write 1, -1, 2, -2, ... for crossings of neighbours",
-                at);
-    letters.push_back(letter);
-    strands = std::max(strands, std::abs(letter) + 1);
-  }
-  if (letters.empty()) scan.fail("the braid has no letters; write Braid: 1 -2 1 -2");
+  const auto [letters, strands] = parse(text);
   std::vector<std::int64_t> at(static_cast<std::size_t>(strands));
   std::vector<std::vector<std::size_t>> uses(at.size());
   for (std::size_t i = 0; i < letters.size(); ++i)

@@ -1,9 +1,6 @@
-// Planar diagrams as text, KnotTheory's X[4,2,5,1] and all its relatives, and as JSON.
-#include <algorithm>
+// Planar diagrams as text: KnotTheory's X[4,2,5,1] and all its relatives.
 #include <string>
 #include <utility>
-
-#include <nlohmann/json.hpp>
 
 #include "topology/diagrams/detail/forms.hpp"
 #include "topology/diagrams/detail/scanner.hpp"
@@ -11,33 +8,41 @@
 namespace tripus::topology::detail {
 namespace {
 
-NodeKind kind_of(std::size_t arcs) { return arcs == 4 ? NodeKind::kCrossing : NodeKind::kVertex; }
+constexpr std::string_view kExpectedNode = "expected a node such as X[4,2,5,1] or V[1,2,3]";
 
 class PdReader {
  public:
   explicit PdReader(std::string_view text) : scan_(text) {}
 
   NamedDiagram read() {
-    bool clockwise = false;
-    if (scan_.take_word("PD")) {
-      const bool parenthesis = scan_.take('(') && Scanner::is_letter(scan_.peek());
-      if (scan_.take_word("clockwise")) clockwise = true;
-      if (scan_.take_word("counterclockwise")) clockwise = false;
-      if (parenthesis) scan_.expect(')');
-      scan_.take(':');
+    while (heading()) {
     }
     while (!scan_.at_end()) item();
-    if (!open_.empty()) {
-      const auto [bracket, at] = open_.back();
-      scan_.fail(
-          std::string("the bracket ") + bracket + " is not closed; add " + closing_of(bracket), at);
-    }
-    if (clockwise) turn_round(nodes_);
+    brackets_.require_closed(scan_);
+    if (clockwise_) turn_round(nodes_);
     result_.diagram = Diagram(nodes_);
     return std::move(result_);
   }
 
  private:
+  /// "PD:", "PD clockwise:", "PD(clockwise) =". One may stand before another, as in "PD: PD[...]".
+  bool heading() {
+    if (!scan_.take_whole_word("PD")) return false;
+    const std::size_t bracket = scan_.position();
+    const bool parenthesis = scan_.take('(');
+    const bool clockwise = scan_.take_whole_word("clockwise");
+    bool said = clockwise || scan_.take_whole_word("counterclockwise") ||
+                scan_.take_whole_word("anticlockwise");
+    if (!said && scan_.take_whole_word("counter") && scan_.take('-'))
+      said = scan_.take_whole_word("clockwise");
+    if (said) clockwise_ = clockwise;
+    if (parenthesis && !said) scan_.go_to(bracket);  // it is the list's
+    if (parenthesis && said) scan_.expect(')');
+    scan_.take(':');
+    scan_.take('=');
+    return true;
+  }
+
   // Brackets around nodes mean nothing but must close.
   void item() {
     const char c = scan_.peek();
@@ -45,63 +50,114 @@ class PdReader {
     if (c == ',' || c == ';') {
       scan_.take_any();
     } else if (is_closing(c)) {
-      if (open_.empty() || closing_of(open_.back().first) != c)
-        scan_.fail(std::string("the bracket ") + c + " closes nothing that is open; take it away");
-      open_.pop_back();
-      scan_.take_any();
+      brackets_.close(scan_);
     } else if (is_opening(c)) {
-      scan_.take_any();
-      if (scan_.at_number())
-        node("", c, at);
-      else
-        open_.emplace_back(c, at);
+      brackets_.open(scan_);
+      if (scan_.at_number()) node("", false, at);
     } else {
       const std::string word(scan_.letters());
-      if (scan_.peek_raw() == '_') scan_.take_any();
-      if (word == "PD")
+      const bool subscript = scan_.peek_raw() == '_';
+      if (subscript) scan_.take_any();
+      if (Scanner::same_word(word, "PD"))
         scan_.fail(
             "a second diagram begins here; give one alone, or put one in a line and give the "
             "file to --batch",
             at);
+      if (!word.empty() && Scanner::is_digit(scan_.peek_raw())) return bare_node(word, at);
       if (word.empty() || !is_opening(scan_.peek()))
-        scan_.fail("expected a node such as X[4,2,5,1] or V[1,2,3]" + scan_.found(), at);
-      const char bracket = scan_.peek();
-      scan_.take_any();
-      if (word == "Cone")
-        label(bracket, at);
+        scan_.fail(std::string(kExpectedNode) + scan_.found(), at);
+      brackets_.open(scan_);
+      if (Scanner::same_word(word, "Cone"))
+        label(at);
       else
-        node(word, bracket, at);
+        node(word, subscript, at);
     }
   }
 
-  void node(const std::string& word, char bracket, std::size_t at) {
+  /// The arcs in a bracket that is open, and its end.
+  void node(const std::string& word, bool subscript, std::size_t at) {
     DiagramNode node;
-    if (!is_closing(scan_.peek())) node.arcs.push_back(scan_.integer());
-    while (scan_.peek() != closing_of(bracket)) {
-      if (scan_.at_end() || is_closing(scan_.peek()) || is_opening(scan_.peek()))
-        scan_.fail(
-            std::string("the bracket ") + bracket + " is not closed; add " + closing_of(bracket),
-            at);
-      scan_.take(',');
-      node.arcs.push_back(scan_.integer());
+    while (!is_closing(scan_.peek())) {
+      if (!node.arcs.empty()) scan_.take(',');
+      if (scan_.at_end() || is_opening(scan_.peek()) || next_is_node()) brackets_.fail_open(scan_);
+      if (is_closing(scan_.peek())) break;
+      arc(node, word, subscript);
     }
-    scan_.take_any();
-    if (word == "Loop" || word == "V" || word == "P" || word == "B")
-      node.kind = NodeKind::kVertex;
-    else if (word.empty())
+    brackets_.close(scan_);
+    add(std::move(node), word, at);
+  }
+
+  /// Whether a word with a bracket comes next.
+  bool next_is_node() {
+    const std::size_t at = scan_.position();
+    const bool is_word = !scan_.letters().empty();
+    const char behind = scan_.peek_raw();
+    scan_.go_to(at);
+    return is_word && (is_opening(behind) || behind == '_' || Scanner::is_digit(behind));
+  }
+
+  /// X1425, X4,12,5,11: as the Knot Atlas shows them.
+  void bare_node(const std::string& word, std::size_t at) {
+    DiagramNode node;
+    std::size_t end = 0;
+    do {
+      arc(node, word, true);
+      end = scan_.position();
+    } while (scan_.take(',') && scan_.at_number());
+    scan_.go_to(end);
+    add(std::move(node), word, at);
+  }
+
+  /// An arc, or (X_{1425}) several with one digit each.
+  void arc(DiagramNode& node, const std::string& word, bool subscript) {
+    const std::size_t at = scan_.position();
+    const std::int64_t arc = scan_.integer();
+    const std::string_view digits = trimmed(scan_.since(at));
+    const bool alone = node.arcs.empty() && scan_.peek() != ',' && !scan_.at_number();
+    const bool run =
+        alone && (is_crossing(word) ? digits.size() == 4
+                                    : subscript && is_vertex(word) && digits.size() > 1);
+    if (!run || digits.find_first_not_of("0123456789") != std::string_view::npos)
+      return node.arcs.push_back(arc);
+    for (const char digit : digits) node.arcs.push_back(digit - '0');
+  }
+
+  void add(DiagramNode node, const std::string& word, std::size_t at) {
+    const std::string_view written = scan_.since(at);
+    const bool is_loop = Scanner::same_word(word, "Loop");
+    if (word.empty())
       node.kind = kind_of(node.arcs.size());
-    else if (word[0] != 'X')
+    else if (is_loop || is_vertex(word))
+      node.kind = NodeKind::kVertex;
+    else if (!is_crossing(word))
       scan_.fail(quoted(word) + " is no kind of node; X is a crossing, V a vertex", at);
-    if (word == "Loop" && node.arcs.size() == 1) node.arcs.push_back(node.arcs.front());
-    node.place = to_text(node) + " (" + scan_.place(at) + ")";
+    const bool plain = written.size() <= 60 && written.find_first_of("\n#") == written.npos;
+    node.place = (plain ? std::string(written) : to_text(node)) + " (" + scan_.place(at) + ")";
+    if (is_loop && node.arcs.size() != 1)
+      throw InvalidInput(node.place + " has " + std::to_string(node.arcs.size()) +
+                         " arcs; a circle is Loop[1], a vertex V[1,2,3]");
+    if (is_loop) node.arcs.push_back(node.arcs.front());
     nodes_.push_back(std::move(node));
   }
 
-  void label(char bracket, std::size_t at) {
+  static bool is_crossing(std::string_view word) {
+    for (const std::string_view each : {"X", "Xp", "Xm", "Xn"})
+      if (Scanner::same_word(word, each)) return true;
+    return false;
+  }
+  static bool is_vertex(std::string_view word) {
+    for (const std::string_view each : {"V", "P", "B"})
+      if (Scanner::same_word(word, each)) return true;
+    return false;
+  }
+
+  void label(std::size_t at) {
     const std::int64_t arc = scan_.integer();
-    scan_.expect(',');
+    if (!scan_.take(','))
+      scan_.fail("expected a comma and a cone order, as in Cone[1,3]" + scan_.found());
     const std::string order(scan_.until("])}"));
-    scan_.expect(closing_of(bracket));
+    if (scan_.at_end()) brackets_.fail_open(scan_);
+    brackets_.close(scan_);
     try {
       result_.labels.push_back({arc, parse_cone_order(order)});
     } catch (const InvalidInput& error) {
@@ -110,82 +166,14 @@ class PdReader {
   }
 
   Scanner scan_;
-  std::vector<std::pair<char, std::size_t>> open_;
+  Brackets brackets_;
+  bool clockwise_ = false;
   std::vector<DiagramNode> nodes_;
   NamedDiagram result_;
 };
 
-using nlohmann::json;
-
-std::string at_node(std::size_t n) {
-  return "JSON: node " + std::to_string(n) + " of \"diagram\": ";
-}
-
-DiagramNode json_node(const json& entry, std::size_t n) {
-  const bool with_kind = entry.is_array() && entry.size() == 2 && entry[0].is_string();
-  const json& arcs = with_kind ? entry[1] : entry;
-  if (!arcs.is_array() ||
-      !std::ranges::all_of(arcs, [](const json& a) { return a.is_number_integer(); }))
-    throw InvalidInput(at_node(n) +
-                       "expected [\"X\", [4,2,5,1]], [\"V\", [1,2,3]] or a list of arcs");
-  DiagramNode node;
-  for (const json& arc : arcs) node.arcs.push_back(arc.get<std::int64_t>());
-  node.kind = kind_of(node.arcs.size());
-  if (with_kind) {
-    const std::string kind = entry[0].get<std::string>();
-    if (kind != "X" && kind != "V")
-      throw InvalidInput(at_node(n) + quoted(kind) +
-                         " is no kind of node; X is a crossing, V a vertex");
-    node.kind = kind == "X" ? NodeKind::kCrossing : NodeKind::kVertex;
-  }
-  node.place = at_node(n) + to_text(node);
-  return node;
-}
-
-void json_labels(const json& orders, NamedDiagram& result) {
-  if (!orders.is_object())
-    throw InvalidInput("JSON: \"cone_orders\" of a diagram is an object {\"arc\": order}");
-  for (const auto& [arc, order] : orders.items()) {
-    const auto name = parse_integer(arc);
-    if (!name)
-      throw InvalidInput("JSON: \"cone_orders\": " + quoted(arc) + " is not the number of an arc");
-    try {
-      result.labels.push_back(
-          {*name, parse_cone_order(order.is_string() ? order.get<std::string>() : order.dump())});
-    } catch (const InvalidInput& error) {
-      throw InvalidInput("JSON: cone order of arc " + arc + ": " + error.what());
-    }
-  }
-}
-
 }  // namespace
 
 NamedDiagram read_pd_text(std::string_view text) { return PdReader(text).read(); }
-
-NamedDiagram read_diagram_json(std::string_view text) {
-  json document;
-  try {
-    const auto stop_deep = [](int depth, json::parse_event_t, json&) {
-      if (depth > 8) throw InvalidInput("JSON: a diagram is nested more than 8 levels deep");
-      return true;
-    };
-    document = json::parse(text.begin(), text.end(), stop_deep);
-  } catch (const json::exception& error) {
-    throw InvalidInput("JSON: " + quoted(error.what(), 120));
-  }
-  const auto list = document.find("diagram");
-  if (list == document.end() || !list->is_array())
-    throw InvalidInput("JSON: \"diagram\" is no list of nodes [[\"X\", [4,2,5,1]], ...]");
-  std::vector<DiagramNode> nodes;
-  for (const json& entry : *list) nodes.push_back(json_node(entry, nodes.size()));
-  if (document.value("clockwise", json(false)) == json(true)) turn_round(nodes);
-  NamedDiagram result;
-  if (const auto name = document.find("name"); name != document.end() && name->is_string())
-    result.name = name->get<std::string>();
-  if (const auto orders = document.find("cone_orders"); orders != document.end())
-    json_labels(*orders, result);
-  result.diagram = Diagram(nodes);
-  return result;
-}
 
 }  // namespace tripus::topology::detail

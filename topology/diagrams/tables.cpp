@@ -50,11 +50,36 @@ const std::array<Table, 4>& tables() {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Small letters and digits alone; a number in front of "theta" for Moriuchi's T and H.
+/// What people call the most famous ones, normalized.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kNicknames{{
+    {"unknot", "0_1"},
+    {"trefoil", "3_1"},
+    {"trefoilknot", "3_1"},
+    {"figureeight", "4_1"},
+    {"figureeightknot", "4_1"},
+    {"figure8", "4_1"},
+    {"figure8knot", "4_1"},
+    {"cinquefoil", "5_1"},
+    {"cinquefoilknot", "5_1"},
+    {"stevedoreknot", "6_1"},
+    {"hopflink", "l2a1"},
+    {"whiteheadlink", "l5a1"},
+    {"borromeanrings", "l6a4"},
+    {"kinoshitatheta", "5_1theta"},
+    {"trivialtheta", "0_1theta"},
+    {"trivialhandcuff", "0_1handcuff"},
+}};
+
+/// Small letters and digits alone; the kind behind the number, also for Moriuchi's T and H.
 std::string normalized(std::string_view name) {
+  name = detail::trimmed(name);
+  // LinkInfo's L5a1{0}: the orientations of the components.
+  if (const std::size_t brace = name.find('{');
+      brace != std::string_view::npos && name.ends_with('}'))
+    name = name.substr(0, brace);
   std::string text;
   bool gap = false;  // an underscore keeps its numbers apart
-  for (const char c : detail::trimmed(name)) {
+  for (const char c : name) {
     if (c == ' ' || c == '_' || c == '-') {
       gap = true;
       continue;
@@ -63,9 +88,20 @@ std::string normalized(std::string_view name) {
     gap = false;
     text += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   }
-  for (const auto& [letter, word] : {std::pair('t', "theta"), std::pair('h', "handcuff")})
-    if (text.size() > 1 && text[0] == letter && is_digit(text[1])) return text.substr(1) + word;
+  for (const auto& [nickname, known] : kNicknames)
+    if (text == nickname) return std::string(known);
   if (text.ends_with("thetacurve")) text.resize(text.size() - 5);
+  if (text.ends_with("handcuffgraph")) text.resize(text.size() - 5);
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kKinds{
+      {{"t", "theta"},
+       {"h", "handcuff"},
+       {"theta", "theta"},
+       {"thetacurve", "theta"},
+       {"handcuff", "handcuff"},
+       {"handcuffgraph", "handcuff"}}};
+  for (const auto& [before, behind] : kKinds)
+    if (text.starts_with(before) && text.size() > before.size() && is_digit(text[before.size()]))
+      return text.substr(before.size()) + std::string(behind);
   return text;
 }
 
@@ -102,6 +138,23 @@ std::string shape(std::string_view normalized_name) {
   return text;
 }
 
+/// Names of other tables, as names of these: K4a1 and 4a1 (Hoste and Thistlethwaite) are knots,
+/// 4^2_1 (Rolfsen) links; an m at an end is a mirror image.
+std::string as_known_shape(std::string name) {
+  if (name.size() > 3 && name.starts_with("m(") && name.ends_with(')'))
+    name = name.substr(2, name.size() - 3);
+  if (name.size() > 1 && (name.ends_with('m') || name.ends_with('*'))) name.pop_back();
+  const std::string kind = shape(name);
+  if (kind == "ka" || kind == "kn" || kind == "a" || kind == "n") {
+    if (name[0] == 'k') name.erase(0, 1);
+    const std::size_t letter = name.find_first_of("an");
+    return name.substr(0, letter) + "_" + name.substr(letter + 1);
+  }
+  if (const std::size_t power = name.find('^'); power != std::string::npos && kind == "^_")
+    return "l" + name.substr(0, power) + "a" + name.substr(name.find('_') + 1);
+  return name;
+}
+
 }  // namespace
 
 std::string_view table_name(DiagramTable table) { return kNames[static_cast<std::size_t>(table)]; }
@@ -123,20 +176,25 @@ const TabledDiagram* find_diagram(std::string_view name) {
 }
 
 bool is_diagram_name(std::string_view text) {
-  const std::string name = normalized(text);
+  const std::string name = as_known_shape(normalized(text));
   constexpr std::array<std::string_view, 6> kShapes{"_", "la", "ln", "_theta", "_handcuff", "hk_"};
   return std::ranges::find(kShapes, shape(name)) != kShapes.end() &&
          std::ranges::any_of(name, is_digit) && (name[0] != '_' && name.back() != '_');
 }
 
 std::string nearest_diagram_names(std::string_view name, std::size_t count) {
-  const std::string wanted = normalized(name);
+  const std::string wanted = as_known_shape(normalized(name));
+  const auto crossings = [](std::string_view text) {
+    const std::size_t from = std::min(text.find_first_of("0123456789"), text.size());
+    return text.substr(from, text.find_first_not_of("0123456789", from) - from);
+  };
   std::vector<std::pair<std::size_t, const TabledDiagram*>> ranked;
   for (const Table& table : tables())
     for (const TabledDiagram& entry : table) {
       const std::string other = normalized(entry.name);
       const std::size_t kind = shape(other) == shape(wanted) ? 0 : 3;
-      ranked.emplace_back(kind + edit_distance(wanted, other), &entry);
+      const std::size_t number = crossings(other) == crossings(wanted) ? 0 : 2;
+      ranked.emplace_back(kind + number + edit_distance(wanted, other), &entry);
     }
   std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, const TabledDiagram*>::first);
   std::string names;

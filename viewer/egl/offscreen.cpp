@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "viewer/legend.hpp"
 #include "viewer/opencsg/detail/gl.hpp"
 #include "viewer/opencsg/detail/renderer.hpp"
 
@@ -86,6 +87,7 @@ class OffscreenRenderer::Implementation {
                                           : samples_for(width, height);
     const std::size_t left = renderer_.draw(options, frame);
     Image image = read_pixels(width, height);
+    if (!frame.identities) add_legend(scene, options, image);
     image.cells_left = left;
     return image;
   }

@@ -10,7 +10,9 @@ namespace tripus::viewer {
 enum class Pixels {
   kColours,
   /// The number of the cell, from 1, in red and green, the lower byte first, and of its wall, from
-  /// 1, in blue (9: the cut); 0 where there is none. One sample a pixel.
+  /// 1, in blue (9: the cut); 0 where there is none. One sample a pixel. Where a disc of
+  /// Scene::discs is seen, 16 times its number in its tile, from 1 and at most 15, is added to
+  /// blue.
   kIdentities,
 };
 

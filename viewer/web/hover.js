@@ -36,7 +36,8 @@ class Hover {
     return page.state.view === 'inside' ? this.inside(pixel, x, y) : this.outside(pixel);
   }
 
-  outside([low, high, surface]) {
+  outside([low, high, rest]) {
+    const [surface, disc] = [rest & 15, rest >> 4];
     if (surface === 0) return '';
     const {cells} = this.page.views.outside.cover;
     const number = low + 256 * high;
@@ -45,18 +46,19 @@ class Hover {
     for (let cell = cells[number]; cell.parent !== null; cell = cells[cell.parent])
       letters.unshift(this.letter(cells[cell.parent].tetrahedron, cell.face));
     const t = cells[number].tetrahedron;
-    return `${surface > 4 ? this.truncation(t, surface - 5) : this.face(t, surface - 1)}; ` +
+    return `${surface > 4 ? this.truncation(t, surface - 5, disc) : this.face(t, surface - 1)}; ` +
         `word ${this.word(letters)}`;
   }
 
-  inside([kind, tetrahedron, number, rest], x, y) {
+  inside([kind, tetrahedron, what, rest], x, y) {
+    const [number, disc] = [what & 15, what >> 4];
     if (kind === 0) return '';
     const {page} = this;
     const {path, letters} = page.views.inside.follow(page.walker, x, y, page.canvas, 255 - rest);
     const t = path.at(-1);
     if ((t & 255) !== tetrahedron) return '';
-    const what = kind === 1 ? this.truncation(t, number) : this.edge(t, number);
-    return `${what}; ${255 - rest} faces away; word ${this.word(letters.map(
+    const seen = kind === 1 ? this.truncation(t, number, disc) : this.edge(t, number);
+    return `${seen}; ${255 - rest} faces away; word ${this.word(letters.map(
         ([from, f]) => this.letter(from, f)))}`;
   }
 
@@ -70,9 +72,11 @@ class Hover {
         `${manifold.neighbour[t][f]}; edges ${edges.join(', ')}`;
   }
 
-  truncation(t, v) {
+  truncation(t, v, disc) {
+    const length = this.page.manifold.discs.lengthOf(t, v, disc);
     return `tetrahedron ${t}, truncation ${v} of boundary component ` +
-        `${this.page.manifold.vertexClass[t][v]}`;
+        `${this.page.manifold.vertexClass[t][v]}` +
+        (length === null ? '' : `, disc of an arc of length ${shown(length)}`);
   }
 
   edge(t, e) {

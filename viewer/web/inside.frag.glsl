@@ -6,7 +6,8 @@
 //
 // Texels of a tetrahedron (normals come with their time negated, so that dot() is the product):
 //   0-3 faces, 4-7 vertices, 8-23 rows of the four crossings, 24 neighbours, 25 entry faces,
-//   26-27 cosines <n_k, n_l> at the six edges, 28-29 edge classes, 30 boundary components
+//   26-27 cosines <n_k, n_l> at the six edges, 28-29 edge classes, 30 boundary components,
+//   31 where the discs of the four truncations begin
 uniform sampler2D uTetrahedra;
 uniform int uPerRow;
 uniform int uStart;       // the tetrahedron of the camera
@@ -117,11 +118,19 @@ vec3 paletteOf(int i) {
   return uPalette[i % 12] * pow(0.72, float((i / 12) % 4));
 }
 
+/// The hyperbolic size of a pixel on the wall, where it is longest.
+float pixelOnWall(Hit hit) {
+  float incidence = max(abs(dot(texel(4 + hit.number), hit.u)), 0.06);
+  return uPixel * sinh(min(hit.along, 12.0)) / incidence;
+}
+vec3 discsAt(Hit hit, out int disc) {
+  return discColour(int(texel(31)[hit.number]), hit.x, pixelOnWall(hit), disc);
+}
+
 /// The wall with its own geometry: the truncation triangles that tile it, and inside each the
 /// curves at equal distance from its sides.
 vec3 wallColour(Hit hit) {
-  float incidence = max(abs(dot(texel(4 + hit.number), hit.u)), 0.06);
-  float pixel = uPixel * sinh(min(hit.along, 12.0)) / incidence;
+  float pixel = pixelOnWall(hit);
   float side = 1e9;
   for (int f = 0; f < 4; ++f)
     if (f != hit.number) side = min(side, arsinh(-dot(texel(f), hit.x)));
@@ -129,7 +138,9 @@ vec3 wallColour(Hit hit) {
                              : int(texel(30)[hit.number]);
   vec3 base = mix(paletteOf(index), vec3(0.93, 0.91, 0.86), uColourBy == 0 ? 0.22 : 0.15);
   float blur = smoothstep(0.35, 0.08, pixel);  // what is finer than pixels becomes its mean
-  if (uGrid == 1) {
+  int disc;
+  if (uDiscsOn == 1) base = discsAt(hit, disc);
+  else if (uGrid == 1) {
     float ring = side / 0.12;
     float away = abs(ring - round(ring)) * 0.12;
     float line = (1.0 - smoothstep(0.003, 0.003 + 1.2 * pixel, away)) * step(0.5, ring);
@@ -171,7 +182,11 @@ void main() {
   for (int mirror = 0; mirror <= kMaxMirrors; ++mirror) {
     trace(hit, from);
     if (uOutput == kIdentities) {
-      colour = vec4(float(hit.kind), float(hit.tetrahedron & 255), float(hit.number),
+      int disc = 0;
+      stand(hit.tetrahedron);
+      if (uDiscsOn == 1 && hit.kind == kWall) discsAt(hit, disc);
+      colour = vec4(float(hit.kind), float(hit.tetrahedron & 255),
+                    float(hit.number) + discIdentity(disc),
                     255.0 - float(min(hit.crossings, 200))) / 255.0;
       return;
     }

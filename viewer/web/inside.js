@@ -10,7 +10,9 @@ class InsideView {
   }
 
   connect() {
-    this.program = this.graphics.program('fullscreen.vert.glsl', 'inside.frag.glsl');
+    this.program =
+        this.graphics.program('fullscreen.vert.glsl', 'inside.frag.glsl', ['discs.glsl']);
+    this.discs = this.manifold.discs.texture(this.graphics);
     const numbers = new Float32Array(4 * kTetrahedronTexels * this.manifold.count);
     for (let t = 0; t < this.manifold.count; ++t)
       numbers.set(this.record(t), 4 * kTetrahedronTexels * t);
@@ -32,6 +34,7 @@ class InsideView {
       numbers[112 + e] = m.edgeClass[t][e] % 4096;
     });
     numbers.set(m.vertexClass[t].map((v) => v % 4096), 120);
+    numbers.set(m.discs.first.slice(4 * t, 4 * t + 4), 124);
     return numbers;
   }
 
@@ -93,6 +96,7 @@ class InsideView {
     gl.uniform1f(at('uMirror'), state.mirror ? 0.45 : 0);
     gl.uniform1i(at('uGrid'), state.lines ? 1 : 0);
     gl.uniform1i(at('uColourBy'), state.wall === 'triangle' ? 0 : 1);
+    this.manifold.discs.use(gl, this.program, this.discs, state.discs);
     gl.uniform3fv(at('uPalette'), kLinearPalette.flat());
     gl.uniform3fv(at('uFogColour'), linearColour(state.theme.fog));
     gl.uniform1i(at('uOutput'), state.identities ? 1 : 0);

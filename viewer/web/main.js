@@ -24,6 +24,7 @@ class Page {
       sight: number('sight', 3.4, 1, 8),
       mirror: this.wishes.get('mirror') === '1',
       lines: this.wishes.get('lines') !== '0',
+      discs: this.wishes.get('discs') !== '0',
       crossings: 60,
       identities: false,
     };
@@ -38,6 +39,7 @@ class Page {
 
   start() {
     showFacts(this.data);
+    showDiscScale(this.data.discs);
     this.manifold = new Manifold(this.data);
     this.orbit = new OrbitCamera();
     this.resetView();

@@ -52,6 +52,7 @@ class Manifold {
     this.edgeClass = data.edge_classes;
     this.vertexClass = data.vertex_classes;
     this.faceClass = this.numberFaces();
+    this.discs = new Discs(data.discs, 4 * this.count);
   }
 
   /// One number for each pair of glued faces.

@@ -67,6 +67,17 @@ float enter(vec3 o, vec3 d, float start, float stop, out int surface) {
   return s;
 }
 
+/// The discs at a point of a truncation, seen along `ray`; `pixel`: its size in units of u.
+vec3 discsAt(int surface, vec3 u, float pixel, vec3 ray, out int disc) {
+  vec4 x = texelFetch(uCells, vFirst + ivec2(17, 0), 0) +
+           texelFetch(uCells, vFirst + ivec2(16, 0), 0) * dot(u, u);
+  for (int k = 0; k < 3; ++k) x += texelFetch(uCells, vFirst + ivec2(13 + k, 0), 0) * u[k];
+  float scale = inversesqrt(max(-discProduct(x, x), 1e-30));
+  float incidence = max(abs(dot(normalize(slopeAt(surface, u)), ray)), 0.06);
+  float first = texelFetch(uCells, vFirst + ivec2(18, 0), 0)[surface - 4];
+  return discColour(int(first), x * scale, pixel * scale / incidence, disc);
+}
+
 vec3 paint(int surface, vec4 own) {
   vec4 faceColours = texelFetch(uCells, vFirst + ivec2(12, 0), 0);
   vec3 base = own.rgb;
@@ -122,13 +133,18 @@ void main() {
   vec3 u = o + s * ray;
   float along = nearest + s;
   gl_FragDepth = depthOf(along * vRadius);
+  int disc = 0;
+  vec3 spots = vec3(0.0);
+  bool spotted = uDiscsOn == 1 && surface >= 4;
+  if (spotted) spots = discsAt(surface, u, along * uPixel, ray, disc);
   if (uOutput == kIdentities) {
-    colour = vec4(float(vCell & 255), float(vCell >> 8), float(surface + 1), 255.0) / 255.0;
+    colour = vec4(float(vCell & 255), float(vCell >> 8), float(surface + 1) + discIdentity(disc),
+                  255.0) / 255.0;
     return;
   }
   vec4 own = texelFetch(uCells, vFirst + ivec2(11, 0), 0);
   vec3 normal = normalize(slopeAt(surface, u));
-  vec3 shade = lit(paint(surface, own), normal, ray);
+  vec3 shade = lit(spotted ? spots : paint(surface, own), normal, ray);
   shade *= 1.0 - 0.82 * edgeLine(surface, u, normal, along);
   colour = finite(toDisplay(shade));
 }

@@ -1,12 +1,14 @@
 // The outside view: cells of the universal cover, in the ball or in the upper half-space.
-const kCellTexels = 13;
-const kCellsPerRow = 128;
+const kCellTexels = 19;
+const kCellsPerRow = 100;
 
 /// What the upper half-space and the ball make of the hyperboloid model. In both a half-space
 /// <n, x> <= 0 becomes A |p|^2 + 2 b.p + C <= 0.
 const kModels = {
   upper: {
     number: 0,
+    // The hyperboloid's point, up to a factor, is this times (p, |p|^2, 1), column by column.
+    points: [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 0], [0, 0, 0.5, 0.5], [0, 0, -0.5, 0.5]],
     halfSpace: (n) => ({A: n[2] - n[3], b: [n[0], n[1], 0], C: -(n[2] + n[3])}),
     sphere(centre, radius) {
       const height = 1 / (centre[3] - centre[2]);
@@ -30,6 +32,7 @@ const kModels = {
   },
   ball: {
     number: 1,
+    points: [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 0.5], [0, 0, 0, 0.5]],
     halfSpace: (n) => ({A: -n[3], b: n.slice(0, 3), C: -n[3]}),
     sphere(centre, radius) {
       const scale = 1 / (centre[3] + Math.cosh(radius));
@@ -67,7 +70,9 @@ class OutsideView {
   /// Makes what lives on the graphics card, at the start and after it was lost.
   connect() {
     const shared = ['outside_camera.glsl'];
-    this.cells = this.graphics.program('outside.vert.glsl', 'outside.frag.glsl', shared);
+    this.cells = this.graphics.program('outside.vert.glsl', 'outside.frag.glsl',
+                                       [...shared, 'discs.glsl']);
+    this.discs = this.manifold.discs.texture(this.graphics);
     this.ground =
         this.graphics.program('fullscreen.vert.glsl', 'outside_ground.frag.glsl', shared);
     this.shown = '';
@@ -78,7 +83,22 @@ class OutsideView {
     return Lorentz.inverse(kModels[model].frame(this.manifold.tetrahedra[0]));
   }
 
-  /// 13 x 4 numbers of a cell for the shader; see outside.frag.glsl.
+  /// From points at + radius u of the model to the hyperboloid in the tetrahedron's coordinates:
+  /// five columns that (u, |u|^2, 1) is multiplied with. The result is the point over s, where u
+  /// moves s of hyperbolic length for one of its own.
+  toTetrahedron(isometry, model, at, radius) {
+    const inverse = Lorentz.inverse(isometry);
+    const [x, y, z, square, one] = kModels[model].points;
+    const sum = (terms) => Lorentz.apply(inverse, [0, 1, 2, 3].map(
+        (i) => terms.reduce((total, [factor, column]) => total + factor * column[i], 0)));
+    const axes = [x, y, z];
+    return [...axes.map((axis, k) => sum([[1, axis], [2 * at[k], square]])),
+            sum([[radius, square]]),
+            sum([...axes.map((axis, k) => [at[k] / radius, axis]),
+                 [dot3(at, at) / radius, square], [1 / radius, one]])].flat();
+  }
+
+  /// 19 x 4 numbers of a cell for the shader; see outside.frag.glsl.
   record(cell, model, toModel) {
     const {halfSpace, sphere} = kModels[model];
     const tetrahedron = this.manifold.tetrahedra[cell.tetrahedron];
@@ -94,6 +114,9 @@ class OutsideView {
     numbers.set([...at, radius], 40);
     numbers.set([...paletteColour(cell.tetrahedron), cell.depth], 44);
     numbers.set(this.manifold.faceClass[cell.tetrahedron], 48);
+    numbers.set(this.toTetrahedron(isometry, model, at, radius), 52);
+    const tile = 4 * cell.tetrahedron;
+    numbers.set(this.manifold.discs.first.slice(tile, tile + 4), 72);
     return numbers;
   }
 
@@ -144,6 +167,7 @@ class OutsideView {
     gl.bindTexture(gl.TEXTURE_2D, this.texture);
     gl.uniform1i(this.cells.at('uCells'), 0);
     gl.uniform1i(this.cells.at('uCellsPerRow'), kCellsPerRow);
+    this.manifold.discs.use(gl, this.cells, this.discs, state.discs);
     gl.uniform1f(this.cells.at('uExplode'), state.explode);
     gl.uniformMatrix4fv(this.cells.at('uProjection'), false, view.projection);
     gl.uniform1i(this.cells.at('uColourBy'), ['tetrahedron', 'depth', 'face'].indexOf(state.colour));

@@ -11,7 +11,7 @@ flat out float vRadius;
 
 void main() {
   vCell = gl_InstanceID;
-  vFirst = ivec2((gl_InstanceID % uCellsPerRow) * 13, gl_InstanceID / uCellsPerRow);
+  vFirst = ivec2((gl_InstanceID % uCellsPerRow) * 19, gl_InstanceID / uCellsPerRow);
   vec4 sphere = texelFetch(uCells, vFirst + ivec2(10, 0), 0);
   vCentre = sphere.xyz;
   // Moving the cells apart and stepping back looks the same as shrinking them where they are.

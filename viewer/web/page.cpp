@@ -120,6 +120,36 @@ void append_embedding(Text& out, const embedding::Embedding& embedding) {
   });
 }
 
+/// The discs of each tile as numbers, five each: the centre and the length.
+void append_discs(Text& out, const WallDiscs& discs) {
+  append_key(out, "discs");
+  out.append(std::string_view("{\"length\":"));
+  append_number(out, discs.length);
+  append_key(out, "shortest");
+  append_number(out, discs.scale.shortest);
+  append_key(out, "longest");
+  append_number(out, discs.scale.longest);
+  append_key(out, "bare");
+  const auto append_colour = [&](const orthospectrum::LengthColour& rgb) {
+    fmt::format_to(std::back_inserter(out), "\"#{:02x}{:02x}{:02x}\"", rgb[0], rgb[1], rgb[2]);
+  };
+  append_colour(kBareWall);
+  append_key(out, "colours");
+  append_list(out, orthospectrum::kLengthColours.size(),
+              [&](std::size_t i) { append_colour(orthospectrum::kLengthColours[i]); });
+  append_key(out, "tiles");
+  append_list(out, discs.tiles.size(), [&](std::size_t n) {
+    append_list(out, discs.tiles[n].size(), [&](std::size_t i) {
+      const WallDisc& disc = discs.tiles[n][i];
+      const Vector4& p = disc.centre;
+      // Shaders compute in single precision; the lengths are read by people.
+      fmt::format_to(std::back_inserter(out), "{:.9g},{:.9g},{:.9g},{:.9g},{:.12g}", p[0], p[1],
+                     p[2], p[3], disc.length);
+    });
+  });
+  out.push_back('}');
+}
+
 std::string page_data(const PageOptions& options, const topology::Triangulation& triangulation,
                       const structure::Report& report, const embedding::Embedding& embedding) {
   Text out;
@@ -136,6 +166,7 @@ std::string page_data(const PageOptions& options, const topology::Triangulation&
   append_topology(out, triangulation);
   append_report(out, report);
   append_embedding(out, embedding);
+  if (options.discs != nullptr) append_discs(out, *options.discs);
   out.push_back('}');
   return fmt::to_string(out);
 }

@@ -6,6 +6,7 @@
 #include "embedding/embedding.hpp"
 #include "structure/report.hpp"
 #include "topology/triangulation.hpp"
+#include "viewer/wall_discs.hpp"
 
 namespace tripus::viewer {
 
@@ -17,11 +18,12 @@ inline constexpr std::size_t kMostPageCells = 10'000;
 
 /// What a page says and how it opens.
 struct PageOptions {
-  std::string name;            ///< from outside: any bytes; the heading
-  std::string isosig;          ///< empty where it is not known
-  std::size_t cells = 20;      ///< shown at first, 1 to kMostPageCells
-  std::string model = "ball";  ///< shown at first: "ball" or "upper"
-  std::string gallery;         ///< relative address of a page to go back to, empty for none
+  std::string name;                  ///< from outside: any bytes; the heading
+  std::string isosig;                ///< empty where it is not known
+  std::size_t cells = 20;            ///< shown at first, 1 to kMostPageCells
+  std::string model = "ball";        ///< shown at first: "ball" or "upper"
+  const WallDiscs* discs = nullptr;  ///< on the truncations; null: none
+  std::string gallery;               ///< relative address of a page to go back to, empty for none
 };
 
 /// One self-contained HTML page that shows the manifold from outside, as cells of the universal

@@ -27,6 +27,8 @@ function showFacts(data) {
     [data.edge_lengths.length === 1 ? 'Edge length' : 'Edge lengths', listOf(data.edge_lengths)],
     [valences.length === 1 ? 'Edge valence' : 'Edge valences', listOf(valences)],
     ['Largest curvature left', data.max_curvature.toPrecision(2)],
+    ...(data.discs ? [['Discs', `arcs orthogonal to the boundary up to length ${
+        shown(data.discs.length)}`]] : []),
     ['Isomorphism signature', data.isosig || 'too long to compute'],
   ];
   for (const [noun, value, note] of facts) {
@@ -55,7 +57,7 @@ function connectPanel(state, changed) {
     connect(id, 'input', (e) => { state[id] = Number(e.value); });
   for (const id of ['model', 'colour', 'wall', 'place'])
     connect(id, 'change', (e) => { state[id] = e.value; });
-  for (const id of ['mirror', 'lines']) connect(id, 'change', (e) => { state[id] = e.checked; });
+  for (const id of ['mirror', 'lines', 'discs']) connect(id, 'change', (e) => { state[id] = e.checked; });
   for (const button of document.querySelectorAll('[data-view]'))
     button.addEventListener('click', () => { state.view = button.dataset.view; changed('view'); });
   element('theme').addEventListener('click', () => {
@@ -86,7 +88,7 @@ function showState(state, cellCount) {
   element('cells-shown').textContent = String(cellCount);
   for (const id of ['explode', 'tube', 'sight', 'model', 'colour', 'wall', 'place'])
     element(id).value = String(state[id]);
-  for (const id of ['mirror', 'lines']) element(id).checked = state[id];
+  for (const id of ['mirror', 'lines', 'discs']) element(id).checked = state[id];
   for (const view of ['outside', 'inside']) element(`controls-${view}`).hidden = state.view !== view;
   for (const button of document.querySelectorAll('[data-view]'))
     button.setAttribute('aria-pressed', String(button.dataset.view === state.view));

@@ -1,11 +1,11 @@
 # The page's files, as they are, become strings of the library, in the order in which a page puts them
 # together. Sets TRIPUS_WEB_ASSETS_CPP, the source file to compile.
 set(TRIPUS_WEB_SHADERS
-  common.glsl fullscreen.vert.glsl outside_camera.glsl outside.vert.glsl outside.frag.glsl
-  outside_ground.frag.glsl inside.frag.glsl)
+  common.glsl discs.glsl fullscreen.vert.glsl outside_camera.glsl outside.vert.glsl
+  outside.frag.glsl outside_ground.frag.glsl inside.frag.glsl)
 set(TRIPUS_WEB_SCRIPTS
-  lorentz.js manifold.js palette.js gl.js outside.js cameras.js inside.js panel.js controls.js
-  hover.js dump.js main.js)
+  lorentz.js manifold.js palette.js gl.js discs.js outside.js cameras.js inside.js panel.js
+  controls.js hover.js dump.js main.js)
 set(TRIPUS_WEB_TEXTS page.html style.css gallery.html gallery.css)
 
 set(TRIPUS_WEB_ENTRIES "")

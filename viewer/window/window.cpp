@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "viewer/legend.hpp"
 #include "viewer/opencsg/detail/gl.hpp"
 #include "viewer/opencsg/detail/renderer.hpp"
 
@@ -30,6 +31,7 @@ constexpr const char* kHelp =
     "M                upper half-space, ball\n"
     "C                colour by tetrahedron, face, depth\n"
     "F  T             faces, truncations on and off\n"
+    "D                discs of arcs on and off\n"
     "X  [  ]          cut away, move the cut\n"
     "S                solid or hollow (faster)\n"
     "O                dark nooks on and off\n"
@@ -179,6 +181,9 @@ class Viewer {
       case GLFW_KEY_T:
         if (shown_.faces) shown_.truncations = !shown_.truncations;
         break;
+      case GLFW_KEY_D:
+        shown_.discs = !shown_.discs;
+        break;
       case GLFW_KEY_X:
         if (shown_.cut_away)
           shown_.cut_away.reset();
@@ -258,6 +263,8 @@ class Viewer {
     const int scale = std::max(1, height / 500);
     draw_text(scene_.title + ": " + line.data() + (message_.empty() ? "" : "     " + message_), 10,
               10, scale, width, height);
+    if (scene_.discs != nullptr && shown_.discs)
+      draw_legend(legend_of(*scene_.discs, width, height), width, height);
     if (help_) draw_text(kHelp, 10, 10 + 18.0F * static_cast<float>(scale), scale, width, height);
     glfwSwapBuffers(window_);
   }
@@ -276,7 +283,8 @@ class Viewer {
     glfwGetFramebufferSize(window_, &width, &height);
     if (width < 1 || height < 1) return;
     draw_scene(width, height);
-    const Image image = read_pixels(width, height);
+    Image image = read_pixels(width, height);
+    add_legend(scene_, shown_, image);
     namespace fs = std::filesystem;
     for (int number = 1;; ++number) {
       const fs::path path =

@@ -30,25 +30,30 @@ Precision::Precision(long bits) : before_(std::exchange(bits_, bits)) {
   static_cast<void>(&kCaches);
 }
 
+Arb clausen_near_zero(const Arb& a) {
+  // |Cl2(x)| <= |x| (1 - ln |x|) + |x|^3 / 60, which grows on |x| <= 1, and 60 > 1.
+  mag_t size, bound;
+  mag_init(size);
+  mag_init(bound);
+  arb_get_mag(size, a.get());
+  if (mag_cmp_2exp_si(size, 0) > 0) {
+    mag_inf(bound);
+  } else if (mag_is_zero(size) == 0) {
+    mag_neg_log(bound, size);
+    mag_add_ui(bound, bound, 2);
+    mag_mul(bound, bound, size);
+  }
+  Arb result;
+  mag_set(arb_radref(result.get()), bound);
+  mag_clear(size);
+  mag_clear(bound);
+  return result;
+}
+
 Arb clausen(const Arb& x) {
   const Arb reduced = within_a_turn(x);
+  if (arb_contains_zero(reduced.get()) != 0) return clausen_near_zero(reduced);
   Arb result;
-  if (arb_contains_zero(reduced.get()) != 0) {
-    // |Cl2(a)| <= |a| (1 - ln |a|) + |a|^3 / 60 <= sqrt |a| * 3 on |a| <= 1.
-    mag_t bound;
-    mag_init(bound);
-    arb_get_mag(bound, reduced.get());
-    if (mag_cmp_2exp_si(bound, 0) > 0) {
-      mag_inf(bound);
-    } else {
-      mag_sqrt(bound, bound);
-      mag_mul_ui(bound, bound, 3);
-    }
-    arb_zero(result.get());
-    mag_set(arb_radref(result.get()), bound);
-    mag_clear(bound);
-    return result;
-  }
   acb_t z;
   acb_init(z);
   arb_sin_cos(acb_imagref(z), acb_realref(z), reduced.get(), Precision::bits());

@@ -137,5 +137,7 @@ class Arb {
 
 /// Clausen's function Im Li2(e^ix) of all members of x.
 Arb clausen(const Arb& x);
+/// The same of all |x| <= a: an interval about 0.
+Arb clausen_near_zero(const Arb& a);
 
 }  // namespace tripus::structure::detail

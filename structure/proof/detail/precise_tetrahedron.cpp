@@ -1,26 +1,56 @@
 #include "structure/proof/detail/precise_tetrahedron.hpp"
 
-#include <Eigen/Dense>
+#include <algorithm>
 
-#include "geometry/enclosure_formulae.hpp"
+#include <Eigen/Dense>
 
 namespace tripus::structure::detail {
 namespace {
 
 using geometry::packed_index;
 
-geometry::GramEnclosure<Arb> gram_of(const std::array<Arb, 6>& l) {
-  Arb cosh[6], sinh[6];
-  for (std::size_t e = 0; e < 6; ++e)
-    arb_sinh_cosh(sinh[e].get(), cosh[e].get(), l[e].get(), Precision::bits());
-  return geometry::gram_enclosure(cosh, sinh);
+geometry::GramEnclosure<Arb> gram_of(const std::array<Arb, 6>& l, const Diagonal& diagonal) {
+  const GramEntries g = gram_entries(l, diagonal);
+  return geometry::gram_enclosure(g.c, g.s, gram_diagonal(diagonal));
 }
 
 }  // namespace
 
-std::optional<PreciseTetrahedron> precise_tetrahedron(const std::array<Arb, 6>& l,
-                                                      bool with_volume) {
-  const auto gram = gram_of(l);
+geometry::GramDiagonal gram_diagonal(const Diagonal& diagonal) {
+  geometry::GramDiagonal result;
+  std::ranges::copy(diagonal, result.d);
+  return result;
+}
+
+std::array<Arb, 6> lengths_of(const topology::Triangulation& triangulation,
+                              const std::vector<Arb>& lengths, std::size_t t) {
+  std::array<Arb, 6> l;
+  for (std::size_t e = 0; e < 6; ++e)
+    l[e] = lengths[triangulation.edge_class(t, static_cast<int>(e))];
+  return l;
+}
+
+GramEntries gram_entries(const std::array<Arb, 6>& l, const Diagonal& diagonal) {
+  GramEntries entries;
+  auto& [c, s] = entries;
+  for (std::size_t e = 0; e < 6; ++e) {
+    const auto& [i, j] = topology::kEdgeEnds[e];
+    const int ideal_ends =
+        2 - diagonal[static_cast<std::size_t>(i)] - diagonal[static_cast<std::size_t>(j)];
+    if (ideal_ends == 0) {
+      arb_sinh_cosh(s[e].get(), c[e].get(), l[e].get(), Precision::bits());
+    } else {
+      arb_exp(c[e].get(), l[e].get(), Precision::bits());
+      if (ideal_ends == 2) arb_mul_2exp_si(c[e].get(), c[e].get(), 1);
+      s[e] = c[e];
+    }
+  }
+  return entries;
+}
+
+std::optional<PreciseTetrahedron> precise_tetrahedron(const std::array<Arb, 6>& l, bool with_volume,
+                                                      const Diagonal& diagonal) {
+  const auto gram = gram_of(l, diagonal);
   if (!gram.minus_det.positive()) return std::nullopt;
   const Arb root = square_root(gram.minus_det);
   Arb theta[6];
@@ -31,11 +61,13 @@ std::optional<PreciseTetrahedron> precise_tetrahedron(const std::array<Arb, 6>& 
   return result;
 }
 
-std::optional<std::array<Arb, 21>> precise_jacobian(const std::array<Arb, 6>& l) {
-  const auto gram = gram_of(l);
+std::optional<std::array<Arb, 21>> precise_jacobian(const std::array<Arb, 6>& l,
+                                                    const Diagonal& diagonal) {
+  const auto gram = gram_of(l, diagonal);
   if (!gram.minus_det.positive()) return std::nullopt;
   std::array<Arb, 21> jacobian;
-  geometry::jacobian_enclosure(gram, square_root(gram.minus_det), jacobian.data());
+  geometry::jacobian_enclosure(gram, square_root(gram.minus_det), jacobian.data(),
+                               gram_diagonal(diagonal));
   return jacobian;
 }
 
@@ -81,7 +113,7 @@ std::optional<geometry::TetrahedronKind> proved_flat(const std::array<Arb, 6>& l
                                  TetrahedronKind::kFlat03_12};
   for (const Arb& length : l)
     if (!length.positive()) return std::nullopt;
-  const auto gram = gram_of(l);
+  const auto gram = gram_of(l, kHyperideal);
   if (!gram.minus_det.negative()) return std::nullopt;
   // |cos| > 1 at every edge, and it is negative at one pair only.
   for (std::size_t e = 0; e < 3; ++e)

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -36,10 +38,20 @@ class Scanner {
     at_ += word.size();
     return true;
   }
+  /// The same in capitals or small letters, and only as a whole word.
+  bool take_whole_word(std::string_view word) {
+    skip_space();
+    const std::size_t from = at_;
+    if (same_word(letters(), word)) return true;
+    at_ = from;
+    return false;
+  }
   char take_any() { return text_[at_++]; }
   void expect(char c) {
     if (!take(c)) fail(std::string("expected ") + c + found());
   }
+  /// What was read since a position.
+  std::string_view since(std::size_t from) const { return text_.substr(from, at_ - from); }
   /// A run of letters; empty if there is none.
   std::string_view letters() {
     skip_space();
@@ -86,16 +98,19 @@ class Scanner {
       }
     return "line " + std::to_string(line) + ", column " + std::to_string(column);
   }
-  std::string found() {
-    skip_space();
-    return at_ == text_.size() ? ", and the text ends"
-                               : ", found " + quoted(std::string(text_.substr(at_, 12)));
-  }
+  /// What comes next, in quotes.
+  std::string ahead() const { return quoted(std::string(text_.substr(at_, 12))); }
+  std::string found() { return at_end() ? ", and the text ends" : ", found " + ahead(); }
   [[noreturn]] void fail(const std::string& what) const { fail(what, at_); }
   [[noreturn]] void fail(const std::string& what, std::size_t at) const {
     throw InvalidInput(what + " (" + place(at) + ")");
   }
 
+  /// Whether two words differ in capitals at most.
+  static bool same_word(std::string_view one, std::string_view two) {
+    const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; };
+    return std::ranges::equal(one, two, {}, small, small);
+  }
   static bool is_digit(char c) { return c >= '0' && c <= '9'; }
   static bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -117,5 +132,54 @@ class Scanner {
 inline bool is_opening(char c) { return c == '[' || c == '(' || c == '{'; }
 inline bool is_closing(char c) { return c == ']' || c == ')' || c == '}'; }
 inline char closing_of(char opening) { return opening == '[' ? ']' : opening == '(' ? ')' : '}'; }
+
+/// The brackets that are open around what is read. They must match and close.
+class Brackets {
+ public:
+  std::size_t depth() const { return open_.size(); }
+  /// Takes an opening bracket.
+  void open(Scanner& scan) {
+    const char c = scan.peek();
+    open_.emplace_back(c, scan.position());
+    scan.take_any();
+  }
+  /// Takes a closing one.
+  void close(Scanner& scan) {
+    const char c = scan.peek();
+    if (open_.empty())
+      scan.fail(std::string("the bracket ") + c + " closes nothing that is open; take it away");
+    const auto [opening, at] = open_.back();
+    if (closing_of(opening) != c)
+      scan.fail(named(scan) + " is closed by " + c + "; write " + closing_of(opening));
+    open_.pop_back();
+    scan.take_any();
+  }
+  /// Refuses what stands where the innermost bracket ought to close.
+  [[noreturn]] void fail_open(Scanner& scan) const {
+    const bool ends = scan.at_end();
+    scan.fail(named(scan) + " is not closed; add " + closing_of(open_.back().first) +
+              (ends ? " at the end" : " before " + scan.ahead()));
+  }
+  /// At the end.
+  void require_closed(Scanner& scan) const {
+    if (!open_.empty()) fail_open(scan);
+  }
+
+ private:
+  std::string named(const Scanner& scan) const {
+    return std::string("the bracket ") + open_.back().first + " of " +
+           scan.place(open_.back().second);
+  }
+
+  std::vector<std::pair<char, std::size_t>> open_;
+};
+
+/// Whether a text begins with a word, in capitals or small letters, and a sign that no word has: a
+/// colon, a bracket, white space and the like.
+inline bool has_heading(std::string_view text, std::string_view word) {
+  return text.size() > word.size() && Scanner::same_word(text.substr(0, word.size()), word) &&
+         (is_space(text[word.size()]) ||
+          std::string_view(":=[({").find(text[word.size()]) != std::string_view::npos);
+}
 
 }  // namespace tripus::topology::detail

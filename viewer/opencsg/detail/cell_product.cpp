@@ -42,7 +42,9 @@ void DrawnMesh::draw() const {
 }
 
 CellProduct::CellProduct(Model model, const SceneCell& cell)
-    : model_(model), ball_(bounding_ball(model, cell)) {
+    : model_(model),
+      ball_(bounding_ball(model, cell)),
+      to_tetrahedron_(viewer::to_tetrahedron(model, cell, ball_)) {
   for (std::size_t wall = 0; wall < kWallCount; ++wall)
     half_spaces_[wall] = half_space(model, cell.walls[wall]);
 }

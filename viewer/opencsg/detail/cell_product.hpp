@@ -55,6 +55,7 @@ class CellProduct {
 
   const Vector3& centre() const { return ball_.centre; }
   double scale() const { return ball_.radius; }
+  const ToTetrahedron& to_tetrahedron() const { return to_tetrahedron_; }
 
   /// Makes the meshes so fine that they leave the walls by less than `error` (local), unless they
   /// are already, and not far too fine. `cut_away`: the cut, or null.
@@ -70,6 +71,7 @@ class CellProduct {
   Model model_;
   std::array<HalfSpace, kWallCount> half_spaces_;
   Ball ball_;
+  ToTetrahedron to_tetrahedron_;
   double error_ = 0;  ///< of the meshes that there are
   bool cut_ = false;
   HalfSpace cut_at_;

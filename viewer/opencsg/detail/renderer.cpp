@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "viewer/opencsg/detail/cell_product.hpp"
+#include "viewer/opencsg/detail/drawn_discs.hpp"
 #include "viewer/opencsg/detail/gl.hpp"
 #include "viewer/opencsg/detail/shaders.hpp"
 
@@ -67,6 +68,7 @@ class Renderer::Implementation {
   Model model_ = Model::kUpperHalfSpace;
   Ball ball_;
   std::vector<CellProduct> products_;
+  DrawnDiscs discs_;
 };
 
 Renderer::Implementation::Implementation()
@@ -89,6 +91,7 @@ void Renderer::Implementation::set_scene(const Scene& scene, Model model) {
   scene_ = scene;
   model_ = model;
   ball_ = bounding_ball(model, scene);
+  discs_.set(scene.discs);
   products_.reserve(scene.cells.size());
   while (products_.size() < scene.cells.size())
     products_.emplace_back(model, scene.cells[products_.size()]);
@@ -237,6 +240,12 @@ void Renderer::Implementation::shade(std::size_t number, const PictureOptions& o
   const double widest = 1.5 * frame.samples * std::max(1.0, frame.height / 900.0);
   glUniform1f(uniform.at("line_width"), static_cast<GLfloat>(std::min(widest, 0.03 * pixels)));
 
+  const bool with_discs = options.discs && !discs_.empty();
+  if (with_discs)
+    discs_.use_cell(uniform.program, product.to_tetrahedron());
+  else
+    DrawnDiscs::use_none(uniform.program);
+
   glDepthFunc(discarding ? GL_LESS : GL_EQUAL);
   for (std::size_t i = 0; i < walls.size(); ++i) {
     const CellProduct::Wall& wall = walls[i];
@@ -253,6 +262,7 @@ void Renderer::Implementation::shade(std::size_t number, const PictureOptions& o
     }
     glUniform3fv(uniform.at("colour"), 1, colour.data());
     glUniform1i(uniform.at("own"), static_cast<GLint>(i));
+    if (with_discs) discs_.use_wall(uniform.program, cell, wall.number);
     if (discarding) {
       glDisable(GL_CULL_FACE);
     } else {

@@ -24,7 +24,8 @@ class Renderer {
     int height = 0;
     int samples = 1;  ///< in the place of options.samples
     /// Instead of colours: the number of the cell, from 1, in red and green, the lower byte first,
-    /// and the number of its wall, from 1, in blue (9: the cut-away); 0 where there is none.
+    /// and the number of its wall, from 1, in blue (9: the cut-away); 0 where there is none. Where
+    /// a disc is seen, 16 times its number in its tile, from 1 and at most 15, is added to blue.
     bool identities = false;
   };
 

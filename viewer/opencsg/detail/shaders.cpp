@@ -27,7 +27,43 @@ uniform vec3 colour;
 uniform vec3 eye;              // in the local frame
 uniform vec3 key_light;        // unit, towards the light
 uniform float line_width;      // pixels
+uniform float first_disc;      // texel; negative: none lie on this wall
+uniform sampler2D discs;
+uniform float disc_rows;
+uniform vec4 to_tetrahedron[5];
+uniform vec3 bare;             // between discs
 varying vec3 position;
+
+float product(vec4 a, vec4 b) { return dot(a.xyz, b.xyz) - a.w * b.w; }
+
+vec4 disc_texel(float i) {
+  const float row = 1024.0;    // kDiscTexelsPerRow
+  float y = floor((i + 0.5) / row);
+  return texture2D(discs, vec2((i - row * y + 0.5) / row, (y + 0.5) / disc_rows));
+}
+
+// The discs at a point x of the hyperboloid, and in `number` the one it lies in, from 1, or 0.
+// pixel: the hyperbolic size of one
+vec3 disc_colour(vec4 x, float pixel, out float number) {
+  vec3 result = bare;
+  number = 0.0;
+  float i = first_disc;
+  for (float n = 1.0;; n += 1.0) {
+    vec4 about = disc_texel(i + 1.0);
+    if (about.w < 0.0) break;
+    vec4 away = x - disc_texel(i);
+    float radius = sqrt(about.w), inside = radius - sqrt(max(product(away, away), 0.0));
+    // Discs finer than pixels have the share of it that they cover.
+    float share = clamp(0.5 + inside / pixel, 0.0, 1.0) * min(1.0, 2.0 * radius / pixel);
+    result = mix(result, about.rgb, share);
+    if (inside > 0.0) {
+      number = n;
+      if (share == 1.0) break;
+    }
+    i += 2.0;
+  }
+  return result;
+}
 
 void main() {
   // From the mesh to the true wall: along the ray, so that all meshes of one wall give one point; where
@@ -61,12 +97,24 @@ void main() {
     float strength = edge ? 0.85 : 0.55;
     ink = max(ink, strength * (1.0 - smoothstep(width - 0.6, width + 0.6, pixels)));
   }
+  vec3 own_colour = colour;
+  if (first_disc >= 0.0) {
+    vec4 x = to_tetrahedron[0] * p.x + to_tetrahedron[1] * p.y + to_tetrahedron[2] * p.z +
+             to_tetrahedron[3] * dot(p, p) + to_tetrahedron[4];
+    x *= inversesqrt(max(-product(x, x), 1e-30));
+    vec4 right = dFdx(x), up = dFdy(x);
+    float size = sqrt(max(max(product(right, right), product(up, up)), 1e-20));
+    float disc;
+    vec3 shown = disc_colour(x, size, disc);
+    // In a plain picture the disc is told, from 1 to 14, or 15: in the upper half of blue.
+    own_colour = plain ? colour + vec3(0.0, 0.0, min(disc, 15.0) * 16.0 / 255.0) : shown;
+  }
   // Cells along one geodesic plane share the surface of their truncations: that a pixel has our depth
   // does not make it ours.
   // A little beyond the edge is ours, or there were slits between cells.
   if (outside) discard;
   if (plain) {
-    gl_FragColor = vec4(colour, 1.0);
+    gl_FragColor = vec4(own_colour, 1.0);
     return;
   }
   vec3 view = normalize(eye - p);
@@ -75,11 +123,11 @@ void main() {
   float sky = 0.5 + 0.5 * normal.z;
   float shine = pow(max(dot(normal, normalize(key_light + view)), 0.0), 40.0);
   float rim = pow(1.0 - max(dot(normal, view), 0.0), 3.0);
-  vec3 albedo = colour * colour;  // about from sRGB to light
+  vec3 albedo = own_colour * own_colour;  // about from sRGB to light
   vec3 light = albedo * (0.75 * key + mix(vec3(0.26, 0.24, 0.23), vec3(0.46, 0.49, 0.54), sky));
   light += vec3(0.10 * shine) + vec3(0.05, 0.055, 0.06) * rim;
   vec3 shown = sqrt(clamp(light, 0.0, 1.0));
-  gl_FragColor = vec4(mix(shown, 0.22 * colour, ink), 1.0);
+  gl_FragColor = vec4(mix(shown, 0.22 * own_colour, ink), 1.0);
 }
 )";
 

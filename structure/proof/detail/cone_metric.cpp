@@ -1,0 +1,124 @@
+#include "structure/proof/detail/cone_metric.hpp"
+
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "topology/requirements.hpp"
+
+namespace tripus::structure::detail {
+namespace {
+
+using topology::Triangulation;
+using topology::VertexKind;
+
+/// Cusps joined by the edges chosen so far. The numbers of ends of these edges at the cusps are a
+/// matrix of full rank as long as no component has more than one odd cycle; a loop is one, and so
+/// is an edge that ends elsewhere.
+class EvenCycleForest {
+ public:
+  explicit EvenCycleForest(std::size_t count) : parent_(count), odd_(count), has_odd_cycle_(count) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+
+  /// Whether the edge raised the rank.
+  bool join(std::size_t a, std::size_t b) {
+    const auto [root_a, parity_a] = find(a);
+    const auto [root_b, parity_b] = find(b);
+    if (root_a == root_b) {
+      if (has_odd_cycle_[root_a] || parity_a != parity_b) return false;
+      return has_odd_cycle_[root_a] = true;
+    }
+    if (has_odd_cycle_[root_a] && has_odd_cycle_[root_b]) return false;
+    parent_[root_a] = root_b;
+    odd_[root_a] = parity_a == parity_b;
+    has_odd_cycle_[root_b] = has_odd_cycle_[root_a] || has_odd_cycle_[root_b];
+    return true;
+  }
+  bool add_odd_cycle(std::size_t a) { return join(a, a); }
+
+ private:
+  struct Place {
+    std::size_t root;
+    bool parity;
+  };
+  Place find(std::size_t a) {
+    std::size_t root = a;
+    bool parity = false;
+    for (; parent_[root] != root; root = parent_[root]) parity ^= odd_[root];
+    bool rest = parity;
+    while (parent_[a] != a) {  // everything on the way hangs from the root now
+      const std::size_t next = parent_[a];
+      const bool step = odd_[a];
+      parent_[a] = root;
+      odd_[a] = rest;
+      rest ^= step;
+      a = next;
+    }
+    return {root, parity};
+  }
+
+  std::vector<std::size_t> parent_;
+  std::vector<bool> odd_;  // whether the path to the parent is odd
+  std::vector<bool> has_odd_cycle_;
+};
+
+}  // namespace
+
+ConeMetric::ConeMetric(const Triangulation& triangulation,
+                       std::vector<topology::ConeAngle> cone_angles)
+    : triangulation_(triangulation),
+      cone_angles_(topology::completed(cone_angles, triangulation.edge_count())),
+      ideal_end_(triangulation.edge_count()) {
+  topology::require_solvable(triangulation, cone_angles_);
+  for (const topology::OrbifoldLink& link : topology::orbifold_links(triangulation, cone_angles_)) {
+    kinds_.push_back(link.kind);
+    finite_vertex_ = finite_vertex_ || link.kind == VertexKind::kFinite;
+    strictly_convex_ = strictly_convex_ && link.kind == VertexKind::kHyperideal;
+  }
+  for (const topology::ConeAngle& angle : cone_angles_)
+    strictly_convex_ = strictly_convex_ && !angle.is_parabolic();
+  find_pins();
+}
+
+void ConeMetric::find_pins() {
+  EvenCycleForest forest(kinds_.size());
+  for (std::size_t e = 0; e < triangulation_.edge_count(); ++e) {
+    const auto [a, b] = ends(e);
+    const bool ideal_a = kinds_[a] == VertexKind::kIdeal, ideal_b = kinds_[b] == VertexKind::kIdeal;
+    if (!ideal_a && !ideal_b) continue;
+    ideal_end_[e] = true;
+    const bool raised =
+        ideal_a && ideal_b ? forest.join(a, b) : forest.add_odd_cycle(ideal_a ? a : b);
+    if (raised) pins_.push_back(e);
+  }
+}
+
+std::array<std::uint32_t, 2> ConeMetric::ends(std::size_t e) const {
+  const topology::EdgeCorner corner = triangulation_.corners(e)[0];
+  const auto& [a, b] = topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())];
+  return {triangulation_.vertex_class(corner.tetrahedron(), a),
+          triangulation_.vertex_class(corner.tetrahedron(), b)};
+}
+
+Diagonal ConeMetric::diagonal(std::size_t t) const {
+  Diagonal diagonal;
+  for (int v = 0; v < 4; ++v) {
+    const VertexKind kind = kinds_[triangulation_.vertex_class(t, v)];
+    diagonal[static_cast<std::size_t>(v)] = kind == VertexKind::kHyperideal ? 1
+                                            : kind == VertexKind::kIdeal    ? 0
+                                                                            : -1;
+  }
+  return diagonal;
+}
+
+Arb ConeMetric::target(std::size_t e) const {
+  const topology::ConeAngle& angle = cone_angles_[e];
+  if (!angle.is_rational()) return Arb(angle.radians());
+  Arb target = number_pi(Arb());
+  arb_mul_si(target.get(), target.get(), angle.numerator(), Precision::bits());
+  arb_div_si(target.get(), target.get(), angle.denominator(), Precision::bits());
+  return target;
+}
+
+}  // namespace tripus::structure::detail

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "topology/diagrams/diagram.hpp"
+
+namespace tripus::topology::detail {
+
+/// A diagram of a knot or link as one walks along it: a position is a passage of a crossing. Codes
+/// of Dowker and Thistlethwaite and of Gauss say this.
+struct Positions {
+  std::vector<std::size_t> following;                          ///< [2n] the next on the component
+  std::vector<bool> above;                                     ///< [2n]
+  std::vector<std::pair<std::size_t, std::size_t>> crossings;  ///< [n] the two positions of each
+};
+
+/// For each crossing: whether its second position enters counterclockwise right behind the first.
+/// The positions say which meet but not this: a planar embedding chooses, up to mirror images of
+/// the diagram's prime parts. Throws InvalidInput if there is none.
+std::vector<bool> planar_choice(const Positions& positions);
+
+/// The nodes; the arc into a position is named by it, from 1 on.
+std::vector<DiagramNode> nodes_of(const Positions& positions, const std::vector<bool>& behind);
+
+}  // namespace tripus::topology::detail

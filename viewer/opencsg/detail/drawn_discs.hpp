@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "viewer/opencsg/detail/gl.hpp"
+#include "viewer/scene.hpp"
+
+namespace tripus::viewer {
+
+/// The discs of a scene on the graphics card, for kWallFragmentShader.
+class DrawnDiscs {
+ public:
+  /// Takes the discs of a scene from now on; null: there are none.
+  /// Throws NoOpenGl where the card cannot hold them.
+  void set(std::shared_ptr<const WallDiscs> discs);
+
+  bool empty() const { return discs_ == nullptr; }
+
+  /// Tells the program in use of the cell that is drawn next.
+  void use_cell(GLuint program, const ToTetrahedron& to_tetrahedron) const;
+  /// Tells it of the wall of that cell: discs lie on truncations alone.
+  void use_wall(GLuint program, const SceneCell& cell, std::size_t wall) const;
+  /// Tells it that there are none.
+  static void use_none(GLuint program);
+
+ private:
+  std::shared_ptr<const WallDiscs> discs_;
+  std::vector<GLfloat> first_;  // [4 T] texel where the discs of a tile begin
+  GlTexture texture_;
+  int rows_ = 0;
+};
+
+}  // namespace tripus::viewer

@@ -47,6 +47,7 @@ void add_mesh(CLI::App& program, Command& chosen);
 void add_embed(CLI::App& program, Command& chosen);
 void add_view(CLI::App& program, Command& chosen);
 void add_tube(CLI::App& program, Command& chosen);
+void add_hyperbolic(CLI::App& program, Command& chosen);
 void add_orthospectrum(CLI::App& program, Command& chosen);
 void add_methods(CLI::App& program, Command& chosen);
 

@@ -88,6 +88,7 @@ void add_verbs(CLI::App& program, Command& command) {
   add_identify(program, command);
   add_census(program, command);
   add_prove(program, command);
+  add_hyperbolic(program, command);
   add_check(program, command);
   add_study(program, command);
   add_embed(program, command);

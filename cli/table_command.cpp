@@ -29,9 +29,10 @@ constexpr const char* kTableHelp =
     "                    Suzuki, and of the table for 7 crossings\n"
     "  all               all of these\n"
     "A row: boundary, H1, tetrahedra, volume (* proved), isometries (those that reverse the\n"
-    "orientation after the +), and others with the same exterior, orientation aside. \"?\": no\n"
-    "metric with geodesic boundary or cusps was found, which proves nothing by itself.\n"
-    "Of metrics with cusps there are no proofs yet. Files are replaced, whole or not at all.\n"
+    "orientation after the +), and others with the same exterior, orientation aside. \"not\n"
+    "hyperbolic\": by a surface or the fundamental group, as `tripus hyperbolic` shows. \"?\": no\n"
+    "metric was found, which proves nothing by itself. Of metrics with cusps there are no proofs\n"
+    "yet. Files are replaced, whole or not at all.\n"
     "\n"
     "Exit status: 0 printed, 1 interrupted, 2 bad usage or bad input, 3 a failure of the program "
     "itself.";
@@ -46,7 +47,7 @@ std::string line_of(const DiagramRow& row) {
   std::string text = fmt::format("{:<13} {:<7} {:<9} {:>2} tetrahedra  ", row.name,
                                  "g " + row.boundary, row.homology, row.tetrahedra);
   text += row.volume ? fmt::format("volume {:<17.14g}{}", *row.volume, row.proved ? "*" : " ")
-                     : fmt::format("{:<25}", "?");
+                     : fmt::format("{:<25}", row.hyperbolic == false ? "not hyperbolic" : "?");
   if (row.isometries > 0)
     text += fmt::format(" isometries {} + {}", row.isometries - row.reversing, row.reversing);
   if (!row.same_as.empty()) text += fmt::format("  = {}", fmt::join(row.same_as, ", "));
@@ -72,11 +73,12 @@ std::string page_of(const std::string& table, const std::vector<DiagramRow>& row
   for (const DiagramRow& row : rows) {
     const topology::TabledDiagram* diagram = topology::find_diagram(row.name);
     text += "<figure>\n" + drawing::to_svg(diagram->diagram, {.size = 200, .title = row.name}) +
-            fmt::format("<figcaption><b>{}</b><br>{}<br>H1 {}, {} tetrahedra", escaped(row.name),
-                        row.volume ? fmt::format("volume {:.12g}{}", *row.volume,
-                                                 row.proved ? ", proved" : "")
-                                   : std::string("no metric found"),
-                        row.homology, row.tetrahedra);
+            fmt::format(
+                "<figcaption><b>{}</b><br>{}<br>H1 {}, {} tetrahedra", escaped(row.name),
+                row.volume
+                    ? fmt::format("volume {:.12g}{}", *row.volume, row.proved ? ", proved" : "")
+                    : std::string(row.hyperbolic == false ? "not hyperbolic" : "no metric found"),
+                row.homology, row.tetrahedra);
     if (row.isometries > 0)
       text +=
           fmt::format("<br>isometries: {}{}", row.group, row.reversing > 0 ? ", amphicheiral" : "");

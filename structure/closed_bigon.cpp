@@ -247,22 +247,20 @@ std::string_view to_string(ClosedBigon::Consequence consequence) {
 }
 
 std::string message(const ClosedBigon& bigon) {
-  const std::string where =
-      fmt::format("edge class {} of valence 2, whose opposite edges are both of class {}, crosses",
-                  bigon.edge, bigon.opposite);
+  const std::string where = fmt::format("crosses edge class {}, of valence 2", bigon.edge);
   switch (bigon.consequence) {
     case ClosedBigon::Consequence::kMoebiusBand:
-      return "The manifold is not hyperbolic: " + where + " a Moebius band.";
+      return "The manifold is not hyperbolic: a Moebius band " + where + ".";
     case ClosedBigon::Consequence::kDisc:
-      return "The manifold is not hyperbolic: " + where +
-             " an annulus, of whose curves just one bounds a disc in the boundary.";
+      return "The manifold is not hyperbolic: an annulus " + where +
+             ", of whose curves just one bounds a disc in the boundary.";
     case ClosedBigon::Consequence::kEssentialAnnulus:
-      return "The manifold is not hyperbolic: " + where + " an essential annulus.";
+      return "The manifold is not hyperbolic: an essential annulus " + where + ".";
     case ClosedBigon::Consequence::kNothing:
       break;
   }
-  return "A hint, no more, that the manifold is not hyperbolic: " + where +
-         " an annulus, which may be trivial.";
+  return "A hint, no more, that the manifold is not hyperbolic: an annulus " + where +
+         "; it may be trivial.";
 }
 
 std::optional<ClosedBigon> closed_bigon(const Triangulation& triangulation) {

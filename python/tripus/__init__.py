@@ -61,7 +61,7 @@ for _error in (
 
 def __getattr__(name: str) -> object:
     # Loaded when first used, so that the import stays fast.
-    if name in ("plot", "study", "view"):
+    if name in ("hyperbolic", "plot", "study", "view"):
         import importlib
 
         return importlib.import_module(f"tripus.{name}")

@@ -219,6 +219,9 @@ class Verdict(Value):
         return None if rows is None else frame(rows)
 
     def __repr__(self) -> str:
+        bigon = self.closed_bigon
+        if bigon is not None and bigon["decides"]:
+            return f"<Verdict {self.outcome}; not hyperbolic: {bigon['consequence']}>"
         return f"<Verdict {self.outcome}: {self.message}>"
 
 

@@ -3,6 +3,7 @@
 
     hyperbolicity.py run LIST [--limit S] [--jobs N] [--every N]    decides what is not in the journal
     hyperbolicity.py table FILE.tsv                                 writes the journals as one table
+    hyperbolicity.py mark FILE.tsv                                  writes its "no" into a table of diagrams
     hyperbolicity.py summary                                        prints them as Markdown
 
 LIST is 2, 3, 4 or cusped (data/triangulations-*.txt), graphs (the handlebody-knots, theta curves and
@@ -146,6 +147,22 @@ def table(arguments):
     return 0
 
 
+def mark(arguments):
+    """Rows under "hyperbolic" that are empty get the "no" of data/hyperbolicity.tsv."""
+    path = pathlib.Path(arguments.file)
+    known = {row["input"] for row in rows("hyperbolicity.tsv") if row["hyperbolic"] == "false"}
+    lines = path.read_text().splitlines()
+    head = next(i for i, line in enumerate(lines) if not line.startswith("#"))
+    column = lines[head].split("\t").index("hyperbolic")
+    for i in range(head + 1, len(lines)):
+        cells = lines[i].split("\t")
+        if cells[0] in known and not cells[column]:
+            cells[column] = "no"
+            lines[i] = "\t".join(cells)
+    path.write_text("\n".join(lines) + "\n")
+    return 0
+
+
 def cell(value):
     return "" if value is None else str(value).lower() if isinstance(value, bool) else str(value)
 
@@ -180,6 +197,9 @@ def main():
     verb = verbs.add_parser("table")
     verb.add_argument("file")
     verb.set_defaults(call=table)
+    verb = verbs.add_parser("mark")
+    verb.add_argument("file")
+    verb.set_defaults(call=mark)
     verbs.add_parser("summary").set_defaults(call=summary)
     arguments = parser.parse_args()
     sys.exit(1 if arguments.call(arguments) else 0)

@@ -3,7 +3,7 @@
 from support import ProgramTest
 
 VERBS = ["info", "solve", "simplify", "mesh", "cover", "canonize", "compare", "identify", "census",
-         "prove", "check", "study", "embed", "view", "tube", "methods"]
+         "prove", "hyperbolic", "check", "study", "embed", "view", "tube", "methods"]
 
 
 class Help(ProgramTest):

@@ -10,7 +10,9 @@ import pytest
 import tripus
 
 MODULES = sorted(
-    f"tripus.{m.name}" for m in pkgutil.iter_modules(tripus.__path__) if m.name not in ("_core", "__main__")
+    m.name
+    for m in pkgutil.walk_packages(tripus.__path__, "tripus.")
+    if m.name.rpartition(".")[2] not in ("_core", "__main__")
 )
 FLAGS = doctest.ELLIPSIS | doctest.IGNORE_EXCEPTION_DETAIL
 

@@ -23,7 +23,7 @@ TEST(ClosedBigon, IsAnAnswerOfSolve) {
   EXPECT_EQ(report.outcome, Outcome::kInfeasible);
   ASSERT_TRUE(report.closed_bigon);
   EXPECT_EQ(*report.closed_bigon, (ClosedBigon{Consequence::kEssentialAnnulus, 1, 0}));
-  EXPECT_THAT(report.message, HasSubstr("The manifold is not hyperbolic: edge class 1"));
+  EXPECT_THAT(report.message, HasSubstr("The manifold is not hyperbolic: an essential annulus"));
   EXPECT_THAT(report.message, Not(HasSubstr("its manifold may")));
   EXPECT_EQ(report.advice, Advice::kNone);
 }

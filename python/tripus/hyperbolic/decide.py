@@ -10,6 +10,7 @@
 
 from __future__ import annotations
 
+import functools
 import json
 import math
 import time
@@ -138,16 +139,17 @@ class _Decision:
 
     def run(self, metric: bool = True) -> Hyperbolicity:
         self.metric = metric
-        here, near, far = (
-            lambda: self._by_metric(self.manifold),
-            lambda: self._by_other_metric(NEAR),
-            lambda: self._by_other_metric(FAR),
-        )
         objection = _objection(self.manifold)
-        tests: list[Callable[[], Hyperbolicity | None]]
-        tests = [here, far] if objection else [here, self._by_group, self._by_bigon, near]
-        if self.surfaces and not objection:
-            tests.append(self._by_surface)
+        tests: list[Callable[[], Hyperbolicity | None]] = [
+            functools.partial(self._by_metric, self.manifold)
+        ]
+        if objection:
+            tests.append(functools.partial(self._by_other_metric, FAR))
+        else:
+            tests += [self._by_group, self._by_bigon]
+            tests.append(functools.partial(self._by_other_metric, NEAR))
+            if self.surfaces:
+                tests.append(self._by_surface)
         for test in tests:
             answer = test()
             if answer is not None:  # an answer of "no" is one, too

@@ -80,20 +80,6 @@ std::optional<std::vector<double>> canonical_edges_of(const OrthospectrumCommand
   return canonical::cell_edge_lengths(*answer.manifold);
 }
 
-/// Before any work: lengths are proved without cusps only.
-void require_arcs(const OrthospectrumCommand& command,
-                  const topology::Triangulation& triangulation) {
-  require_boundary_beside_cusps_with_remedy(triangulation);
-  if (!command.prove) return;
-  for (std::size_t v = 0; v < triangulation.vertex_count(); ++v) {
-    if (triangulation.link(v).euler_characteristic == 0)
-      throw Unsupported(fmt::format(
-          "the link of vertex class {} is a torus, a cusp, and --prove knows none so far; without "
-          "it the lengths are computed",
-          v));
-  }
-}
-
 void write_text(std::optional<OutputFile>& file, const std::string& text) {
   if (!file) return;
   file->open() << text;
@@ -105,9 +91,8 @@ Outcome spectrum_one(const OrthospectrumCommand& command, const std::string& inp
   if (!command.table.empty()) table.emplace(command.table);
   if (!command.picture.empty()) picture.emplace(command.picture);
   if (!command.plot.empty()) plot.emplace(command.plot);
-  const Subject subject = load_solvable_subject(
-      input, interruptible(),
-      [&](const topology::Triangulation& loaded) { require_arcs(command, loaded); });
+  const Subject subject =
+      load_solvable_subject(input, interruptible(), require_boundary_beside_cusps_with_remedy);
   structure::SolveOptions solve;
   solve.stop_requested = &stop_flag();
   solve.time_limit = seconds_left();
@@ -174,7 +159,7 @@ void add_outputs(CLI::App& verb, OrthospectrumCommand& command) {
                       ->option_text(" ");
   verb.add_flag("--prove", command.prove,
                 "prove the metric and the length of each arc, every rounding accounted for, but\n"
-                "not that there are no others; without cusps only")
+                "not that there are no others")
       ->option_text(" ")
       ->excludes(summary);
   auto* canonical =

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/error.hpp"
 #include "structure/proof/arc_lengths.hpp"
 
 namespace tripus::orthospectrum {
@@ -23,11 +22,6 @@ std::optional<structure::Interval> ProvedLengths::of(const Grouping& grouping,
 ProvedLengths prove_lengths(const topology::Triangulation& triangulation,
                             std::span<const double> edge_lengths, const Spectrum& spectrum,
                             const Context& context) {
-  for (std::size_t v = 0; v < triangulation.vertex_count(); ++v) {
-    if (triangulation.link(v).euler_characteristic == 0)
-      throw Unsupported("the link of vertex class " + std::to_string(v) +
-                        " is a torus, a cusp: lengths of arcs are proved without cusps only");
-  }
   structure::ProveOptions options;
   options.volume = false;
   const structure::Proof proof = structure::prove(triangulation, edge_lengths, options, context);

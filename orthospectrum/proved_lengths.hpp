@@ -22,7 +22,6 @@ struct ProvedLengths {
 
 /// Proves the metric, and from it the length of each arc by its way through the faces.
 ///   spectrum  of this triangulation and these lengths, with arcs and faces kept
-/// Throws Unsupported where there are cusps: their metrics are proved, lengths of arcs not so far.
 ProvedLengths prove_lengths(const topology::Triangulation& triangulation,
                             std::span<const double> edge_lengths, const Spectrum& spectrum,
                             const Context& context = {});

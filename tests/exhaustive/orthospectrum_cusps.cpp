@@ -188,11 +188,38 @@ TEST(ProvedLengths, OfLongArcsTakeMoreDigitsThanTheProofHas) {
   }
 }
 
-TEST(ProvedLengths, AreRefusedWhereThereAreCusps) {
-  const topology::Triangulation triangulation(topology::decode_isosig("dLQacccjjkg"));
-  const auto report = structure::solve(triangulation);
-  const auto spectrum = testing::spectrum_of(triangulation, report, 3, true);
-  EXPECT_THROW(prove_lengths(triangulation, report.edge_lengths, spectrum), Unsupported);
+// Beside cusps too: the lengths do not depend on the horospheres from which edges are measured.
+TEST(ProvedLengths, HoldTheComputedOnesBesideCusps) {
+  std::size_t arcs = 0;
+  for (const std::string& isosig : testing::data_lines("triangulations-cusped.txt")) {
+    const topology::Triangulation triangulation(topology::decode_isosig(isosig));
+    const auto report = structure::solve(triangulation);
+    if (report.outcome != structure::Outcome::kGeometric) continue;
+    const auto spectrum = testing::spectrum_of(triangulation, report, 3.5, true);
+    const ProvedLengths proved = prove_lengths(triangulation, report.edge_lengths, spectrum);
+    ASSERT_TRUE(proved.proved) << isosig << ": " << proved.reason;
+    std::vector<double> moved = report.edge_lengths;
+    for (std::size_t e = 0; e < moved.size(); ++e) {
+      const topology::EdgeCorner corner = triangulation.corners(e)[0];
+      for (const int end : topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())])
+        if (triangulation.link(triangulation.vertex_class(corner.tetrahedron(), end))
+                .euler_characteristic == 0)
+          moved[e] += 0.25;
+    }
+    const ProvedLengths again = prove_lengths(triangulation, moved, spectrum);
+    ASSERT_TRUE(again.proved) << isosig << ": " << again.reason;
+    for (std::size_t n = 0; n < spectrum.arcs.size(); ++n) {
+      const double length = spectrum.arcs[n].length;
+      EXPECT_LE(proved.arcs[n]->lower, length + 1e-11) << isosig;
+      EXPECT_GE(proved.arcs[n]->upper, length - 1e-11) << isosig;
+      EXPECT_LT(proved.arcs[n]->upper - proved.arcs[n]->lower, 1e-11) << isosig;
+      EXPECT_LE(std::max(proved.arcs[n]->lower, again.arcs[n]->lower),
+                std::min(proved.arcs[n]->upper, again.arcs[n]->upper))
+          << isosig;
+      ++arcs;
+    }
+  }
+  EXPECT_GT(arcs, 500u);
 }
 
 TEST(ProvedLengths, OfWaysThatAreNone) {

@@ -154,11 +154,13 @@ class OrthospectrumProofs(ProgramTest):
 class OrthospectrumCusps(ProgramTest):
     CUSPED = "dLQacccjjkg"  # genus 2 and a torus
 
-    def test_proofs_are_refused_by_name(self):
-        answer = self.assert_refused("orthospectrum", self.CUSPED, "--prove", says="--prove",
-                                     kind="unsupported")
-        self.assertIn("torus", answer["error"]["message"])
-        self.assertEqual(answer["input"], self.CUSPED)
+    def test_proved_lengths(self):
+        answer = self.json_answer("orthospectrum", self.CUSPED, "--length", "4", "--prove")
+        self.assertIs(answer["proved"], True)
+        for arc in answer["arcs"]:
+            lower, upper = arc["proved_length"]
+            self.assertLess(upper - lower, 1e-12)
+            self.assertLessEqual(abs(arc["length"] - lower), 1e-12)
 
     def test_cone_points_are_refused_by_name(self):
         gluings = json.loads(samples.as_json(samples.TRIPUS_GLUINGS, "orbifold"))

@@ -11,7 +11,6 @@
 #include "base/error.hpp"
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
-#include "cli/numbers.hpp"
 #include "cli/output.hpp"
 
 namespace tripus::cli {
@@ -88,10 +87,6 @@ void add_hyperbolic(CLI::App& program, Command& chosen) {
   verb->add_option("--batch", command->batch, "one INPUT a line, one answer for each")
       ->option_text("FILE")
       ->excludes(check);
-  verb->add_option("--time-limit", command->time_limit,
-                   "give up after so many seconds for one INPUT (default: 60)")
-      ->option_text("S")
-      ->check(positive_number());
   verb->add_flag("--json", command->json, "one JSON object an INPUT")->option_text(" ");
   verb->add_flag("--no-surfaces", command->no_surfaces, "the quick tests only, without Regina")
       ->option_text(" ");
@@ -104,7 +99,11 @@ void add_hyperbolic(CLI::App& program, Command& chosen) {
       "group) or \"not decided\" (with what was tried); docs/verdicts.md.\n\n"
       "Exit status: 0 decided (for --batch: the run finished), 1 not decided, 2 bad usage or bad\n"
       "input, 3 a failure of the program, or the Python package is not there.");
-  verb->final_callback([command, &chosen] {
+  verb->final_callback([command, verb, &chosen] {
+    // Every verb has it; here Python keeps it, so that what was tried is told.
+    if (const CLI::Option* limit = verb->get_option_no_throw("--time-limit");
+        limit != nullptr && limit->count() > 0)
+      command->time_limit = limit->as<double>();
     if (command->input.empty() && command->batch.empty() && command->check.empty())
       throw CLI::RequiredError("INPUT, --batch or --check");
     if (!command->input.empty() && !command->batch.empty())

@@ -120,7 +120,7 @@ class Prove(ProgramTest):
                                   "--proofs", "p.tsv", "--quiet")
         self.assertEqual(answer.status, 0, answer.text)
         answer = self.run_program("census", "--in", "c.tsv", "--check", "--proofs", "p.tsv")
-        self.assertEqual((answer.status, answer.out), (0, "3 of 3 manifolds have a valid proof\n"))
+        self.assertEqual((answer.status, answer.out), (0, b"3 of 3 manifolds have a valid proof\n"))
         self.assert_refused("census", "--from", "list.txt", "--prove", says="--proofs")
 
     def test_canonize_and_compare(self):

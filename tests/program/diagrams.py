@@ -148,7 +148,7 @@ class Table(ProgramTest):
 
     def test_knots_have_isometries_too(self):
         run = self.run_program("table", "knots", "4_1")
-        self.assertRegex(run.text, r"4_1 .*volume 2\.02988321\d* +isometries 4 \+ 4")
+        self.assertRegex(run.text, r"4_1 .*volume 2\.02988321\d* +\* isometries 4 \+ 4")
         rows = read_json(self.run_program("table", "links", "L5a1", "--json").text)["rows"]
         self.assertEqual(rows[0]["same_as"], ["L7n2", "L8n2", "L9n3"])
         self.assertEqual(rows[0]["isometry_group"]["order"], 8)

@@ -31,8 +31,7 @@ constexpr const char* kTableHelp =
     "A row: boundary, H1, tetrahedra, volume (* proved), isometries (those that reverse the\n"
     "orientation after the +), and others with the same exterior, orientation aside. \"not\n"
     "hyperbolic\": by a surface or the fundamental group, as `tripus hyperbolic` shows. \"?\": no\n"
-    "metric was found, which proves nothing by itself. Of metrics with cusps there are no proofs\n"
-    "yet. Files are replaced, whole or not at all.\n"
+    "metric was found, which proves nothing by itself. Files are replaced, whole or not at all.\n"
     "\n"
     "Exit status: 0 printed, 1 interrupted, 2 bad usage or bad input, 3 a failure of the program "
     "itself.";

@@ -22,7 +22,7 @@ struct DiagramRow {
   std::string isosig;              ///< with its sign: carries the metric, if one was found
   std::size_t tetrahedra = 0;      ///< of `isosig`
   std::optional<bool> hyperbolic;  ///< nothing: not known
-  bool proved = false;             ///< that it is hyperbolic, by intervals; never where cusps are
+  bool proved = false;             ///< that it is hyperbolic, by interval arithmetic
   std::optional<double> volume;
   std::string signature;  ///< isometry signature; empty: not known
   std::string oriented_signature;

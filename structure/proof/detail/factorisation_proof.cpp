@@ -22,6 +22,8 @@ using geometry::packed_index;
 constexpr int kFirstBits = 128;
 constexpr int kAttempts = 8;
 constexpr std::size_t kChunk = 512;
+/// A length at a cusp is measured from a horosphere and may be 0 by chance.
+constexpr double kLeastSize = 0x1p-10;
 
 /// An Arb ball in doubles.
 struct DoubleBall {
@@ -240,7 +242,10 @@ struct FactorisationProof {
   /// As in prove.cpp. False where no other box helps.
   bool adjust() {
     for (std::size_t e = 0; e < proof.box.size(); ++e) {
-      const double size = std::max(std::fabs(proof.lengths[e]), 0x1p-10);
+      // Between hyperideal vertices the box must stay at positive lengths.
+      const double size = metric.may_be_negative(e)
+                              ? std::max(std::fabs(proof.lengths[e]), kLeastSize)
+                              : proof.lengths[e];
       if (box_too_large) {
         if (proof.box[e] <= size * 0x1p-50) return false;
         proof.box[e] = std::max(proof.box[e] * 0x1p-6, size * 0x1p-50);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <Eigen/SparseCholesky>
@@ -90,7 +91,7 @@ double least_eigenvalue_bound(const EnclosedMatrix& matrix) {
     double trace = 0;
     for (int i = 0; i < shifted.rows(); ++i) {
       double& entry = shifted.coeffRef(i, i);
-      entry = std::nextafter(entry - shift, -1.0);
+      entry = std::nextafter(entry - shift, -std::numeric_limits<double>::infinity());
       trace = up(trace + std::fabs(entry));
     }
     factor.factorize(shifted);

@@ -31,7 +31,7 @@ Precision::Precision(long bits) : before_(std::exchange(bits_, bits)) {
 }
 
 Arb clausen_near_zero(const Arb& a) {
-  // |Cl2(x)| <= |x| (1 - ln |x|) + |x|^3 / 60, which grows on |x| <= 1, and 60 > 1.
+  // |Cl2(x)| <= |x| (1 - ln |x|) + |x|^3 / 60 < |x| (2 - ln |x|), which grows on |x| <= 1.
   mag_t size, bound;
   mag_init(size);
   mag_init(bound);

@@ -340,6 +340,15 @@ def test_what_is_not_supported_says_so(text, words):
     assert any("not tried" in w and words in w for w in answer.tried)
 
 
+def test_orbifolds_are_refused():
+    orbifold = tripus.Manifold("dLQbcbcaekw", cone_orders={1: 2})
+    with pytest.raises(tripus.Unsupported, match="cone angles"):
+        orbifold.hyperbolicity(surfaces=False)
+    assert orbifold.with_cone_angles().hyperbolicity(surfaces=False).hyperbolic is False
+    answer = run("--no-surfaces", "dLQbcbcaekw 1=2")
+    assert answer.returncode == 2 and "cone angles" in answer.stderr
+
+
 def run(*arguments):
     return subprocess.run(
         [sys.executable, "-m", "tripus.hyperbolic", *arguments], capture_output=True, text=True

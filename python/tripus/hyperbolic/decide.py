@@ -346,6 +346,11 @@ def hyperbolicity(
     seconds = TIME_LIMIT if time_limit is None else time_limit
     if not (seconds > 0 and math.isfinite(seconds)):
         raise InvalidInput(f"time_limit is a number of seconds > 0, not {time_limit!r}")
+    if manifold._core.is_labelled():
+        raise Unsupported(
+            f"{manifold} has cone angles other than 2 pi: whether an orbifold is hyperbolic is not decided "
+            "so far; with_cone_angles() is the manifold without them"
+        )
     return _Decision(manifold, seconds, surfaces).run()
 
 

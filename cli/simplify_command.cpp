@@ -95,8 +95,7 @@ std::string as_text(const topology::Simplified& result, const Stages& stages,
   return text;
 }
 
-/// The edges that are named, each by one of its places. All that have a label must be among them:
-/// the search keeps no labels.
+/// The edges that are named, each by one of its places.
 std::vector<topology::EdgePlace> edges_to_drill(const topology::NamedGluings& loaded,
                                                 const std::vector<std::string>& names) {
   const topology::Triangulation triangulation(loaded.gluings);
@@ -116,18 +115,10 @@ std::vector<topology::EdgePlace> edges_to_drill(const topology::NamedGluings& lo
                                      tripus::quoted(name), chosen.size() - 1));
     chosen[std::size_t(*number)] = true;
   }
-  std::vector<topology::EdgePlace> places;
-  for (std::size_t e = 0; e < chosen.size(); ++e) {
-    if (chosen[e])
-      places.push_back({topology::TetrahedronIndex(triangulation.corners(e)[0].tetrahedron()),
-                        triangulation.corners(e)[0].edge()});
-    else if (!loaded.cone_angles.empty() && !loaded.cone_angles[e].is_full())
-      throw InvalidInput(
-          fmt::format("edge class {} has the cone order {} and would lose it: drill it too, or "
-                      "leave it to solve",
-                      e, loaded.cone_angles[e].order_text()));
-  }
-  return places;
+  std::vector<std::size_t> classes;
+  for (std::size_t e = 0; e < chosen.size(); ++e)
+    if (chosen[e]) classes.push_back(e);
+  return topology::places_to_drill(triangulation, classes, loaded.cone_angles);
 }
 
 /// The input, closed up, with what is to be drilled taken away.

@@ -217,18 +217,9 @@ topology::FundamentalGroup Manifold::fundamental_group() const {
 
 Manifold Manifold::drilled(const std::vector<std::size_t>& edges,
                            const topology::SimplifyOptions& options, const Context& context) const {
-  const topology::Triangulation& whole = triangulation();
-  std::vector<topology::EdgePlace> places;
-  for (const std::size_t e : edges) {
-    if (e >= whole.edge_count())
-      throw InvalidInput(
-          fmt::format("there is no edge class {}; there are {}, from 0 on", e, whole.edge_count()));
-    const topology::EdgeCorner corner = whole.corners(e)[0];
-    places.push_back(
-        {static_cast<topology::TetrahedronIndex>(corner.tetrahedron()), corner.edge()});
-  }
-  return Manifold(topology::Triangulation(topology::drilled(whole.gluings(), places)), name(), {},
-                  state_->orientation_known)
+  const auto places = topology::places_to_drill(triangulation(), edges, cone_angles());
+  return Manifold(topology::Triangulation(topology::drilled(triangulation().gluings(), places)),
+                  name(), {}, state_->orientation_known)
       .simplified(options, context);
 }
 

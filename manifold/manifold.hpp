@@ -70,7 +70,8 @@ class Manifold {
   Manifold simplified(const topology::SimplifyOptions& options = {},
                       const Context& context = {}) const;
   /// What is left without neighbourhoods of these edge classes, simplified: topology/drill.hpp.
-  /// Throws InvalidInput for a number that no edge class has, or that comes twice.
+  /// Throws InvalidInput for a number that no edge class has, or that comes twice, and for a cone
+  /// angle of an edge that stays.
   Manifold drilled(const std::vector<std::size_t>& edges,
                    const topology::SimplifyOptions& options = {},
                    const Context& context = {}) const;

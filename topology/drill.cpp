@@ -1,12 +1,12 @@
 #include "topology/drill.hpp"
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "base/error.hpp"
-#include "topology/triangulation.hpp"
 
 // A face ABC with the edge AB is opened to a pillow with a vertex M inside, and in that the face
 // ABM to a pillow with a vertex P inside, made of two tetrahedra ABMP with the common face ABP and
@@ -59,6 +59,27 @@ Gluings drilled(const Gluings& closed, std::span<const EdgePlace> edges) {
     drill(gluings, place);
   }
   return gluings;
+}
+
+std::vector<EdgePlace> places_to_drill(const Triangulation& triangulation,
+                                       std::span<const std::size_t> edge_classes,
+                                       std::span<const ConeAngle> cone_angles) {
+  std::vector<EdgePlace> places;
+  for (const std::size_t e : edge_classes) {
+    if (e >= triangulation.edge_count())
+      throw InvalidInput("there is no edge class " + std::to_string(e) + "; there are " +
+                         std::to_string(triangulation.edge_count()) + ", from 0 on");
+    const EdgeCorner corner = triangulation.corners(e)[0];
+    places.push_back({static_cast<TetrahedronIndex>(corner.tetrahedron()), corner.edge()});
+  }
+  for (std::size_t e = 0; e < cone_angles.size(); ++e) {
+    if (cone_angles[e].is_full() || std::ranges::find(edge_classes, e) != edge_classes.end())
+      continue;
+    throw InvalidInput("edge class " + std::to_string(e) + " has the cone order " +
+                       cone_angles[e].order_text() +
+                       " and would lose it: drill it too, or leave its label away");
+  }
+  return places;
 }
 
 }  // namespace tripus::topology

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
+#include "topology/cone_angle.hpp"
 #include "topology/gluings.hpp"
 #include "topology/simplify/mutable_triangulation.hpp"
+#include "topology/triangulation.hpp"
 
 namespace tripus::topology {
 
@@ -16,5 +20,13 @@ namespace tripus::topology {
 /// and labels, and oriented tables stay oriented. O(T). Throws InvalidInput for an edge that does
 /// not exist, for one that is given twice, and for one in an open face.
 Gluings drilled(const Gluings& closed, std::span<const EdgePlace> edges);
+
+/// A place of each of these edge classes, for `drilled`. All that have a label must be among them,
+/// as what is drilled keeps none.
+///   cone_angles  [E]; empty for 2 pi everywhere
+/// Throws InvalidInput for a class that there is not, and for a label that would be lost.
+std::vector<EdgePlace> places_to_drill(const Triangulation& triangulation,
+                                       std::span<const std::size_t> edge_classes,
+                                       std::span<const ConeAngle> cone_angles = {});
 
 }  // namespace tripus::topology

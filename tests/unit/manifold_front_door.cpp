@@ -264,6 +264,10 @@ TEST(FrontDoor, DrillsEdgesOut) {
   EXPECT_EQ(sphere.drilled({knot}).signature(), "cPcbbbiht");
   EXPECT_THROW(sphere.drilled({sphere.triangulation().edge_count()}), InvalidInput);
   EXPECT_THROW(sphere.drilled({knot, knot}), InvalidInput);
+  // Cone angles: all that are there must be drilled, as none is kept.
+  const auto labelled = load("cPcbbbiht 0=2,1=3");
+  EXPECT_THROW(labelled.drilled({0}), InvalidInput);
+  EXPECT_EQ(labelled.drilled({0, 1}).triangulation().vertex_count(), 1u);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-"""Certificates of "hyperbolic" and "not hyperbolic", and their check by other code than made them."""
+"""Certificates of "hyperbolic" and "not hyperbolic", and their check."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from tripus._errors import InvalidInput, Unsupported
+from tripus._value import Value
 from tripus.hyperbolic import essential, presentation
 from tripus.hyperbolic.bigon import ClosedBigon
 from tripus.hyperbolic.normal import NormalSurface
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 ROUNDS = 30
 
 
-class HyperbolicityCertificate:
+class HyperbolicityCertificate(Value):
     """Why a manifold is hyperbolic, or is not: JSON, with everything that its check needs.
 
     >>> import tripus
@@ -45,8 +46,9 @@ class HyperbolicityCertificate:
     def check(self, manifold: Manifold | None = None) -> bool:
         """Whether it proves what it says, of this manifold if one is given; `objection` says why not.
 
-        Nothing of the search is used again. A surface needs Regina, to make its triangulation anew
-        from the manifold's; what it is and why it is essential is counted here.
+        No search is made again: groups are made from the gluing table and moved as written, surfaces
+        are counted anew, by the code that found them; metrics and bigons are checked by other code. A
+        surface needs Regina, to make its triangulation anew from the manifold's.
         """
         return not self.objection(manifold)
 
@@ -69,11 +71,11 @@ class HyperbolicityCertificate:
         """One object, without a line end."""
         return json.dumps(self._data)
 
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, HyperbolicityCertificate) and self._data == other._data
+    def _key(self) -> Any:
+        return self._data
 
-    def __hash__(self) -> int:
-        return hash(self.to_json())
+    def _rows(self) -> dict[str, str]:
+        return {"certificate by": self.by}
 
     def __repr__(self) -> str:
         return f"<HyperbolicityCertificate by {self.by}>"

@@ -18,6 +18,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from tripus._errors import InvalidInput, Undecided, Unsupported
+from tripus._value import Value
 from tripus.hyperbolic import presentation
 from tripus.hyperbolic.certificate import HyperbolicityCertificate
 from tripus.hyperbolic.pieces import group_name
@@ -39,7 +40,7 @@ WAIT = 3.0
 _ARTICLES = {"annulus": "an essential annulus", "disc": "an essential disc"}
 
 
-class Hyperbolicity:
+class Hyperbolicity(Value):
     """Whether a manifold is hyperbolic: True, False, or None where it was not decided.
 
     bool() raises Undecided where it was not decided, for False would be wrong.
@@ -54,6 +55,14 @@ class Hyperbolicity:
 
     def __init__(self, fields: dict[str, Any]) -> None:
         self._fields = fields
+
+    def _key(self) -> Any:
+        return {name: value for name, value in self._fields.items() if name != "seconds"}
+
+    def _rows(self) -> dict[str, str]:
+        words = {True: "yes", False: "no", None: "not decided"}
+        rows = {"hyperbolic": words[self.hyperbolic], "by": self.by or "", "why": self.message}
+        return {name: text for name, text in rows.items() if text}
 
     @property
     def hyperbolic(self) -> bool | None:
@@ -83,7 +92,7 @@ class Hyperbolicity:
 
     @property
     def certificate(self) -> HyperbolicityCertificate | None:
-        """The evidence; its check() shares nothing with the search."""
+        """The evidence; its check() searches for nothing."""
         data = self._fields["certificate"]
         return None if data is None else HyperbolicityCertificate(data)
 
@@ -163,12 +172,8 @@ class _Decision:
     def _by_metric(self, manifold: Manifold) -> Hyperbolicity | None:
         if not self.metric or manifold.verdict(time_limit=self.left()).outcome != "geometric":
             return None
-        proof, reason = None, ""
-        try:
-            found = manifold.prove(time_limit=self.left())
-            proof, reason = (json.loads(found.to_json()), "") if found else (None, found.reason)
-        except InvalidInput as error:  # cusps and the like, which proofs do not know so far
-            reason = str(error)
+        found = manifold.prove(time_limit=self.left())
+        proof, reason = (json.loads(found.to_json()), "") if found else (None, found.reason)
         certificate = {
             "by": "metric",
             "gluings": self.table.rows(),

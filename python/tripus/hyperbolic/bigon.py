@@ -87,10 +87,7 @@ class ClosedBigon:
                         points.find((one, curve[2]))
                         points.find((one, "middle"))
                         sides.append(one)  # along the curve
-        for t, f in self.table.faces:
-            entry = self.table.glue[t][f]
-            assert entry is not None
-            other, g = entry
+        for t, f, other, g in self.table.gluings:
             for v in range(4):
                 if v == f:
                     continue

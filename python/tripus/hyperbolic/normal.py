@@ -48,12 +48,9 @@ class NormalSurface:
             if len(kinds) > 1:
                 raise InvalidInput(f"two kinds of quadrilaterals in tetrahedron {t}")
             self.quads.append(kinds[0] if kinds else (0, 0))
-        for t, f in table.faces:
-            entry = table.glue[t][f]
-            if entry is None:
-                continue
+        for t, f, other, p in table.gluings:
             for v in range(4):
-                if v != f and self.arcs(t, f, v) != self.arcs(entry[0], entry[1][f], entry[1][v]):
+                if v != f and self.arcs(t, f, v) != self.arcs(other, p[f], p[v]):
                     raise InvalidInput(f"the matching equations fail at face {f} of tetrahedron {t}")
         if not any(self.discs):
             raise InvalidInput("the surface is empty")
@@ -110,11 +107,7 @@ class NormalSurface:
     @cached_property
     def steps(self) -> list[Step]:
         out = []
-        for t, f in self.table.faces:
-            entry = self.table.glue[t][f]
-            if entry is None:
-                continue
-            other, p = entry
+        for t, f, other, p in self.table.gluings:
             for v in range(4):
                 for i in range(self.arcs(t, f, v) if v != f else 0):
                     here, mine = self.arc_disc(t, f, v, i)
@@ -173,11 +166,7 @@ class NormalSurface:
     def _links(self) -> list[tuple[FaceRegion, Region, Region]]:
         """Regions of faces inside the manifold, with the regions on both sides."""
         out = []
-        for t, f in self.table.faces:
-            entry = self.table.glue[t][f]
-            if entry is None:
-                continue
-            other, p = entry
+        for t, f, other, p in self.table.gluings:
             for v in range(4):
                 for i in range(self.arcs(t, f, v) if v != f else 1):
                     out.append(
@@ -207,6 +196,15 @@ class NormalSurface:
 
     def is_separating(self) -> bool:
         return self.piece_at(0) != self.piece_at(1)
+
+    def beyond(self, t: int, f: int, v: int, i: int) -> FaceRegion:
+        """The region of face f behind its arc i from v."""
+        return (t, f, v, i + 1) if i + 1 < self.arcs(t, f, v) else (t, f, f, 0)
+
+    def point(self, t: int, f: int, a: int, b: int, k: int) -> Arc:
+        """The arc of face f at point k of its edge from a to b."""
+        at_a = self.arcs(t, f, a)
+        return (t, f, a, k) if k < at_a else (t, f, b, at_a + self.arcs(t, f, b) - 1 - k)
 
     def segment(self, t: int, f: int, a: int, b: int, k: int) -> FaceRegion:
         """The region of face f at segment k of its edge from a to b."""
@@ -315,15 +313,12 @@ class Group:
             _, facing = surface.arc_disc(t, f, v, n)
             if direction < 0 and not agree:
                 side = 1 - side  # now as seen from the first disc of the step
-            key = (t, f, v, n) if side == facing else self._beyond(t, f, v, n)
+            key = (t, f, v, n) if side == facing else self.surface.beyond(t, f, v, n)
             crossing = self.crossing(*key)
             word += crossing if direction > 0 else [-x for x in reversed(crossing)]
             if direction > 0 and not agree:
                 side = 1 - side
         return word
-
-    def _beyond(self, t: int, f: int, v: int, i: int) -> FaceRegion:
-        return (t, f, v, i + 1) if i + 1 < self.surface.arcs(t, f, v) else (t, f, f, 0)
 
     def surface_relations(self) -> list[list[int]]:
         """[points inside][steps]: what is 0 in the first homology of the surface."""
@@ -336,8 +331,7 @@ class Group:
             for k in range(surface.weight(e)):
                 row = [0] * len(number)
                 for t, a, b, front, _ in edge.corners:
-                    at_a = surface.arcs(t, front, a)
-                    v, i = (a, k) if k < at_a else (b, at_a + surface.arcs(t, front, b) - 1 - k)
+                    _, _, v, i = surface.point(t, front, a, b, k)
                     s, g, p = surface.table.first(t, front)
                     row[number[s, g, p[v], i]] += 1 if (s, g) == (t, front) else -1
                 rows.append(row)
@@ -364,17 +358,13 @@ class BoundaryPieces:
             if not edge.is_boundary:
                 continue
             (t, a, b, _, f), (s, c, d, g, _) = edge.corners[0], edge.corners[-1]
-            here, there = surface.arcs(t, f, a), surface.arcs(s, g, c)
             weight = surface.weight(e)
             for k in range(weight + 1):
                 one = surface.segment(t, f, a, b, k)
                 pieces.join(one, surface.segment(s, g, c, d, k))
                 segments.append(one)
                 if k < weight:
-                    curves.join(
-                        (t, f, a, k) if k < here else (t, f, b, weight - 1 - k),
-                        (s, g, c, k) if k < there else (s, g, d, weight - 1 - k),
-                    )
+                    curves.join(surface.point(t, f, a, b, k), surface.point(s, g, c, d, k))
             corners[table.vertices.find((t, a))] = surface.segment(t, f, a, b, 0)
             corners[table.vertices.find((t, b))] = surface.segment(t, f, a, b, weight)
         #: Euler characteristic of each open piece.
@@ -385,9 +375,8 @@ class BoundaryPieces:
             self.chi[pieces.find(region)] += 1
         #: The two pieces along each curve.
         self.curves: list[tuple[FaceRegion, FaceRegion]] = []
-        for t, f, v, i in curves.groups():
-            beyond = (t, f, v, i + 1) if i + 1 < surface.arcs(t, f, v) else (t, f, f, 0)
-            self.curves.append((pieces.find((t, f, v, i)), pieces.find(beyond)))
+        for arc in curves.groups():
+            self.curves.append((pieces.find(arc), pieces.find(surface.beyond(*arc))))
         self._surface = surface
         self._pieces = pieces
 

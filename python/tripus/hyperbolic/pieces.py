@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from tripus.hyperbolic.presentation import Presentation, of_table
-from tripus.hyperbolic.tables import Classes, Table
+from tripus.hyperbolic.tables import Classes
 
 
 def surface_group(group: Presentation) -> tuple[int, bool] | None:

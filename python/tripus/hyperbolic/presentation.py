@@ -1,4 +1,4 @@
-"""Finitely presented groups: moves that keep the group, free splittings, finite quotients.
+"""Finitely presented groups: moves that keep the group, free splittings.
 
 Words are tuples of integers other than 0: generator i is i + 1, its inverse -(i + 1).
 """
@@ -53,6 +53,13 @@ def substituted(word: Sequence[int], images: dict[int, Word]) -> Word:
     return reduced(out)
 
 
+def _whitehead_images(letter: int, before: Sequence[int], after: Sequence[int]) -> dict[int, Word]:
+    return {
+        g: (*((-letter,) if g in before else ()), g + 1, *((letter,) if g in after else ()))
+        for g in {*before, *after}
+    }
+
+
 class Presentation:
     """Generators (their numbers never change, they only disappear) and relators."""
 
@@ -85,16 +92,10 @@ class Presentation:
 
     def whitehead(self, letter: int, before: Sequence[int], after: Sequence[int]) -> None:
         """Every generator x in `after` becomes x a, every one in `before` a^-1 x; a = letter."""
-        images: dict[int, Word] = {}
-        for g in set(before) | set(after):
-            if g + 1 == abs(letter) or g not in self.generators:
-                raise InvalidInput("this is no Whitehead automorphism")
-            images[g] = (
-                *((-letter,) if g in before else ()),
-                g + 1,
-                *((letter,) if g in after else ()),
-            )
-        self._apply(images)
+        moved = set(before) | set(after)
+        if abs(letter) - 1 in moved or not moved <= set(self.generators):
+            raise InvalidInput("this is no Whitehead automorphism")
+        self._apply(_whitehead_images(letter, before, after))
         self.moves.append(["whitehead", letter, sorted(before), sorted(after)])
 
     def _apply(self, images: dict[int, Word]) -> None:
@@ -152,10 +153,7 @@ class Presentation:
         for letter, before, after in self._automorphisms():
             if time.monotonic() >= self._deadline:
                 return False
-            images = {
-                g: (*((-letter,) if g in before else ()), g + 1, *((letter,) if g in after else ()))
-                for g in {*before, *after}
-            }
+            images = _whitehead_images(letter, before, after)
             length = sum(len(cyclically_reduced(substituted(w, images))) for w in self.relators)
             if length < self.length:
                 self.whitehead(letter, before, after)

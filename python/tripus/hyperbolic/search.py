@@ -32,10 +32,8 @@ def to_regina(table: Table) -> Any:
 
     made = regina.Triangulation3()
     tetrahedra = made.newTetrahedra(table.size)
-    for t, f in table.faces:
-        entry = table.glue[t][f]
-        if entry is not None:
-            tetrahedra[t].join(f, tetrahedra[entry[0]], regina.Perm4(*entry[1]))
+    for t, f, other, p in table.gluings:
+        tetrahedra[t].join(f, tetrahedra[other], regina.Perm4(*p))
     return made
 
 
@@ -130,18 +128,20 @@ class Search:
 
     def run(self) -> dict[str, Any] | None:
         """The certificate's own part: triangulation, vector, kind and reason; None if the time is
-        over, or if every vertex surface of one triangulation has been seen."""
-        step, round_number, best = FIRST_STEP, 0, 0
+        over."""
+        step, round_number = FIRST_STEP, 0
+        best: int | None = None
         while time.monotonic() < self.deadline:
             triangulation = truncated(self.table, round_number)
-            if best and triangulation.size() > best + 1:
+            size = triangulation.size()
+            if best is not None and size > best + 1:
                 round_number += 1
                 continue
-            best = min(best, triangulation.size()) or triangulation.size()
+            best = size if best is None else min(best, size)
             found = self._round(triangulation, round_number, step)
             if found is not None:
                 return found
-            if round_number == 0 and triangulation.size() <= SMALL and self._compresses(triangulation):
+            if round_number == 0 and size <= SMALL and self._compresses(triangulation):
                 return {"because": "compressing disc", "round": 0}
             round_number += 1
             step *= 1.5
@@ -160,10 +160,10 @@ class Search:
             limit = step if name == "all" else step / 4
             end = min(self.deadline, time.monotonic() + limit)
             self.searches += 1
+            seen_all = False
             while time.monotonic() < end:
                 if not tree.next():
-                    if name == "all":
-                        self.tell("exhausted", round_number)
+                    seen_all = name == "all"
                     break
                 self.surfaces += 1
                 found = self._examine(table, tree.buildSurface())
@@ -174,7 +174,8 @@ class Search:
                         "pieces": self._pieces(triangulation, found["surface"]),
                     }
             self.tell("searched", [self.searches, self.surfaces])
-            if time.monotonic() >= self.deadline:
+            # With an edge banned there are no others than these.
+            if seen_all or time.monotonic() >= self.deadline:
                 break
         return None
 

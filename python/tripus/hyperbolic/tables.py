@@ -99,6 +99,11 @@ class Table:
                     out.append((t, f))
         return out
 
+    @cached_property
+    def gluings(self) -> list[tuple[int, int, int, tuple[int, ...]]]:
+        """(t, f, other, p) of the faces that are not open, from the first of each pair."""
+        return [(t, f, *entry) for t, f in self.faces if (entry := self.glue[t][f])]
+
     def first(self, t: int, f: int) -> tuple[int, int, tuple[int, ...]]:
         """The representative of a face, with where the vertices go."""
         entry = self.glue[t][f]

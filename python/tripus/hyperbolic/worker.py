@@ -31,10 +31,8 @@ class Worker:
         self._unread = b""  # not the pipe's own buffer, of which a selector knows nothing
         self._told: dict[str, Any] = {}
         environment = dict(os.environ)
-        root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-        place = _package_root() or root
         environment["PYTHONPATH"] = os.pathsep.join(
-            [place, *filter(None, [environment.get("PYTHONPATH")])]
+            [_package_root(), *filter(None, [environment.get("PYTHONPATH")])]
         )
         self._process = subprocess.Popen(
             [sys.executable, "-m", "tripus.hyperbolic.worker"],

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from tripus._check import checked
 from tripus._errors import Undecided
 from tripus._value import Value, frozen
 from tripus.groups import AbelianGroup, IsometryGroup
@@ -15,8 +14,6 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from tripus.manifold import Manifold
-else:
-    from tripus._lazy import numpy as np
 
 
 class Isometry(Value):

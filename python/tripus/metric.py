@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from tripus import _core
-from tripus._check import checked, one_of
+from tripus._check import checked
 from tripus._limits import Progress, limits
 from tripus._value import Value
 from tripus._errors import InvalidInput
@@ -21,10 +21,6 @@ if TYPE_CHECKING:
     from tripus.manifold import Manifold
 else:
     from tripus._lazy import numpy as np
-
-
-#: What cells can be drawn in.
-MODELS = ("ball", "klein", "upper")
 
 
 @checked

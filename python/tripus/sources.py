@@ -11,7 +11,7 @@ from tripus import _core, interop
 from tripus._core import Manifold as CoreManifold
 from tripus._check import as_bytes, real_array, shown, whole_array
 from tripus._errors import FileError, InvalidInput
-from tripus._limits import NO_LIMITS, Progress, limits
+from tripus._limits import Progress, limits
 from tripus.diagrams import Diagram
 
 if TYPE_CHECKING:

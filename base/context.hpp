@@ -35,7 +35,7 @@ struct Context {
            (stop_flag != nullptr && stop_flag->load(std::memory_order_relaxed));
   }
   bool expired() const { return deadline && Clock::now() >= *deadline; }
-  /// Seconds until the deadline, not negative; infinity if there is none.
+  /// Seconds until the deadline, more than 0 also when it is over; infinity if there is none.
   double seconds_left() const;
   void report(std::string_view activity, std::size_t tetrahedra = 0) const {
     if (progress) progress(activity, tetrahedra);

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
-#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -201,9 +200,7 @@ bool is_time_over() { return own().is_time_over || (!own().stop && interruptible
 
 std::string stop_text() { return why(is_time_over()); }
 
-double seconds_left() {
-  return std::max(interruptible().seconds_left(), std::numeric_limits<double>::min());
-}
+double seconds_left() { return interruptible().seconds_left(); }
 
 void set_last_words(
     std::string_view rest,

@@ -73,8 +73,8 @@ class Metric {
   const structure::Report& report() const { return report_; }
 
   /// A proof that this is the metric, every rounding accounted for, anew at each call: intervals of
-  /// the lengths and the volume, or the reason why not: also where cusps, finite vertices or cone
-  /// angles other than 2 pi are in the way. docs/proof.md.
+  /// the lengths and the volume, or the reason why not: also where a vertex is finite.
+  /// docs/proof.md.
   structure::Proof prove(const Context& context = {}) const;
 
   // Places in hyperbolic space. Unsupported for cone angles other than 2 pi.

@@ -83,7 +83,7 @@ void write_outputs(const MeshCommand& command, const meshing::Manifold& manifold
                       "--save-mesh cannot write them; leave it out, or remesh the surface more "
                       "evenly");
   if (!command.output.empty())
-    write_triangulation_file(command.output, {}, manifold.gluings, subject.best_signature());
+    write_triangulation_file(command.output, {{}, manifold.gluings}, subject.best_signature());
   if (ends_with(command.mesh_output, ".vtk"))
     write_file(command.mesh_output, meshing::write_vtk(manifold.mesh));
   if (ends_with(command.mesh_output, ".mesh"))

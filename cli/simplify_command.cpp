@@ -161,7 +161,7 @@ Outcome simplify_one(const SimplifyCommand& command, const std::string& input) {
   const std::string name = loaded.name;
   const Subject subject = make_subject(input, std::move(loaded));
   if (!command.output.empty())
-    write_triangulation_file(command.output, name, subject.triangulation.gluings(),
+    write_triangulation_file(command.output, {name, subject.triangulation.gluings()},
                              subject.best_signature());
   return {command.common.json ? as_json(result, stages, subject) : as_text(result, stages, subject),
           result.stopped ? kNoAnswer : kSuccess};

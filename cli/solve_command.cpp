@@ -55,7 +55,10 @@ void write_solved(const SolveCommandOptions& command, const Solved& solved) {
                     tripus::quoted(command.output)));
     return;
   }
-  write_triangulation_file(command.output, subject.name, subject.triangulation.gluings(),
+  write_triangulation_file(command.output,
+                           {.name = subject.name,
+                            .gluings = subject.triangulation.gluings(),
+                            .cone_angles = subject.cone_angles},
                            subject.best_signature());
 }
 
@@ -136,6 +139,7 @@ void assign_labels(const SolveCommandOptions& command, Subject& subject) {
 Subject load_subject_with(const SolveCommandOptions& command, const std::string& input) {
   Subject subject = load_labelled_subject(input, Balls::kRefused, interruptible());
   assign_labels(command, subject);
+  if (!command.output.empty()) require_format_for(command.output, subject.cone_angles);
   // Labels are by the edge classes of the triangulation as it was given.
   if (subject.cone_angles.empty()) subject = without_finite_vertices(std::move(subject));
   try {
@@ -172,6 +176,7 @@ Outcome solve_components(const SolveCommandOptions& command, const std::string& 
     const std::string label = fmt::format("{} ({})", input, component);
     Subject subject = component_subject(label, loaded, std::move(part));
     assign_labels(command, subject);
+    if (!command.output.empty()) require_format_for(command.output, subject.cone_angles);
     const Outcome one = solve_component(command, component, std::move(subject));
     all.status = std::max(all.status, one.status);
     answers.push_back(one.text);

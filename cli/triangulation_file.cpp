@@ -37,14 +37,20 @@ void require_triangulation_name(const std::string& path) {
                        "(Regina) or .tri (SnapPea)");
 }
 
-void write_triangulation_file(const std::string& path, const std::string& name,
-                              const topology::Gluings& gluings,
+void require_format_for(const std::string& path, std::span<const topology::ConeAngle> cone_angles) {
+  if (!topology::all_full(cone_angles) && !path.ends_with(".json"))
+    throw InvalidInput("-o " + quoted(path) +
+                       ": this format keeps no cone angles; .json (gluing table) does");
+}
+
+void write_triangulation_file(const std::string& path, const topology::NamedGluings& triangulation,
                               const std::optional<std::string>& isosig) {
   require_triangulation_name(path);
+  require_format_for(path, triangulation.cone_angles);
   const Ending& ending = *find_ending(path);
   if (!ending.write && !isosig)
     throw InvalidInput("the signature would take too long to compute; write .json");
-  write_file(path, ending.write ? ending.write({name, gluings}) : *isosig + "\n");
+  write_file(path, ending.write ? ending.write(triangulation) : *isosig + "\n");
 }
 
 }  // namespace tripus::cli

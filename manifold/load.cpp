@@ -15,6 +15,7 @@
 #include "base/error.hpp"
 #include "base/system_error.hpp"
 #include "canonical/census.hpp"
+#include "manifold/labels.hpp"
 #include "manifold/load_diagram.hpp"
 #include "manifold/prepared.hpp"
 #include "meshing/formats/foreign_meshes.hpp"
@@ -264,17 +265,21 @@ topology::NamedGluings load_as_given(const std::string& input, Wanted wanted,
 
 topology::NamedGluings load(const std::string& input, Wanted wanted,
                             topology::FiniteVertices finite_vertices, const Context& context) {
-  topology::NamedGluings loaded = load_as_given(input, wanted, context);
+  const auto [plain, labels] = split_labels(input);
+  topology::NamedGluings loaded = load_as_given(plain, wanted, context);
   const StopFlag stop(context);
-  blame(source_of(input), [&] { make_ideal(loaded, finite_vertices, stop.get()); });
+  blame(source_of(plain), [&] { make_ideal(loaded, finite_vertices, stop.get()); });
+  if (!labels.empty())
+    loaded.cone_angles = labelled(std::move(loaded.cone_angles),
+                                  topology::Triangulation(loaded.gluings).edge_count(), labels);
   return loaded;
 }
 
 void refuse_labels(const topology::NamedGluings& loaded, const std::string& input) {
-  if (!topology::all_full(loaded.cone_angles))
+  if (!topology::all_full(loaded.cone_angles) || !split_labels(input).second.empty())
     throw Unsupported(source_of(input) +
                       " has singular edges (cone angles other than 2 pi), which only info, solve, "
-                      "check, canonize, compare and identify know so far");
+                      "check, prove, canonize, compare and identify know so far");
 }
 
 void tell_notes(const topology::NamedGluings& loaded, const std::string& input,
@@ -341,7 +346,7 @@ topology::NamedGluings load_manifold_input(const std::string& input, const Conte
 }
 
 topology::NamedGluings load_unconed_input(const std::string& input, const Context& context) {
-  topology::NamedGluings loaded = load_as_given(input, Wanted::kAny, context);
+  topology::NamedGluings loaded = load_as_given(split_labels(input).first, Wanted::kAny, context);
   refuse_labels(loaded, input);
   tell_notes(loaded, input, context);
   return loaded;

@@ -160,12 +160,7 @@ Manifold Manifold::with_cone_angles(std::vector<topology::ConeAngle> cone_angles
 }
 
 Manifold load(const std::string& input, const Context& context) {
-  const auto [plain, labels] = split_labels(input);
-  topology::NamedGluings loaded = load_labelled_input(plain, Balls::kAllowed, context);
-  if (!labels.empty())
-    loaded.cone_angles = labelled(std::move(loaded.cone_angles),
-                                  topology::Triangulation(loaded.gluings).edge_count(), labels);
-  return Manifold(std::move(loaded), input);
+  return Manifold(load_labelled_input(input, Balls::kAllowed, context), input);
 }
 
 const std::string& Manifold::name() const { return state_->name; }

@@ -47,12 +47,7 @@ Subject load_solvable_subject(const std::string& input, const Context& context,
 }
 
 Subject load_labelled_subject(const std::string& input, Balls balls, const Context& context) {
-  const auto [plain, labels] = split_labels(input);
-  topology::NamedGluings loaded = load_labelled_input(plain, balls, context);
-  Subject subject = make_subject(input, std::move(loaded));
-  subject.cone_angles =
-      labelled(std::move(subject.cone_angles), subject.triangulation.edge_count(), labels);
-  return subject;
+  return make_subject(input, load_labelled_input(input, balls, context));
 }
 
 Subject load_ideal_subject(const std::string& input, Balls balls, const Context& context,

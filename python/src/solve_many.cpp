@@ -8,7 +8,6 @@
 #include <nanobind/stl/vector.h>
 #include <tripus/tripus.hpp>
 
-#include "manifold/labels.hpp"
 #include "manifold/prepared.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
@@ -58,14 +57,12 @@ void fill(Row& row, const topology::Triangulation& triangulation, const structur
 
 /// As a line of `tripus solve --batch`, labels included.
 void answer_text(Row& row, const std::string& input, bool prove, const Context& context) {
-  const auto [plain, labels] = split_labels(input);
-  topology::NamedGluings loaded = load_labelled_input(plain, Balls::kRefused, context);
+  topology::NamedGluings loaded = load_labelled_input(input, Balls::kRefused, context);
   const StopFlag stop(context);
-  if (labels.empty() && loaded.cone_angles.empty())
-    make_ideal(loaded, topology::FiniteVertices::kRemove, stop.get());
+  if (loaded.cone_angles.empty()) make_ideal(loaded, topology::FiniteVertices::kRemove, stop.get());
   const topology::Triangulation triangulation(std::move(loaded.gluings));
   structure::SolveOptions options;
-  options.cone_angles = labelled(std::move(loaded.cone_angles), triangulation.edge_count(), labels);
+  options.cone_angles = std::move(loaded.cone_angles);
   options.stop_requested = stop.get();
   options.time_limit = context.seconds_left();
   fill(row, triangulation, structure::solve(triangulation, options), options.cone_angles, prove,

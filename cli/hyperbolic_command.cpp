@@ -12,6 +12,7 @@
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/output.hpp"
+#include "meshing/find_tetgen.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -65,6 +66,11 @@ int run(const HyperbolicCommandOptions& command) {
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
   flush_output();
+  // Python is another program, beside which there is no tripus-tetgen.
+  try {
+    setenv("TRIPUS_TETGEN", meshing::find_tetgen().c_str(), /*overwrite=*/0);
+  } catch (const Unsupported&) {  // to be said where a solid is to be filled, and only there
+  }
   execvp(pointers.front(), pointers.data());
   throw IoError(fmt::format(
       "`tripus hyperbolic` is part of the Python package, and {} cannot be started: install Python "

@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "base/stopped.hpp"
 #include "meshing/detail/child_process.hpp"
-#include "meshing/detail/find_tetgen.hpp"
+#include "meshing/find_tetgen.hpp"
 #include "meshing/detail/tetgen_protocol.hpp"
 
 namespace tripus::meshing::detail {

@@ -47,5 +47,6 @@ std::vector<topology::ConeAngle> read_cone_angles(const nb::list& given);
 
 /// A report as a dict; arrays are copies.
 nb::dict as_dict(const structure::Report& report);
+nb::dict as_dict(const structure::ClosedBigon& bigon);
 
 }  // namespace tripus::python

@@ -101,6 +101,17 @@ void bind_metric_questions(nb::class_<Manifold>& type) {
 
 }  // namespace
 
+nb::dict as_dict(const structure::ClosedBigon& bigon) {
+  nb::dict found;
+  found["decides"] = bigon.decides();
+  found["surface"] = std::string(structure::surface_name(bigon));
+  found["consequence"] = std::string(structure::to_string(bigon.consequence));
+  found["edge"] = bigon.edge;
+  found["opposite"] = bigon.opposite;
+  found["message"] = structure::message(bigon);
+  return found;
+}
+
 nb::dict as_dict(const structure::Report& report) {
   nb::dict d;
   d["outcome"] = std::string(structure::to_string(report.outcome));
@@ -133,17 +144,7 @@ nb::dict as_dict(const structure::Report& report) {
   d["flat_tetrahedra"] = report.flat_tetrahedra;
   if (report.certificate) d["certificate"] = structure::to_json(*report.certificate);
   if (report.strict_angles) d["angle_structure"] = structure::to_json(*report.strict_angles);
-  if (report.closed_bigon) {
-    const structure::ClosedBigon& bigon = *report.closed_bigon;
-    nb::dict found;
-    found["decides"] = bigon.decides();
-    found["surface"] = std::string(structure::surface_name(bigon));
-    found["consequence"] = std::string(structure::to_string(bigon.consequence));
-    found["edge"] = bigon.edge;
-    found["opposite"] = bigon.opposite;
-    found["message"] = structure::message(bigon);
-    d["closed_bigon"] = found;
-  }
+  if (report.closed_bigon) d["closed_bigon"] = as_dict(*report.closed_bigon);
   return d;
 }
 

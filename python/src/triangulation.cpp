@@ -11,6 +11,7 @@
 
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
+#include "structure/closed_bigon.hpp"
 #include "topology/isomorphism.hpp"
 #include "topology/labelled_isosig.hpp"
 #include "topology/orientation.hpp"
@@ -257,6 +258,12 @@ void bind_topology(nb::class_<Manifold>& type) {
       .def("isomorphisms_to", isomorphisms_of)
       .def("is_isomorphic_to", is_isomorphic_to)
       .def("cone_angles", cone_angles_of)
+      .def("closed_bigon",
+           [](const Manifold& m) -> nb::object {
+             const auto bigon = run(
+                 {}, [&](const Context&) { return structure::closed_bigon(m.triangulation()); });
+             return bigon ? nb::object(as_dict(*bigon)) : nb::none();
+           })
       .def("is_labelled", [](const Manifold& m) { return !topology::all_full(m.cone_angles()); })
       .def("with_cone_angles",
            [](const Manifold& m, const nb::list& angles) {

@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import signal
 import sys
 from collections.abc import Sequence
 
@@ -56,12 +57,14 @@ def _as_text(source: str, answer: Hyperbolicity) -> str:
 
 
 def _failure(source: str, error: Exception, as_json: bool) -> int:
+    # Files are only read here: one that cannot be is an input that is not good.
+    is_input = isinstance(error, (InvalidInput, FileError, FileNotFoundError, IsADirectoryError))
     sys.stderr.write(f"tripus: {error}\n")
     if as_json:
-        kind = "invalid-input" if isinstance(error, InvalidInput) else "system"
+        kind = "invalid-input" if is_input else "system"
         body = {"kind": kind, "message": str(error)}
         print(json.dumps({"tripus": tripus.__version__, "input": source, "error": body}), flush=True)
-    return 2 if isinstance(error, InvalidInput) else 3
+    return 2 if is_input else 3
 
 
 def _one(source: str, arguments: argparse.Namespace) -> int:
@@ -94,7 +97,7 @@ def _check(arguments: argparse.Namespace) -> int:
             arguments.check, InvalidInput(f"{arguments.check}: {error}"), arguments.json
         )
     except (TripusError, OSError) as error:
-        return _failure(arguments.check, FileError(str(error)), arguments.json)
+        return _failure(arguments.check, error, arguments.json)
     valid = not objection
     if arguments.json:
         print(json.dumps({"valid": valid, "by": data.get("by"), "reason": objection}))
@@ -111,13 +114,18 @@ def main(given: Sequence[str] | None = None) -> int:
         return _check(arguments)
     if (arguments.input is None) == (arguments.batch is None):
         parser.error("give one INPUT, or --batch FILE")
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    lines, answered = None, 0
     try:
         if arguments.batch is None:
             return _one(arguments.input, arguments)
-        for line in tripus.read_batch(arguments.batch):
+        lines = tripus.read_batch(arguments.batch)
+        for line in lines:
             _one(line, arguments)
+            answered += 1
     except KeyboardInterrupt:
-        sys.stderr.write("tripus: interrupted\n")
+        rest = "" if lines is None else f" after {answered} of {len(lines)} inputs"
+        sys.stderr.write(f"tripus: interrupted{rest}\n")
         return 1
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -236,7 +236,7 @@ class _Decision:
         return self._answer(False, by, message + ", certificate attached", certificate, name=name)
 
     def _by_bigon(self) -> Hyperbolicity | None:
-        bigon = self.manifold.verdict().closed_bigon
+        bigon = self.manifold._core.closed_bigon()
         if bigon is None or not bigon["decides"]:
             hint = "none" if bigon is None else "an annulus, which may be trivial"
             self.tried.append(f"closed bigons: {hint}")

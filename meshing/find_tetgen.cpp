@@ -1,4 +1,4 @@
-#include "meshing/detail/find_tetgen.hpp"
+#include "meshing/find_tetgen.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 
-namespace tripus::meshing::detail {
+namespace tripus::meshing {
 
 std::string find_tetgen() {
   namespace fs = std::filesystem;
@@ -30,4 +30,4 @@ std::string find_tetgen() {
       "meshes can be read without it");
 }
 
-}  // namespace tripus::meshing::detail
+}  // namespace tripus::meshing

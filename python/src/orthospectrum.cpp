@@ -30,6 +30,7 @@ nb::dict identity_dict(const orthospectrum::Identity& identity) {
 void require_plain(const HeldMetric& self) {
   if (!topology::all_full(self.manifold.cone_angles()))
     throw Unsupported("the orthospectrum does not know cone angles other than 2 pi so far");
+  topology::require_boundary_beside_cusps(self.manifold.triangulation());
 }
 
 }  // namespace

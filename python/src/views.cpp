@@ -20,7 +20,7 @@ const Metric& require_metric(const Manifold& manifold, const Context& context) {
 }
 
 /// The page as UTF-8.
-nb::bytes page(const Manifold& manifold, std::size_t cells, const std::string& model,
+nb::bytes page(const Manifold& manifold, std::size_t cells, const std::string& model, bool inside,
                bool with_discs, std::optional<double> length, const Limits& limits) {
   return as_bytes(run(limits, [&](const Context& context) {
     const Metric& metric = require_metric(manifold, context);
@@ -34,6 +34,7 @@ nb::bytes page(const Manifold& manifold, std::size_t cells, const std::string& m
     options.isosig = manifold.signature().value_or("");
     options.cells = cells;
     options.model = model;
+    options.inside = inside;
     options.discs = discs ? &*discs : nullptr;
     return viewer::page_html(options, manifold.triangulation(), metric.report(),
                              metric.embedding());

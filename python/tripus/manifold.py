@@ -61,7 +61,6 @@ _ELSEWHERE = {
     "tetrahedra_shapes": "M.metric.edge_lengths, M.metric.dihedral_angles",
     "dehn_fill": "fill with SnapPy: tripus.Manifold(M.to_snappy().filled_triangulation())",
     "browse": "M.view()",
-    "inside_view": "M.view()",
     "normal_surfaces": "M.to_regina(), regina.NormalSurfaces",
     "cusp_info": "M.links()",
     "drill": "M.drilled(edges)",
@@ -815,10 +814,22 @@ class Manifold(Value):
 
         return view(self, cells, model, height, discs=discs)
 
+    def inside_view(self, height: int = 520, *, discs: bool | float = False) -> Any:
+        """The same page, which begins inside: what one sees along geodesics. SnapPy's name."""
+        from tripus.view import view
+
+        return view(self, height=height, discs=discs, inside=True)
+
     def page(
-        self, cells: int = 20, model: str = "ball", *, discs: bool | float = False
+        self,
+        cells: int = 20,
+        model: str = "ball",
+        *,
+        discs: bool | float = False,
+        inside: bool = False,
     ) -> str:
-        """The HTML of that page: self-contained, nothing from the network.
+        """The HTML of that page: self-contained, nothing from the network. It begins outside, or
+        inside.
 
         >>> '"discs":' in Manifold("cPcbbbihq").page(discs=2.0)
         True
@@ -826,7 +837,7 @@ class Manifold(Value):
         self.metric
         length = None if isinstance(discs, bool) else float(discs)
         wanted = discs is not False
-        page = _core.page(self._core, cells, model, wanted, length, NO_LIMITS)
+        page = _core.page(self._core, cells, model, inside, wanted, length, NO_LIMITS)
         return page.decode("utf-8", "replace")
 
     def picture(self, width: int = 240, height: int = 180) -> npt.NDArray[np.uint8]:

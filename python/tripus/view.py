@@ -82,9 +82,10 @@ def view(
     height: int = 520,
     *,
     discs: bool | float = False,
+    inside: bool = False,
 ) -> Page:
     """The page of a manifold; outside of notebooks it opens in a browser."""
-    page = Page(manifold.page(cells, model, discs=discs), height)
+    page = Page(manifold.page(cells, model, discs=discs, inside=inside), height)
     if not in_notebook():
         page.open()
     return page

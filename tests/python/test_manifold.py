@@ -516,6 +516,12 @@ def test_spectrum_with_a_cusp_counts_the_compact_boundary():
     assert abs(arcs.area["counted"] + tail - 4 * np.pi) < uncertainty
 
 
+def test_a_page_begins_outside_or_inside(M, monkeypatch):
+    assert '"view_shown":"outside"' in M.page()
+    monkeypatch.setattr("webbrowser.open", lambda address: True)
+    assert '"view_shown":"inside"' in M.inside_view().text
+
+
 def test_pages_with_discs(M):
     assert '"discs":{' not in M.page()
     assert '"discs":{"length":1,' in M.page(discs=1)

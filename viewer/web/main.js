@@ -13,7 +13,7 @@ class Page {
         (choices.includes(this.wishes.get(name)) ? this.wishes.get(name) : choices[0]);
     this.number = number;
     this.state = {
-      view: choice('view', ['outside', 'inside']),
+      view: choice('view', this.data.view_shown === 'inside' ? ['inside', 'outside'] : ['outside', 'inside']),
       model: choice('model', this.data.model_shown === 'upper' ? ['upper', 'ball'] : ['ball', 'upper']),
       cells: Math.round(number('cells', this.data.cells_shown ?? 20, 1, kCellCounts.at(-1))),
       explode: number('explode', 0, 0, 1.5),

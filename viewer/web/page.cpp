@@ -163,6 +163,8 @@ std::string page_data(const PageOptions& options, const topology::Triangulation&
   append_number(out, options.cells);
   append_key(out, "model_shown");
   out.append(detail::json_string(options.model));
+  append_key(out, "view_shown");
+  out.append(detail::json_string(options.inside ? "inside" : "outside"));
   append_topology(out, triangulation);
   append_report(out, report);
   append_embedding(out, embedding);

@@ -1,5 +1,9 @@
 #include "cli/answer.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "cli/arguments.hpp"
@@ -15,6 +19,9 @@ namespace tripus::cli {
 namespace {
 
 constexpr int kMostThreads = 1024;
+/// Options that say where answers come from and go to, and how fast, but not what they are.
+constexpr std::string_view kNotAsked[] = {"--batch",  "--gallery", "--resume",     "--json", "-o",
+                                          "--output", "--threads", "--time-limit", "--quiet"};
 
 }  // namespace
 
@@ -70,7 +77,21 @@ int answer_one(const CommonOptions& options,
 
 }  // namespace
 
+std::string asked(const CommonOptions& options) {
+  std::string text;
+  if (options.verb == nullptr) return text;
+  text = options.verb->get_name();
+  for (const CLI::Option* option : options.verb->get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || std::ranges::find(kNotAsked, name) != std::end(kNotAsked)) continue;
+    text += ' ' + name;
+    for (const std::string& value : option->results()) text += ' ' + value;
+  }
+  return text + '\n';
+}
+
 void add_resume_option(CLI::App& verb, CommonOptions& options, CLI::Option* batch) {
+  options.verb = &verb;
   verb.add_option("--resume", options.resume,
                   fmt::format("with {} and --json: write to this file, after the answers\n"
                               "that an interrupted run has left there",
@@ -115,20 +136,21 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
 int answer_lines(const CommonOptions& options,
                  const std::function<Outcome(const topology::BatchLine&)>& answer,
                  const BatchOutput::Earlier& earlier) {
-  return run_batch({options.batch, options.resume, options.threads, options.quiet, earlier},
-                   [&](const topology::BatchLine& line) -> Answer {
-                     const LineLimit limit;
-                     topology::begin_work();
-                     try {
-                       require_not_written(line.text);
-                       Outcome outcome = answer(line);
-                       std::string& answered = outcome.text;
-                       if (!answered.empty() && answered.back() == '\n') answered.pop_back();
-                       return {std::move(answered), stop_message(outcome), kSuccess};
-                     } catch (const std::exception& error) {
-                       return error_answer(line.text, options.json, error);
-                     }
-                   });
+  return run_batch(
+      {options.batch, options.resume, asked(options), options.threads, options.quiet, earlier},
+      [&](const topology::BatchLine& line) -> Answer {
+        const LineLimit limit;
+        topology::begin_work();
+        try {
+          require_not_written(line.text);
+          Outcome outcome = answer(line);
+          std::string& answered = outcome.text;
+          if (!answered.empty() && answered.back() == '\n') answered.pop_back();
+          return {std::move(answered), stop_message(outcome), kSuccess};
+        } catch (const std::exception& error) {
+          return error_answer(line.text, options.json, error);
+        }
+      });
 }
 
 int answer_inputs(const CommonOptions& options,

@@ -172,7 +172,7 @@ int run_batch(const BatchOptions& options,
   if (!options.resume.empty()) declare_output("--resume", options.resume);
   require_not_written(options.file);
   const std::vector<topology::BatchLine> lines = read_batch_file(options.file);
-  BatchOutput output(options.resume, lines, AnswersPerLine::kOne, options.earlier);
+  BatchOutput output(options.resume, options.asked, lines, AnswersPerLine::kOne, options.earlier);
   return Batch(lines, output, thread_count(options.threads), answer).run(options);
 }
 

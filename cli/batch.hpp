@@ -18,6 +18,7 @@ struct Answer {
 struct BatchOptions {
   std::string file;      ///< one INPUT a line, `-` for standard input
   std::string resume;    ///< see BatchOutput
+  std::string asked;     ///< see BatchOutput
   unsigned threads = 0;  ///< 0: all cores
   bool quiet = false;
   BatchOutput::Earlier earlier = {};

@@ -25,10 +25,13 @@ class BatchOutput {
 
   /// With a file: reads which lines have their answers there, as JSON objects, one a line, in the
   /// order of the batch. A torn last line is cut off; of lines with any number of answers the last
-  /// that has some is answered anew, since more may belong to it.
+  /// that has some is answered anew, since more may belong to it. Each answer ends with a checksum
+  /// of itself and of `asked`, the options on which it depends; one without, such as standard
+  /// output in a file, is taken as it is.
   /// Throws InvalidInput, naming the line of the file, for one that is no answer to its line of the
-  /// batch by this version; and what AppendFile throws.
-  BatchOutput(const std::string& resume, const std::vector<topology::BatchLine>& lines,
+  /// batch by this version, or does not have its checksum; and what AppendFile throws.
+  BatchOutput(const std::string& resume, const std::string& asked,
+              const std::vector<topology::BatchLine>& lines,
               AnswersPerLine answers = AnswersPerLine::kOne, const Earlier& earlier = {});
 
   /// How many lines of the batch need no answer any more.
@@ -38,6 +41,7 @@ class BatchOutput {
 
  private:
   std::optional<AppendFile> file_;
+  std::string asked_;
   std::size_t answered_ = 0;
 };
 

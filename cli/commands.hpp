@@ -15,7 +15,11 @@ struct CommonOptions {
   unsigned threads = 0;
   bool json = false;
   bool quiet = false;
+  const CLI::App* verb = nullptr;  ///< of a batch that can be resumed
 };
+
+/// The verb and those of its options that answers depend on, as they were given.
+std::string asked(const CommonOptions& options);
 
 /// Adds INPUT, --batch (`answers` says what comes for each line) and --quiet to a verb.
 void add_input_options(CLI::App& verb, CommonOptions& options, const char* answers);

@@ -62,7 +62,8 @@ constexpr const char* kFilePrefix = "cover-";
 class Sink {
  public:
   Sink(const CoverCommand& command, const std::vector<topology::BatchLine>& inputs)
-      : path_(command.output), resumed_(command.common.resume, inputs, AnswersPerLine::kAnyNumber) {
+      : path_(command.output),
+        resumed_(command.common.resume, asked(command.common), inputs, AnswersPerLine::kAnyNumber) {
     if (path_.empty()) return;
     std::error_code error;
     if (path_.ends_with('/')) {

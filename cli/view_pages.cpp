@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/checksum.hpp"
 #include "base/output_file.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output_names.hpp"
@@ -35,8 +36,12 @@ std::string page_of(const Subject& subject, const structure::Report& report,
                     const embedding::Embedding& embedding, const PageRequest& request,
                     std::string gallery) {
   const auto discs = discs_for(request.discs, subject, report, embedding);
-  return viewer::page_html({name_of(subject), subject.isosig.value_or(""), request.cells,
-                            request.model, discs.get(), std::move(gallery)},
+  return viewer::page_html({.name = name_of(subject),
+                            .isosig = subject.isosig.value_or(""),
+                            .cells = request.cells,
+                            .model = request.model,
+                            .discs = discs.get(),
+                            .gallery = std::move(gallery)},
                            subject.triangulation, report, embedding);
 }
 
@@ -48,7 +53,7 @@ std::string boundary_of(const structure::Report& report) {
 }
 
 std::string as_json(const Subject& subject, const structure::Report& report,
-                    const std::string& path) {
+                    const std::string& path, const std::string& file_checksum) {
   JsonText out;
   append_header(out, subject.input);
   append_subject(out, subject);
@@ -58,13 +63,14 @@ std::string as_json(const Subject& subject, const structure::Report& report,
   append_string(out, path);
   append(out, ", \"boundary\": ");
   append_string(out, boundary_of(report));
+  if (!file_checksum.empty()) append(out, ", \"file_checksum\": \"" + file_checksum + "\"");
   out.push_back('}');
   return fmt::to_string(out);
 }
 
 Outcome page_written(const Subject& subject, const structure::Report& report,
-                     const std::string& path, bool json) {
-  if (json) return {as_json(subject, report, path), kSuccess};
+                     const std::string& path, bool json, const std::string& file_checksum = {}) {
+  if (json) return {as_json(subject, report, path, file_checksum), kSuccess};
   return {fmt::format("{}: page written to {}\n", printable(subject.input), printable(path)),
           kSuccess};
 }
@@ -127,6 +133,8 @@ class Gallery {
       for (const std::string& name : {entry.page, entry.picture})
         if (!std::filesystem::exists(path_of(name)))
           return "is of a page that is gone, " + quoted(path_of(name));
+      if (found.contains("file_checksum") && found["file_checksum"] != checksum_of(entry))
+        return "is of a page that was changed, " + quoted(path_of(entry.page));
       entry.name = found.value("name", line.text);
       entry.tetrahedron_count = found.value("tetrahedron_count", std::size_t{0});
       entry.volume = found.value("volume", 0.0);
@@ -164,7 +172,12 @@ class Gallery {
     viewer::write_png(viewer::inside_picture(embedding, subject.triangulation,
                                              viewer::kThumbnailWidth, viewer::kThumbnailHeight),
                       path_of(entry.picture));
-    return page_written(subject, report, path, request_.json);
+    return page_written(subject, report, path, request_.json, checksum_of(entry));
+  }
+
+  /// Of the page and its picture together.
+  std::string checksum_of(const viewer::GalleryEntry& entry) const {
+    return checksum_text(read_file(path_of(entry.page)) + read_file(path_of(entry.picture)));
   }
 
   static viewer::GalleryEntry entry_of(const topology::BatchLine& line) {

@@ -259,10 +259,11 @@ void bind_topology(nb::class_<Manifold>& type) {
       .def("is_isomorphic_to", is_isomorphic_to)
       .def("cone_angles", cone_angles_of)
       .def("closed_bigon",
-           [](const Manifold& m) -> nb::object {
+           [](const Manifold& m) -> std::optional<nb::dict> {
              const auto bigon = run(
                  {}, [&](const Context&) { return structure::closed_bigon(m.triangulation()); });
-             return bigon ? nb::object(as_dict(*bigon)) : nb::none();
+             if (!bigon) return std::nullopt;
+             return as_dict(*bigon);
            })
       .def("is_labelled", [](const Manifold& m) { return !topology::all_full(m.cone_angles()); })
       .def("with_cone_angles",

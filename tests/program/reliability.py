@@ -88,8 +88,27 @@ class Batches(ProgramTest):
     @staticmethod
     def plain(line):
         answer = read_json(line)
-        answer.pop("seconds", None)
+        for key in ("seconds", "checksum"):  # --resume adds the second
+            answer.pop(key, None)
         return json.dumps(answer)
+
+    def test_answers_that_were_changed_or_asked_otherwise_are_refused(self):
+        self.write("list", f"{TRIPUS}\n{TRIPUS}\n")
+        arguments = ("solve", "--batch", "list", "--json", "--resume", "out")
+        self.assertEqual(self.run_program(*arguments).status, 0)
+        whole = (self.folder / "out").read_text()
+        self.assertEqual(self.run_program(*arguments, "--threads", "2", "--quiet").status, 0)
+        for options in (("--max-iterations", "1"), ("--method", "newton")):
+            result = self.run_program(*arguments, *options)
+            self.assertEqual(result.status, 2)
+            self.assertIn("line 1 was changed, or was answered with other options", result.err)
+        second = whole.index("\n") + 1
+        for at in range(second + 60, len(whole) - 2, 17):
+            digit = "1" if whole[at] != "1" else "2"
+            self.write("out", whole[:at] + digit + whole[at + 1:])
+            result = self.run_program(*arguments)
+            self.assertEqual(result.status, 2, whole[at - 9:at + 9])
+            self.assertIn("line 2", result.err)
 
     def test_of_covers_go_on(self):
         self.write("list", f"{TRIPUS}\nbanana\n{TRIPUS}\n")

@@ -432,7 +432,14 @@ class Gallery(ProgramTest):
         self.assertEqual(result.status, 2)
         self.assertIn("line 1 is of a page that is gone", result.err)
         other = ("view", "--gallery", "list", "-o", "other.html", "--json", "--resume", "done")
-        for text, says in ((done.replace(page.name, "x.html"), "is of another index"),
+        self.run_program("view", "--gallery", "list", "-o", "index.html", "--json", "--resume", "anew")
+        page.write_text(page.read_text() + " ")
+        result = self.run_program(*arguments[:-1], "anew")
+        self.assertEqual(result.status, 2)
+        self.assertIn("line 1 is of a page that was changed", result.err)
+        unmarked = re.sub(r', "checksum": "[0-9a-f]{16}"', "", done)
+        for text, says in ((done.replace(page.name, "x.html"), "line 1 was changed"),
+                           (unmarked.replace(page.name, "x.html"), "is of another index"),
                            (done.replace('"volume": 6', '"volume": "6').replace(
                                ', "file"', '", "file"'), "line 1")):
             self.write("done", text)

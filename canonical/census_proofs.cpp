@@ -79,7 +79,7 @@ std::vector<CensusProof> prove_census(const Census& census, const Context& conte
 
 std::string to_tsv(const std::vector<CensusProof>& proofs) {
   std::string text =
-      "# Proofs of the metrics of census.tsv, for tripus census --check: docs/proof.md.\n";
+      "# Proofs of the metrics of a census, for tripus census --check: docs/proof.md.\n";
   text += kHeader;
   text += '\n';
   for (const CensusProof& proof : proofs)

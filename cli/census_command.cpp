@@ -402,6 +402,8 @@ void add_census(CLI::App& program, Command& chosen) {
     command->has_boundary = verb->get_option("--boundary")->count() > 0;
     command->has_homology = verb->get_option("--homology")->count() > 0;
     command->has_cells = verb->get_option("--cells")->count() > 0;
+    if (!command->proofs.empty() && !command->prove && !command->check)
+      throw CLI::RequiredError("--prove or --check, with --proofs,");
     if (command->prove && !command->lists.empty() && command->proofs.empty() &&
         (command->tsv.empty() || command->tsv == "-") && command->database.empty())
       throw CLI::RequiredError(

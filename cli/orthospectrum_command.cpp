@@ -152,11 +152,12 @@ void add_bounds(CLI::App& verb, OrthospectrumCommand& command) {
 }
 
 void add_outputs(CLI::App& verb, OrthospectrumCommand& command) {
-  verb.add_flag("--words", command.words,
-                "each arc by itself: its feet, and the faces that it crosses");
   auto* summary = verb.add_flag("--summary", command.summary,
                                 "counts, sums and estimates only, in memory that does not grow")
                       ->option_text(" ");
+  verb.add_flag("--words", command.words,
+                "each arc by itself: its feet, and the faces that it crosses")
+      ->excludes(summary);
   verb.add_flag("--prove", command.prove,
                 "prove the metric and the length of each arc, every rounding accounted for, but\n"
                 "not that there are no others")

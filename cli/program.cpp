@@ -28,7 +28,8 @@ namespace {
 
 constexpr const char* kDescription =
     "Tripus finds the hyperbolic metric with totally geodesic boundary on a compact 3-manifold,\n"
-    "given by an ideal triangulation whose vertex links all have genus 2 or more.";
+    "given by an ideal triangulation, or says with evidence why this one carries none. Cusps, cone\n"
+    "angles and finite vertices are known to the verbs that say so.";
 
 constexpr const char* kExamples = R"(
 Examples:

@@ -76,6 +76,21 @@ class ConeAngles(ProgramTest):
         self.assertIn("only the edge classes 0 to 1", lines[3]["error"]["message"])
         self.assertNotIn("cone_orders", info)
 
+    def test_orders_behind_an_input_are_refused_by_name(self):
+        for verb in (("orthospectrum",), ("embed",), ("cover", "--cyclic", "2"), ("simplify",)):
+            with self.subTest(verb[0]):
+                self.assert_refused(*verb, "cPcbbbihq 0=2", says="singular edges", kind="unsupported")
+
+    def test_orders_stay_in_what_is_written(self):
+        self.run_program("solve", "cPcbbbiht", "--cone-order", "0=2", "-o", "labelled.json")
+        written = self.json_answer("solve", "labelled.json")
+        self.assertEqual(written["cone_orders"], [2, 1])
+        self.assertLess(abs(written["volume"] - 4.9386073157377043), 1e-12)
+        self.assert_refused("solve", "cPcbbbiht", "--cone-order", "0=2", "-o", "labelled.sig",
+                            says="keeps no cone angles")
+        drilled = self.json_answer("simplify", "cPcbbbiht 0=2", "--drill", "singular")
+        self.assertEqual(drilled["tetrahedron_count"], 3)
+
     def test_in_a_file(self):
         gluings = [[[1, "1230"], [1, "3012"], [1, "0321"], [1, "0213"]],
                    [[0, "1230"], [0, "3012"], [0, "0321"], [0, "0213"]]]

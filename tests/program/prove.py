@@ -122,6 +122,7 @@ class Prove(ProgramTest):
         answer = self.run_program("census", "--in", "c.tsv", "--check", "--proofs", "p.tsv")
         self.assertEqual((answer.status, answer.out), (0, b"3 of 3 manifolds have a valid proof\n"))
         self.assert_refused("census", "--from", "list.txt", "--prove", says="--proofs")
+        self.assert_refused("census", "--from", "list.txt", "--proofs", "q.tsv", says="--prove")
 
     def test_canonize_and_compare(self):
         answer = self.json_answer("canonize", TRIPUS, "--prove")

@@ -56,13 +56,17 @@ def _bool(value: Any) -> bool:
     raise _Wrong("True or False")
 
 
-def _int(value: Any, most: int = MOST) -> int:
+def _whole(value: Any) -> int:
     if isinstance(value, bool) or not hasattr(value, "__index__"):
         raise _Wrong("a whole number")
     try:
-        number = operator.index(value)
+        return operator.index(value)
     except TypeError:  # an array, say
         raise _Wrong("a whole number") from None
+
+
+def _int(value: Any, most: int = MOST) -> int:
+    number = _whole(value)
     if not 0 <= number <= most:
         raise _Wrong(f"from 0 to {most}", InvalidInput)
     return number
@@ -141,19 +145,6 @@ def _list_of(check: _Check, wanted: str) -> _Check:
     return checked_list
 
 
-def _ints(value: Any) -> list[int]:
-    return [operator.index(_index(x)) for x in _many(value, "a list of whole numbers")]
-
-
-def _index(value: Any) -> int:
-    if isinstance(value, bool) or not hasattr(value, "__index__"):
-        raise _Wrong("a list of whole numbers")
-    try:
-        return operator.index(value)
-    except TypeError:
-        raise _Wrong("a list of whole numbers") from None
-
-
 def _mapping(value: Any) -> dict[int, Any]:
     wanted = "a dict {edge class: number}"
     if not isinstance(value, Mapping):
@@ -187,7 +178,7 @@ _CHECKS: dict[str, _Check] = {
     "str | os.PathLike[str]": _path,
     "Manifold": _manifold,
     "Progress": _callable_or_bool,
-    "Sequence[int]": _ints,
+    "Sequence[int]": _list_of(_whole, "a list of whole numbers"),
     "Sequence[str]": _list_of(_word, "a list of texts"),
     "Sequence[Sequence[int]]": _list_of(
         _list_of(_int, ""), "a list of permutations, each a list of whole numbers from 0"

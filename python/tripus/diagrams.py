@@ -13,7 +13,6 @@ from tripus._core import Diagram as CoreDiagram
 from tripus._errors import FileError, InvalidInput
 from tripus._limits import Progress, limits
 from tripus._value import Value
-from tripus.frames import html_table
 
 if TYPE_CHECKING:
     import numpy as np
@@ -61,8 +60,7 @@ class Diagram(Value):
         return _restored, (self._core.text(), self._core.parts()[0], self._core.parts()[3])
 
     def _key(self) -> Any:
-        name, nodes, labels, known = self._core.parts()
-        return name, nodes, labels, known
+        return self._core.parts()
 
     def name(self) -> str:
         """From the tables, the file or the caller; may be empty."""
@@ -171,8 +169,8 @@ class Diagram(Value):
     def _repr_svg_(self) -> str:
         return self.svg(240)
 
-    def _repr_html_(self) -> str:
-        return f'<div style="display:inline-block">{self.svg(240)}{html_table(self._rows())}</div>'
+    def _picture(self) -> str:
+        return self.svg(240)
 
     def _rows(self) -> dict[str, str]:
         labels = self._core.parts()[2]

@@ -17,9 +17,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from tripus import _core
-from tripus._check import as_bytes, checked, real_array, shown
+from tripus._check import as_bytes, checked, shown
 from tripus._errors import InvalidInput
 from tripus.arcs import Orthospectrum
+from tripus.sources import polylines_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -82,12 +83,7 @@ def _polylines(lines: Any) -> list[Any]:
         if "edges" not in lines:
             raise InvalidInput('a drawing as a dict has its polylines under "edges"')
         lines = lines["edges"]
-    if isinstance(lines, bytes) or not isinstance(lines, Iterable):
-        raise TypeError(f"a drawing is a list of polylines, not {shown(lines)}")
-    polylines = [real_array(f"points of polyline {i}", line) for i, line in enumerate(lines)]
-    if not polylines or any(line.ndim != 2 or line.shape[1] != 3 for line in polylines):
-        raise InvalidInput("a drawing is a list of polylines, each an array [n x 3]")
-    return polylines
+    return polylines_of(lines)
 
 
 @checked

@@ -21,6 +21,17 @@ else:
     from tripus._lazy import numpy as np
 
 
+def polylines_of(lines: Any) -> list[npt.NDArray[np.float64]]:
+    """The polylines of a drawing, [n x 3] each; TypeError or InvalidInput for what is none."""
+    wanted = "a drawing is a list of polylines, each an array [n x 3]"
+    if isinstance(lines, bytes) or not isinstance(lines, Iterable):
+        raise TypeError(f"{wanted}, not {shown(lines)}")
+    polylines = [real_array(f"points of polyline {i}", line) for i, line in enumerate(lines)]
+    if not polylines or any(line.ndim != 2 or line.shape[1] != 3 for line in polylines):
+        raise InvalidInput(wanted)
+    return polylines
+
+
 def surface_of_drawing(
     drawing: Any, *, time_limit: float | None = None, progress: Progress = None
 ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.uint32]]:
@@ -33,14 +44,9 @@ def surface_of_drawing(
         except (TypeError, ValueError) as error:
             raise InvalidInput(f"the drawing is no JSON: {error}") from None
     else:
-        wanted = "a drawing is a list of polylines, each an array [n x 3]"
-        if isinstance(drawing, bytes) or not isinstance(drawing, Iterable):
-            raise TypeError(f"{wanted}, not {shown(drawing)}")
-        lines = [real_array(f"points of polyline {i}", line) for i, line in enumerate(drawing)]
-        if not lines or any(line.ndim != 2 or line.shape[1] != 3 for line in lines):
-            raise InvalidInput(wanted)
         text = "\n\n".join(
-            "\n".join(" ".join(map(repr, p)) for p in line.tolist()) for line in lines
+            "\n".join(" ".join(map(repr, p)) for p in line.tolist())
+            for line in polylines_of(drawing)
         ).encode()
     points, triangles = _core.tube_around(text, limits(time_limit, 0, progress))
     return points, triangles

@@ -64,8 +64,12 @@ class HyperbolicityCertificate(Value):
             return test(self._data, table) if self.by == "metric" else (
                 _outside(table) or test(self._data, table)
             )
-        except (KeyError, IndexError, TypeError, AttributeError, InvalidInput) as error:
-            return f"it is not written as it should be: {error!r}"
+        except KeyError as error:
+            return f"it is no certificate: {error} is missing"
+        except InvalidInput as error:
+            return f"it is not written as it should be: {error}"
+        except (IndexError, TypeError, AttributeError):
+            return "it is not written as it should be: something in it is of another kind, or too short"
 
     def to_json(self) -> str:
         """One object, without a line end."""

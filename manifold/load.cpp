@@ -141,10 +141,10 @@ std::vector<topology::NamedGluings> read_all_of(const std::string& text, const C
     all.push_back(std::move(each));
     return all;
   };
+  refuse_foreign_mesh(text);
   if (topology::looks_like_diagram(text))
     return one(exterior_of(topology::read_diagram(text), context));
   const topology::TextFormat format = topology::detect_format(text);
-  refuse_foreign_mesh(text);
   if (format == topology::TextFormat::kJson && is_drawing(text)) refuse_drawing();
   if (format == topology::TextFormat::kUnknown || format == topology::TextFormat::kIsosig) {
     const auto lines = topology::read_batch(text);

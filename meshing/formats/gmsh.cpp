@@ -118,8 +118,9 @@ class Reader {
   explicit Reader(std::string_view text) : in_(text) {}
 
   MeshFile read() {
-    if (in_.text().word() != "$MeshFormat")
-      in_.text().fail("the file does not begin with \"$MeshFormat\"");
+    std::string_view head = in_.text().word();
+    for (; head == "$Comments"; head = in_.text().word()) skip_section("Comments");
+    if (head != "$MeshFormat") in_.text().fail("the file does not begin with \"$MeshFormat\"");
     read_format();
     for (std::string_view name = in_.text().word(); !name.empty(); name = in_.text().word()) {
       if (name == "$Nodes") {
@@ -153,7 +154,8 @@ class Reader {
   }
 
   void skip_section(std::string_view name) {
-    has_data_ |= name != "Entities" && name != "Periodic" && name != "PartitionedEntities";
+    has_data_ |= name != "Entities" && name != "Periodic" && name != "PartitionedEntities" &&
+                 name != "Comments";
     const std::string end = "$End" + std::string(name.substr(0, 64));
     const std::size_t place = in_.text().rest().find(end);
     if (place == std::string_view::npos) in_.text().fail("the file ends before " + quoted(end));

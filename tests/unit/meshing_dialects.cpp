@@ -242,6 +242,34 @@ TEST(GmshDialects, VersionFour) {
   EXPECT_EQ(file.mesh, kTetrahedron);
 }
 
+TEST(GmshDialects, GroupsThatDifferAreSaid) {
+  const std::vector<std::string> note{"physical groups and data not read"};
+  for (const int other : {1, 2}) {
+    const std::string group = std::to_string(other);
+    const SurfaceFile file = read(
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0.5 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"
+        "$EndNodes\n$Elements\n4\n1 2 2 1 1 1 3 2\n2 2 2 " +
+        group +
+        " 1 1 2 4\n"
+        "3 2 2 1 1 2 3 4\n4 2 2 1 7 1 4 3\n$EndElements\n");
+    EXPECT_EQ(file.mesh, kTetrahedron);
+    EXPECT_EQ(file.notes, other == 1 ? std::vector<std::string>{} : note);
+  }
+}
+
+TEST(MeditDialects, ReferencesThatDifferAreSaid) {
+  const std::vector<std::string> note{"reference numbers, which differ, not read"};
+  for (const char* references : {"0 0 0", "5 5 0", "0 1 0", "1 1 1", "1 0 2"}) {
+    const std::string a(1, references[0]), b(1, references[2]), c(1, references[4]);
+    const SurfaceFile file =
+        read("MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0.5 0 0 " + a + "\n1 0 0 " + a +
+             "\n0 1 0 " + b + "\n0 0 1 " + a + "\nTriangles\n4\n1 3 2 " + c + "\n1 2 4 " + c +
+             "\n2 3 4 " + c + "\n1 4 3 " + c + "\nEnd\n");
+    EXPECT_EQ(file.mesh, kTetrahedron);
+    EXPECT_EQ(file.notes, a == b ? std::vector<std::string>{} : note) << references;
+  }
+}
+
 TEST(VtkXmlDialects, TextAndCompressedBase64) {
   const std::string head =
       "<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\"><PolyData><Piece><Points>"

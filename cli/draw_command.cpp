@@ -76,8 +76,10 @@ void add_draw(CLI::App& program, Command& chosen) {
       ->check(positive_number());
   verb->add_flag("--black", command->black, "all strands black");
   auto* polylines = verb->add_flag("--polylines", command->polylines,
-                                   "not a picture but the drawing in space, for `tripus tube`");
+                                   "not a picture but the drawing in space, for `tripus tube`")
+                        ->option_text(" ");
   verb->add_flag("--pd", command->text, "not a picture but the diagram as PD text")
+      ->option_text(" ")
       ->excludes(polylines);
   verb->footer(kDrawHelp);
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });

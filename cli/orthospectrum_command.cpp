@@ -160,8 +160,8 @@ void add_outputs(CLI::App& verb, OrthospectrumCommand& command) {
       ->option_text(" ")
       ->excludes(summary);
   verb.add_flag("--prove", command.prove,
-                "prove the metric and the length of each arc, every rounding accounted for, but\n"
-                "not that there are no others")
+                "prove the metric and the length of each arc, every rounding\n"
+                "accounted for, but not that there are no others")
       ->option_text(" ")
       ->excludes(summary);
   auto* canonical =

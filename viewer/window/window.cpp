@@ -29,17 +29,20 @@ constexpr const char* kHelp =
     "right drag       shift\n"
     "wheel            zoom\n"
     "+  -             more or fewer cells\n"
-    "M                upper half-space, ball\n"
+    "M                upper half-space, ball, Klein ball\n"
     "C                colour by tetrahedron, face, depth\n"
     "F  T             faces, truncations on and off\n"
     "D                discs of arcs on and off\n"
     "X  [  ]          cut away, move the cut\n"
-    "S                solid or hollow (faster)\n"
+    "S                solid or hollow\n"
     "O                dark nooks on and off\n"
     "R                first view again\n"
     "P                save a picture\n"
     "H                this help\n"
     "Esc              close";
+
+/// What rests is drawn with four samples a pixel, if one took no longer than this, in milliseconds.
+constexpr double kFineWithin = 250;
 
 /// GLFW and its window, closed in the right order whatever happens.
 class Glfw {
@@ -120,7 +123,10 @@ class Viewer {
       } else {
         // What rests for a while is drawn with all pixels.
         glfwWaitEventsTimeout(moving_ ? 0.2 : 0.5);
-        if (moving_ && !stale_) {
+        if (stale_) {
+          fine_ = false;
+        } else if (moving_ || (!fine_ && last_took_ < kFineWithin)) {
+          fine_ = !moving_;
           moving_ = false;
           stale_ = true;
         }
@@ -174,8 +180,7 @@ class Viewer {
         set_cells(cells_ - std::max<std::size_t>(cells_ > 1 ? 1 : 0, cells_ / 5));
         break;
       case GLFW_KEY_M:
-        shown_.model =
-            shown_.model == Model::kUpperHalfSpace ? Model::kPoincareBall : Model::kUpperHalfSpace;
+        shown_.model = static_cast<Model>((static_cast<int>(shown_.model) + 1) % 3);
         load();
         break;
       case GLFW_KEY_C:
@@ -290,7 +295,7 @@ class Viewer {
     Frame frame;
     frame.width = coarse(width);
     frame.height = coarse(height);
-    frame.samples = shown_.samples > 0 ? shown_.samples : 1;
+    frame.samples = shown_.samples > 0 ? shown_.samples : fine_ ? 2 : 1;
     if (quality >= 1) {
       renderer_.draw(shown_, frame);
       return;
@@ -343,6 +348,8 @@ class Viewer {
   RenderTarget coarse_;  // what is drawn into while things move
   double quality_ = 1;   // of the next frame then
   bool moving_ = false;
+  bool fine_ = false;     // four samples a pixel, while nothing changes
+  double last_took_ = 0;  // milliseconds
   bool stale_ = true;
   bool help_ = true;
   std::string message_;

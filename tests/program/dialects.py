@@ -309,7 +309,8 @@ class Graphs(ProgramTest):
                     self.assert_refused(verb, name, says="it is a drawing of a graph in space")
                     self.assertIn("tripus tube", self.run_program(verb, name).err)
         self.assert_refused("mesh", self.write("s.obj", line + "f 1 2 3\n"), says="is open")
-        self.assertEqual(self.json_answer("info", self.write("dt.txt", "[4, 6, 2]\n"))["H1"], "Z")
+        result = self.run_program("info", self.write("dt.txt", "[4, 6, 2]\n"), "--json")
+        self.assertEqual(read_json(result.text)["H1"], "Z")
 
     def test_a_knot_closes_up(self):
         triangle = "0 0 0\n1 0 0\n0 1 0\n"

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "base/error.hpp"
+#include "meshing/detail/oogl.hpp"
 #include "meshing/detail/scanner.hpp"
 #include "meshing/formats/graph_obj.hpp"
 #include "meshing/formats/graph_points.hpp"
@@ -24,8 +25,8 @@ std::string_view first_word(std::string_view content) {
 
 bool starts_vect(std::string_view content) {
   detail::Scanner in("", content.substr(0, 4096), '#');
-  std::string_view word = in.word();
-  if (word == "{") word = in.word();
+  detail::skip_oogl_wrapping(in);
+  const std::string_view word = in.word();
   return word == "VECT" || word == "4VECT";
 }
 bool starts_json_graph(std::string_view content) {

@@ -169,6 +169,7 @@ class Dialects(ProgramTest):
         (b"\x01\0\0\0\x02\0\0\0", "a binary Medit mesh", "meshio convert"),
         (b"\0\0\0\x01\0\0\0\x03", "a binary Medit mesh", "meshio convert"),
         (b"*Heading\n model\n*NODE\n", "an Abaqus mesh", "meshio convert"),
+        (b'(1 "meshio 5.3.5")\n(2 3)\n', "an ANSYS (Fluent) mesh", "meshio convert"),
         (b"\x89HDF\r\n\x1a\n", "an HDF5 file", "meshio convert"),
         (b"CDF\x02\0\0\0\0", "a NetCDF file", "meshio convert"),
         (b"# by NETGEN\n\nmesh3d\ndimension\n3\n", "a Netgen mesh", "meshio convert"),
@@ -212,6 +213,23 @@ class Triangulations(ProgramTest):
     def test_files_that_are_not_there_are_no_signatures(self):
         for name in ("graph.json", "surface.v2.off"):
             self.assert_refused("solve", name, says="there is no file")
+
+    def test_line_ends_of_old_macintoshes(self):
+        for name in ("snappea-free-form.tri", "regina-two-plain.rga"):
+            old = self.write(name, (DIALECTS / name).read_bytes().replace(b"\n", b"\r"))
+            self.assertEqual(self.json_answer("info", f"{old}#1")["isosig"], TRIPUS)
+        self.write("list", f"{TRIPUS}\r# a comment\rcPcbbbiht\r")
+        answers = [read_json(line)["isosig"]
+                   for line in self.run_program("info", "--batch", "list", "--json").lines]
+        self.assertEqual(answers, [TRIPUS, "cPcbbbiht"])
+
+    def test_snappea_without_a_name(self):
+        lines = (DIALECTS / "snappea-free-form.tri").read_text().splitlines(keepends=True)
+        for second in ("", "\n"):
+            name = self.write("x.tri", "".join(lines[:1] + [second] + lines[2:]))
+            answer = self.json_answer("info", name)
+            self.assertEqual(answer["isosig"], TRIPUS)
+            self.assertNotIn("name", answer)
 
     def test_free_form_snappea(self):
         name = self.write("free.tri", (DIALECTS / "snappea-free-form.tri").read_bytes())
@@ -269,7 +287,10 @@ class Graphs(ProgramTest):
             count += len(edge)
         wanted = self.mesh_of("y.json", (ROOT / "examples/graphs/knotted-theta.json").read_bytes())
         for name, content in (("y.xyz", lists), ("y.vect", vect), ("y.obj", obj + pieces),
-                              ("brace.vect", "{ " + vect + "}")):
+                              ("before.obj", pieces + obj),
+                              ("continued.obj", "vn 0 0 1\n" + obj + pieces.replace(" ", " \\\n")),
+                              ("brace.vect", "{ " + vect + "}"), ("glued.vect", "{" + vect + "}"),
+                              ("named.vect", "{ appearance { linewidth 4 }\n= " + vect + "}")):
             with self.subTest(name):
                 answer = self.mesh_of(name, content)
                 self.assertEqual(answer["boundary_genera"], wanted["boundary_genera"])

@@ -20,6 +20,19 @@ std::int64_t read_end(const detail::Scanner& in, std::string_view word, std::siz
 
 }  // namespace
 
+bool has_only_lines(std::string_view text) {
+  detail::Scanner in("", text, '#');
+  bool has_lines = false;
+  do {
+    detail::ObjLine line(in);
+    const std::string_view key = line.word();
+    if (key == "f" || key == "fo") return false;
+    has_lines |= key == "l";
+    if (!key.empty()) line.skip();
+  } while (in.next_line());
+  return has_lines;
+}
+
 SpatialGraph read_obj_lines(std::string_view text) {
   detail::Scanner in("OBJ lines", text, '#');
   std::vector<Point> points;

@@ -19,6 +19,11 @@ struct GraphFormat {
   SpatialGraph (*read)(std::string_view content);
 };
 
+std::string_view without_mark(std::string_view content) {
+  content.remove_prefix(content.starts_with("\xef\xbb\xbf") ? 3 : 0);
+  return content;
+}
+
 std::string_view first_word(std::string_view content) {
   return detail::Scanner("", content.substr(0, 4096), '#').word();
 }
@@ -56,8 +61,20 @@ std::string graph_format_names() {
   return names;
 }
 
+bool is_drawn_graph(std::string_view content) {
+  content = without_mark(content);
+  if (starts_vect(content)) return true;
+  if (starts_obj(content)) return has_only_lines(content);
+  if (!starts_points(content)) return false;
+  try {
+    return !read_point_lists(content).edges.empty();
+  } catch (const InvalidInput&) {
+    return false;
+  }
+}
+
 SpatialGraph read_graph(std::string_view content) {
-  content.remove_prefix(content.starts_with("\xef\xbb\xbf") ? 3 : 0);
+  content = without_mark(content);
   for (const GraphFormat& format : kGraphFormats)
     if (format.matches(content)) return format.read(content);
   throw InvalidInput("its content has no format of graphs that is known; looked for: " +

@@ -296,6 +296,22 @@ class Graphs(ProgramTest):
                 self.assertEqual(answer["boundary_genera"], wanted["boundary_genera"])
                 self.assertEqual(answer["isosig"], wanted["isosig"])
 
+    def test_drawings_are_told_from_triangulations_by_every_verb(self):
+        line = "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3 1\n"
+        for name, content in (("g.json", (ROOT / "examples/graphs/trefoil.json").read_text()),
+                              ("g.vect", "VECT 1 3 0 -3 0\n0 0 0 1 0 0 0 1 0\n"),
+                              ("b.vect", "{ = VECT 1 3 0 -3 0\n0 0 0 1 0 0 0 1 0\n}"),
+                              ("g.obj", "# Blender\no knot\n" + line),
+                              ("g.xyz", "0 0 0\n1 0 0\n0, 1, 0\n")):
+            self.write(name, content)
+            for verb in ("info", "solve", "mesh", "canonize", "embed"):
+                with self.subTest(name, verb=verb):
+                    self.assert_refused(verb, name, says="it is a drawing of a graph in space")
+                    self.assertIn("tripus tube", self.run_program(verb, name).err)
+        self.assert_refused("mesh", self.write("s.obj", line + "f 1 2 3\n"), says="is open")
+        result = self.run_program("info", self.write("dt.txt", "[4, 6, 2]\n"), "--json")
+        self.assertEqual(read_json(result.text)["H1"], "Z")
+
     def test_a_knot_closes_up(self):
         triangle = "0 0 0\n1 0 0\n0 1 0\n"
         for name, content in (("k.xyz", triangle), ("k.vect", "VECT 1 3 0 -3 0\n" + triangle)):

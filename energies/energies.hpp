@@ -14,13 +14,9 @@
 
 namespace tripus::energies {
 
-/// Where a solve begins.
-struct Start {
-  std::span<const double> lengths;  ///< [E], as SolveOptions::initial_lengths
-  /// Dihedral angles [T x 6], all > 0, vertex sums < pi, edge sums the cone angles; nothing where
-  /// there are none. Called by those energies only that live there.
-  std::function<std::optional<std::vector<double>>()> angles;
-};
+/// Dihedral angles [T x 6] to start from, all > 0, vertex sums < pi, edge sums the cone angles;
+/// nothing where there are none. Called by those energies only that live there.
+using InteriorAngles = std::function<std::optional<std::vector<double>>()>;
 
 /// A functional in its own variables x [n], whose critical point is the metric, and the way back to
 /// edge lengths.
@@ -28,10 +24,9 @@ class Functional {
  public:
   virtual ~Functional() = default;
   virtual solver::Problem& problem() = 0;
-  /// The point x [n] of the Start.
-  virtual std::vector<double> start() const = 0;
-  /// Edge lengths [E] at x [n]; where x leaves them open, their means over the corners of an edge.
-  virtual std::vector<double> lengths_at(std::span<const double> x) = 0;
+  /// Turns a point x [n] into edge lengths [E], in place; where x leaves them open, into their
+  /// means over the corners of an edge.
+  virtual void to_lengths(std::vector<double>& x) = 0;
 };
 
 /// One line of the table of energies.
@@ -44,11 +39,13 @@ struct Energy {
   bool hyperideal_only = false;
   /// max|gradient| at which max|K| is within the tolerance, in units of it.
   double tolerance = 1;
-  /// The functional at a start; null where Start::angles has nothing. Keeps references to the
-  /// triangulation and the cone angles [E] (empty for 2 pi), which must outlive it.
+  /// The functional; x, edge lengths [E] to start from, becomes the point in its variables that
+  /// they stand for. Null where `angles` has nothing. Keeps references to the triangulation and the
+  /// cone angles [E] (empty for 2 pi), which must outlive it.
   std::unique_ptr<Functional> (*begin)(const topology::Triangulation& triangulation,
                                        std::span<const topology::ConeAngle> cone_angles,
-                                       const Start& start) = nullptr;
+                                       const InteriorAngles& angles,
+                                       std::vector<double>& x) = nullptr;
   int place = kAnyPlace;  ///< in lists, lowest first
 };
 
@@ -56,10 +53,10 @@ struct Energy {
 /// prints them. Whatever stands here can be solved (`--method PREFIX:MINIMISER`).
 std::span<const Energy> energies();
 
-/// The functional on a triangulation whose tetrahedra are all true ones at these lengths [E], at
-/// the point that they correspond to. The contract tests sample every energy through this.
+/// The functional on a triangulation whose tetrahedra are all true ones at these lengths x [E],
+/// which become the point that they correspond to. The contract tests sample every energy so.
 std::unique_ptr<Functional> at_lengths(const Energy& energy,
                                        const topology::Triangulation& triangulation,
-                                       std::span<const double> lengths);
+                                       std::vector<double>& x);
 
 }  // namespace tripus::energies

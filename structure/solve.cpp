@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <ranges>
 
 #include <fmt/format.h>
 
@@ -77,8 +79,11 @@ solver::Options solver_options(const topology::Triangulation& triangulation,
                     ? std::make_shared<energies::CoVolume>(triangulation, options.cone_angles)
                     : nullptr;
   result.observer = [&options, energy, &functional](const solver::Iterate& iterate) {
-    if (options.history)
-      options.history(history_row(iterate, functional.lengths_at(iterate.x), *energy));
+    if (options.history) {
+      std::vector<double> lengths(iterate.x.begin(), iterate.x.end());
+      functional.to_lengths(lengths);
+      options.history(history_row(iterate, lengths, *energy));
+    }
     if (options.on_iteration) options.on_iteration(iterate.iteration, iterate.max_gradient);
     return options.stop_requested == nullptr || !*options.stop_requested;
   };
@@ -113,7 +118,8 @@ Run run_method(const topology::Triangulation& triangulation, const SolveOptions&
     if (!(margin > tolerance::kAngleMargin)) return std::nullopt;
     return std::move(deepest.angles);
   };
-  run.functional = method.energy->begin(triangulation, options.cone_angles, {run.lengths, angles});
+  run.functional =
+      method.energy->begin(triangulation, options.cone_angles, std::cref(angles), run.lengths);
   if (!run.functional) {
     run.summary.termination = solver::Termination::kNumericalFailure;
     run.summary.max_gradient = std::numeric_limits<double>::infinity();
@@ -121,11 +127,10 @@ Run run_method(const topology::Triangulation& triangulation, const SolveOptions&
         "no strict angle structure to start from (the widest margin is {:.3g})", margin);
     return run;
   }
-  std::vector<double> x = run.functional->start();
   solver::Options inner = solver_options(triangulation, options, *run.functional);
   inner.tolerance *= method.energy->tolerance;
-  run.summary = structure::run(method, *run.functional, x, inner);
-  run.lengths = run.functional->lengths_at(x);
+  run.summary = structure::run(method, *run.functional, run.lengths, inner);
+  run.functional->to_lengths(run.lengths);
   return run;
 }
 
@@ -144,6 +149,11 @@ void require_options(const SolveOptions& options) {
 }
 
 bool any_finite_vertex(const topology::Triangulation& triangulation, const SolveOptions& options) {
+  const std::size_t count = triangulation.vertex_count();
+  if (topology::all_full(options.cone_angles))
+    return std::ranges::any_of(std::views::iota(std::size_t{0}, count), [&](std::size_t v) {
+      return triangulation.link(v).euler_characteristic > 0;
+    });
   return std::ranges::any_of(
       topology::orbifold_links(triangulation, options.cone_angles),
       [](const auto& link) { return link.kind == topology::VertexKind::kFinite; });

@@ -8,24 +8,20 @@ namespace {
 class InLengths final : public Functional {
  public:
   InLengths(const topology::Triangulation& triangulation,
-            std::span<const topology::ConeAngle> cone_angles, const Start& start)
-      : energy_(triangulation, cone_angles), start_(start.lengths.begin(), start.lengths.end()) {}
+            std::span<const topology::ConeAngle> cone_angles)
+      : energy_(triangulation, cone_angles) {}
 
   solver::Problem& problem() override { return energy_; }
-  std::vector<double> start() const override { return start_; }
-  std::vector<double> lengths_at(std::span<const double> x) override {
-    return {x.begin(), x.end()};
-  }
+  void to_lengths(std::vector<double>&) override {}
 
  private:
   CoVolume energy_;
-  std::vector<double> start_;
 };
 
 std::unique_ptr<Functional> begin(const topology::Triangulation& triangulation,
                                   std::span<const topology::ConeAngle> cone_angles,
-                                  const Start& start) {
-  return std::make_unique<InLengths>(triangulation, cone_angles, start);
+                                  const InteriorAngles&, std::vector<double>&) {
+  return std::make_unique<InLengths>(triangulation, cone_angles);
 }
 
 }  // namespace

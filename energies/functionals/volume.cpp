@@ -10,12 +10,9 @@ class InAngles final : public Functional {
       : energy_(triangulation, interior), gradient_(energy_.dimension()) {}
 
   solver::Problem& problem() override { return energy_; }
-  std::vector<double> start() const override {
-    return std::vector<double>(energy_.dimension(), 0.0);
-  }
-  std::vector<double> lengths_at(std::span<const double> y) override {
+  void to_lengths(std::vector<double>& y) override {
     energy_.evaluate(y, gradient_, {});
-    return energy_.mean_edge_lengths();
+    y = energy_.mean_edge_lengths();
   }
 
  private:
@@ -24,9 +21,13 @@ class InAngles final : public Functional {
 };
 
 std::unique_ptr<Functional> begin(const topology::Triangulation& triangulation,
-                                  std::span<const topology::ConeAngle>, const Start& start) {
-  const auto interior = start.angles();
-  return interior ? std::make_unique<InAngles>(triangulation, *interior) : nullptr;
+                                  std::span<const topology::ConeAngle>,
+                                  const InteriorAngles& angles, std::vector<double>& x) {
+  const auto interior = angles();
+  if (!interior) return nullptr;
+  auto functional = std::make_unique<InAngles>(triangulation, *interior);
+  x.assign(functional->problem().dimension(), 0.0);
+  return functional;
 }
 
 }  // namespace

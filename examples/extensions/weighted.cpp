@@ -14,30 +14,27 @@ namespace {
 class Weighted final : public Functional, private solver::DenseProblem {
  public:
   Weighted(const topology::Triangulation& triangulation,
-           std::span<const topology::ConeAngle> cone_angles, std::span<const double> lengths)
-      : DenseProblem(lengths.size()),
-        energy_(triangulation, cone_angles),
-        start_(lengths.size()),
-        weight_(lengths.size()) {
-    for (std::size_t e = 0; e < lengths.size(); ++e) {
-      weight_[e] = 1 / std::sqrt(static_cast<double>(triangulation.corners(e).size()));
-      start_[e] = lengths[e] / weight_[e];
-    }
+           std::span<const topology::ConeAngle> cone_angles)
+      : DenseProblem(triangulation.edge_count()), energy_(triangulation, cone_angles) {
+    for (std::size_t e = 0; e < dimension(); ++e)
+      weight_.push_back(1 / std::sqrt(static_cast<double>(triangulation.corners(e).size())));
   }
 
   solver::Problem& problem() override { return *this; }
-  std::vector<double> start() const override { return start_; }
-  std::vector<double> lengths_at(std::span<const double> y) override {
-    std::vector<double> lengths(y.begin(), y.end());
-    for (std::size_t e = 0; e < lengths.size(); ++e) lengths[e] *= weight_[e];
-    return lengths;
+  void to_lengths(std::vector<double>& y) override {
+    for (std::size_t e = 0; e < y.size(); ++e) y[e] *= weight_[e];
+  }
+  void from_lengths(std::vector<double>& x) const {
+    for (std::size_t e = 0; e < x.size(); ++e) x[e] /= weight_[e];
   }
 
  private:
   std::optional<double> value(std::span<const double> y, std::span<double> gradient) override {
     double f = 0;
     const Request both{.value = &f, .second_derivatives = true};
-    if (!energy_.evaluate(lengths_at(y), gradient, both)) return std::nullopt;
+    std::vector<double> lengths(y.begin(), y.end());
+    to_lengths(lengths);
+    if (!energy_.evaluate(lengths, gradient, both)) return std::nullopt;
     for (std::size_t e = 0; e < gradient.size(); ++e) gradient[e] *= weight_[e];
     return f;
   }
@@ -53,13 +50,15 @@ class Weighted final : public Functional, private solver::DenseProblem {
   }
 
   CoVolume energy_;
-  std::vector<double> start_, weight_;
+  std::vector<double> weight_;  // a length is this times its variable
 };
 
 std::unique_ptr<Functional> begin(const topology::Triangulation& triangulation,
                                   std::span<const topology::ConeAngle> cone_angles,
-                                  const Start& start) {
-  return std::make_unique<Weighted>(triangulation, cone_angles, start.lengths);
+                                  const InteriorAngles&, std::vector<double>& x) {
+  auto functional = std::make_unique<Weighted>(triangulation, cone_angles);
+  functional->from_lengths(x);
+  return functional;
 }
 
 }  // namespace

@@ -60,19 +60,18 @@ MethodRun run_method(const topology::Triangulation& triangulation, const std::st
     if (!(deepest.margin > tolerance::kAngleMargin)) return std::nullopt;
     return std::move(deepest.angles);
   };
-  std::vector<double> lengths(start.begin(), start.end());
+  std::vector<double> x(start.begin(), start.end());
   solver::Summary summary;
-  if (const auto functional = method.energy->begin(triangulation, {}, {start, angles})) {
+  if (const auto functional = method.energy->begin(triangulation, {}, angles, x)) {
     solver::Options inner = with_trace(options, run.trace);
     inner.tolerance *= method.energy->tolerance;
-    std::vector<double> x = functional->start();
     summary = structure::run(method, *functional, x, inner);
     // The lengths are found afterwards, so that the run's clock does not see it.
-    for (TracePoint& point : run.trace) point.lengths = functional->lengths_at(point.lengths);
-    lengths = functional->lengths_at(x);
+    for (TracePoint& point : run.trace) functional->to_lengths(point.lengths);
+    functional->to_lengths(x);
   }
   energies::CoVolume energy(triangulation);
-  run.report = structure::assess(triangulation, energy, lengths, options.tolerance, summary);
+  run.report = structure::assess(triangulation, energy, x, options.tolerance, summary);
   run.report.method = method.name;
   return run;
 }

@@ -66,8 +66,8 @@ class EnergyContract : public ::testing::TestWithParam<Energy> {
   /// The energy on the sample, and a point near the one of the sample's lengths: there all corners
   /// of an edge class have one length, which is critical for the volume in angles.
   solver::Problem* make(const Sample& sample, std::vector<double>& x) {
-    functional_ = at_lengths(GetParam(), *sample.triangulation, sample.lengths);
-    x = functional_->start();
+    x = sample.lengths;
+    functional_ = at_lengths(GetParam(), *sample.triangulation, x);
     x = moved(x, direction(random_, x.size()), 0.01);
     return &functional_->problem();
   }
@@ -198,8 +198,8 @@ TEST_P(EnergyContract, RelabellingChangesNoValue) {
     int k = 0;
     for (const topology::Triangulation* triangulation :
          {static_cast<const topology::Triangulation*>(sample.triangulation.get()), &shuffled}) {
-      const auto functional = at_lengths(GetParam(), *triangulation, uniform);
-      const std::vector<double> x = functional->start();
+      std::vector<double> x = uniform;
+      const auto functional = at_lengths(GetParam(), *triangulation, x);
       std::vector<double> gradient(x.size());
       ASSERT_TRUE(functional->problem().evaluate(x, gradient, {.value = &value[k++]}));
     }

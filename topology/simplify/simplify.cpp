@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "topology/simplify/locality.hpp"
+#include "topology/simplify/record.hpp"
 #include "topology/simplify/reducer.hpp"
 #include "topology/simplify/search.hpp"
 #include "topology/simplify/simplify_keeping.hpp"
@@ -82,7 +83,7 @@ class Simplifier {
   Simplifier(const Gluings& closed, const SimplifyOptions& options,
              std::span<const EdgePlace> kept = {})
       : options_(&options), kept_(kept.begin(), kept.end()) {
-    const Triangulation triangulation = skeleton_of(closed, !kept.empty());
+    const Triangulation triangulation = skeleton_of(closed, !kept.empty() || options.record != nullptr);
     require_different(triangulation);
     result_.given = triangulation.tetrahedron_count();
     component_count_ = triangulation.component_count();
@@ -115,6 +116,7 @@ class Simplifier {
 
   void start(const Triangulation& triangulation) {
     m_.emplace(triangulation, kept_);
+    m_->record_steps(options_->record);
     reducer_.emplace(*m_);
   }
   void run_queue(std::string_view stage) {
@@ -184,6 +186,7 @@ Simplified Simplifier::run() {
   if (!result_.stopped && (options_->effort > 0 || finite_vertices_to_go() > 0)) {
     const Triangulation compact(m_->compacted());  // close together in memory again
     kept_ = m_->compacted_kept();
+    if (options_->record != nullptr) options_->record->compact();
     start(compact);
     search();
   }
@@ -210,6 +213,8 @@ Simplified simplify(const Gluings& closed, const SimplifyOptions& options) {
 SimplifiedKeeping simplify_keeping(const Gluings& closed, std::span<const EdgePlace> kept,
                                    const SimplifyOptions& options) {
   require_effort(options);
+  if (options.record != nullptr)
+    throw InvalidInput("a simplification that keeps edges is not recorded");
   Simplifier simplifier(closed, options, kept);
   SimplifiedKeeping all{simplifier.run(), {}};
   all.kept = simplifier.kept();

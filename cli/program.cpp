@@ -95,6 +95,7 @@ void add_verbs(CLI::App& program, Command& command) {
   add_embed(program, command);
   add_orthospectrum(program, command);
   add_view(program, command);
+  add_parameterise(program, command);
   add_tube(program, command);
   add_draw(program, command);
   add_table(program, command);

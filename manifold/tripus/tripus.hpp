@@ -11,3 +11,4 @@
 #include "base/version.hpp"
 #include "manifold/load.hpp"
 #include "manifold/manifold.hpp"
+#include "manifold/parameterise.hpp"

@@ -70,6 +70,7 @@ NB_MODULE(_core, module) {
   bind_canonical(module);
   bind_files(module);
   bind_diagrams(module);
+  bind_parameterise(module);
   bind_program(module);
   bind_solve_many(module);
   bind_studies(module);

@@ -83,7 +83,6 @@ class CarryBack final : public WayBack {
   }
 
   void take_back_ball(const StepBack& step);
-  void move_lifts(const StepBack& step, const detail::Ball& ball, std::span<const Value> to_first);
   void take_back_collapse(const StepBack& step);
   void take_back_pillow(const StepBack& step);
 
@@ -114,16 +113,14 @@ class CarryBack final : public WayBack {
 
 void CarryBack::renumbered(const Gluings& slots, std::span<const TetrahedronIndex> number) {
   std::vector<Value> values(4 * slots.tetrahedron_count(), 0);
-  std::vector<TetrahedronIndex> slot(number.size()), origins(number.size(), kNoTetrahedron);
+  std::vector<TetrahedronIndex> origins(number.size(), kNoTetrahedron);
   for (std::size_t t = 0; t < number.size(); ++t) {
     if (number[t] == kNoTetrahedron) continue;
-    slot[number[t]] = static_cast<TetrahedronIndex>(t);
     origins[t] = c_.origins[number[t]];
     for (int f = 0; f < 4; ++f) values[slot_of(t, f)] = value(number[t], f);
   }
   c_.values = std::move(values);
   c_.origins = std::move(origins);
-  for (CornerLift& lift : c_.lifts) lift.t = slot[lift.t];
   port_of_.assign(c_.values.size(), 0);
 }
 
@@ -201,23 +198,6 @@ void CarryBack::take_back_ball(const StepBack& step) {
       write(before, t, f, across);
     }
   }
-  move_lifts(step, ball, {to_first.data(), step.made.size()});
-}
-
-/// A corner that is followed and lies in the ball goes on to a tetrahedron of R at the same point.
-void CarryBack::move_lifts(const StepBack& step, const detail::Ball& ball,
-                           std::span<const Value> to_first) {
-  for (CornerLift& lift : c_.lifts)
-    for (std::size_t k = 0; k < step.made.size(); ++k) {
-      if (lift.t != step.made[k]) continue;
-      const int point = ball.fresh[k][static_cast<std::size_t>(lift.v)];
-      for (const auto& [t, points] : ball.old)
-        if ((detail::point_mask(points) >> point & 1) != 0) {
-          lift = {t, detail::vertex_at(points, point), times(to_first[k], lift.carried)};
-          break;
-        }
-      break;
-    }
 }
 
 const Port* CarryBack::port(TetrahedronIndex t, int f) const {

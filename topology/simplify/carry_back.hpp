@@ -19,21 +19,12 @@ class NumberedGroup {
   virtual std::uint32_t inverse(std::uint32_t element) = 0;
 };
 
-/// An ideal vertex as seen from one of its corners: the lift of it that lies at vertex v in the
-/// frame of tetrahedron t is `carried` times the lift that the caller began with.
-struct CornerLift {
-  TetrahedronIndex t = 0;
-  int v = 0;
-  std::uint32_t carried = 0;
-};
-
 /// A flat connection on the dual graph of a triangulation: every tetrahedron has a frame, and across
 /// face f of tetrahedron t the frame of the neighbour is `values[4 t + f]` times that of t, so that
 /// the value on the other side is the inverse, a path through tetrahedra has the product of its
 /// values from left to right, and the way around an edge has the identity.
 struct FlatConnection {
   std::vector<std::uint32_t> values;  ///< [T x 4]
-  std::vector<CornerLift> lifts = {};  ///< [ideal vertices of interest], in the caller's order
   /// [T] whose frame it is: a tetrahedron of the small triangulation, whose frame was copied from
   /// one to the next. So it is a map of the tetrahedra. Empty to begin with for each its own.
   std::vector<TetrahedronIndex> origins = {};
@@ -41,7 +32,7 @@ struct FlatConnection {
 
 /// A flat connection on what `simplify` made of a table, on that table: the two are equal outside
 /// the ball in which a step happens, for every step of the record. Frames are copied and never made
-/// anew. `lifts` begins with one corner for each ideal vertex that is to be followed.
+/// anew.
 /// Source: docs/parameterise.md, "The connection".
 FlatConnection carried_back(const Gluings& start, const SimplificationRecord& record,
                             FlatConnection connection, NumberedGroup& group);

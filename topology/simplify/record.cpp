@@ -37,9 +37,12 @@ void walk_back(const Gluings& start, const SimplificationRecord& record, std::si
   SideLog log;
   m.log_sides(&log);
   EdgeCollapse collapse(m);
-  std::vector<std::pair<std::size_t, std::size_t>> marks;  // in log.written, log.taken
+  struct Mark {
+    std::size_t written, taken;  // sizes of the log
+  };
+  std::vector<Mark> marks;
   for (std::size_t n = first; n < last; ++n) {
-    marks.emplace_back(log.written.size(), log.taken.size());
+    marks.push_back({log.written.size(), log.taken.size()});
     make_step(m, collapse, record.step(n));
   }
   Gluings after = m.gluings();
@@ -50,19 +53,19 @@ void walk_back(const Gluings& start, const SimplificationRecord& record, std::si
   way.renumbered(after, number);
   Gluings before = after;
   for (std::size_t n = last; n-- > first;) {
-    const auto [written, taken] = marks[n - first];
-    const auto undo = [&, from = written](Gluings& table) {
-      for (std::size_t i = log.written.size(); i-- > from;) {
+    const Mark mark = marks[n - first];
+    const auto undo = [&](Gluings& table) {
+      for (std::size_t i = log.written.size(); i-- > mark.written;) {
         const SideLog::Side& side = log.written[i];
         table.set_one_side(side.slot / 4, static_cast<int>(side.slot % 4), side.neighbour,
                            side.gluing);
       }
     };
     undo(before);
-    way.step({record.step(n), before, after, std::span(log.taken).subspan(taken)});
+    way.step({record.step(n), before, after, std::span(log.taken).subspan(mark.taken)});
     undo(after);
-    log.written.resize(written);
-    log.taken.resize(taken);
+    log.written.resize(mark.written);
+    log.taken.resize(mark.taken);
   }
 }
 

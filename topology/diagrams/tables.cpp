@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <mutex>
 #include <numeric>
 #include <utility>
 
@@ -19,8 +20,14 @@ constexpr std::array<std::string_view, 4> kNames{"knots", "links", "theta-curves
 
 using Table = std::vector<TabledDiagram>;
 
-Table parse(std::string_view text) {
-  Table table;
+/// A line of a table as it is shipped: reading all diagrams takes longer than solving one.
+struct Row {
+  std::string_view name;
+  std::string_view code;
+};
+
+std::vector<Row> rows_in(std::string_view text) {
+  std::vector<Row> rows;
   bool header = true;
   while (!text.empty()) {
     const std::string_view line = detail::take_line(text);
@@ -29,23 +36,30 @@ Table parse(std::string_view text) {
     const std::size_t first = line.find('\t'), second = line.find('\t', first + 1);
     if (second == std::string_view::npos)
       throw InternalError("a table of diagrams has a broken line: " + std::string(line));
-    TabledDiagram entry;
-    entry.name = line.substr(0, first);
-    entry.diagram = read_diagram(line.substr(second + 1)).diagram;
-    entry.crossings = entry.diagram.crossing_count();
-    table.push_back(std::move(entry));
+    rows.push_back({line.substr(0, first), line.substr(second + 1)});
   }
-  return table;
+  return rows;
 }
 
-const std::array<Table, 4>& tables() {
-  static const std::array<Table, 4> kTables = [] {
-    std::array<Table, 4> all;
-    for (const DiagramTable table : kDiagramTables)
-      all[static_cast<std::size_t>(table)] = parse(detail::shipped_table_text(table));
+const std::vector<Row>& rows_of(DiagramTable table) {
+  static const std::array<std::vector<Row>, 4> kRows = [] {
+    std::array<std::vector<Row>, 4> all;
+    for (const DiagramTable each : kDiagramTables)
+      all[static_cast<std::size_t>(each)] = rows_in(detail::shipped_table_text(each));
     return all;
   }();
-  return kTables;
+  return kRows[static_cast<std::size_t>(table)];
+}
+
+Table read_table(DiagramTable table) {
+  Table diagrams;
+  for (const Row& row : rows_of(table)) {
+    TabledDiagram& entry = diagrams.emplace_back();
+    entry.name = row.name;
+    entry.diagram = read_diagram(row.code).diagram;
+    entry.crossings = entry.diagram.crossing_count();
+  }
+  return diagrams;
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -105,11 +119,18 @@ std::string normalized(std::string_view name) {
   return text;
 }
 
-const std::map<std::string, const TabledDiagram*, std::less<>>& by_name() {
+/// Where a name stands.
+struct Place {
+  DiagramTable table;
+  std::size_t index;
+};
+
+const std::map<std::string, Place, std::less<>>& by_name() {
   static const auto kMap = [] {
-    std::map<std::string, const TabledDiagram*, std::less<>> map;
-    for (const Table& table : tables())
-      for (const TabledDiagram& entry : table) map.emplace(normalized(entry.name), &entry);
+    std::map<std::string, Place, std::less<>> map;
+    for (const DiagramTable table : kDiagramTables)
+      for (std::size_t i = 0; i < rows_of(table).size(); ++i)
+        map.emplace(normalized(rows_of(table)[i].name), Place{table, i});
     return map;
   }();
   return kMap;
@@ -166,13 +187,18 @@ std::optional<DiagramTable> find_table(std::string_view name) {
 }
 
 std::span<const TabledDiagram> table_of(DiagramTable table) {
-  return tables()[static_cast<std::size_t>(table)];
+  static std::array<std::once_flag, 4> read;
+  static std::array<Table, 4> diagrams;
+  const auto number = static_cast<std::size_t>(table);
+  std::call_once(read[number], [&] { diagrams[number] = read_table(table); });
+  return diagrams[number];
 }
 
 const TabledDiagram* find_diagram(std::string_view name) {
   const auto& map = by_name();
   const auto found = map.find(normalized(name));
-  return found == map.end() ? nullptr : found->second;
+  if (found == map.end()) return nullptr;
+  return &table_of(found->second.table)[found->second.index];
 }
 
 bool is_diagram_name(std::string_view text) {
@@ -188,18 +214,18 @@ std::string nearest_diagram_names(std::string_view name, std::size_t count) {
     const std::size_t from = std::min(text.find_first_of("0123456789"), text.size());
     return text.substr(from, text.find_first_not_of("0123456789", from) - from);
   };
-  std::vector<std::pair<std::size_t, const TabledDiagram*>> ranked;
-  for (const Table& table : tables())
-    for (const TabledDiagram& entry : table) {
-      const std::string other = normalized(entry.name);
+  std::vector<std::pair<std::size_t, std::string_view>> ranked;
+  for (const DiagramTable table : kDiagramTables)
+    for (const Row& row : rows_of(table)) {
+      const std::string other = normalized(row.name);
       const std::size_t kind = shape(other) == shape(wanted) ? 0 : 3;
       const std::size_t number = crossings(other) == crossings(wanted) ? 0 : 2;
-      ranked.emplace_back(kind + number + edit_distance(wanted, other), &entry);
+      ranked.emplace_back(kind + number + edit_distance(wanted, other), row.name);
     }
-  std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, const TabledDiagram*>::first);
+  std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, std::string_view>::first);
   std::string names;
   for (std::size_t i = 0; i < std::min(count, ranked.size()); ++i)
-    names += (i == 0 ? "" : ", ") + ranked[i].second->name;
+    names.append(i == 0 ? "" : ", ").append(ranked[i].second);
   return names;
 }
 

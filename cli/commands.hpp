@@ -53,7 +53,6 @@ void add_view(CLI::App& program, Command& chosen);
 void add_tube(CLI::App& program, Command& chosen);
 void add_hyperbolic(CLI::App& program, Command& chosen);
 void add_orthospectrum(CLI::App& program, Command& chosen);
-void add_parameterise(CLI::App& program, Command& chosen);
 void add_methods(CLI::App& program, Command& chosen);
 
 }  // namespace tripus::cli

@@ -7,13 +7,13 @@
 #include "base/output_file.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output_names.hpp"
 #include "cli/progress.hpp"
+#include "cli/solid_commands.hpp"
 #include "manifold/parameterise.hpp"
 
 namespace tripus::cli {

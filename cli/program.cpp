@@ -20,6 +20,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "cli/solid_commands.hpp"
 #include "cli/streams.hpp"
 #include "manifold/json_text.hpp"
 

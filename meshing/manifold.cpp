@@ -81,7 +81,6 @@ Manifold manifold_of(MeshFile file, const ManifoldOptions& options) {
   simplify.seed = options.seed;
   simplify.stop_requested = options.stop_requested;
   simplify.progress = options.progress;
-  simplify.record = options.record;
   topology::Simplified simplified = topology::simplify(manifold.gluings, simplify);
   throw_if_stopped(options.stop_requested);
   manifold.gluings = std::move(simplified.gluings);

@@ -11,7 +11,6 @@
 #include "meshing/formats/read_mesh.hpp"
 #include "meshing/tetrahedralize.hpp"
 #include "topology/gluings.hpp"
-#include "topology/simplify/record.hpp"
 
 namespace tripus::meshing {
 
@@ -27,8 +26,6 @@ struct ManifoldOptions {
   /// Called now and then with what is going on and the number of tetrahedra so far (0: none yet).
   std::function<void(std::string_view activity, std::size_t tetrahedra)> progress;
   const std::atomic<bool>* stop_requested = nullptr;
-  /// Where not null: an empty record of the simplification, which begins with the coned mesh.
-  topology::SimplificationRecord* record = nullptr;
 };
 
 /// A solid as an ideal triangulation: a boundary component of genus 1 or more has become an ideal

@@ -16,8 +16,7 @@
 #include "structure/solve.hpp"
 #include "topology/cone.hpp"
 #include "topology/edge_walk.hpp"
-#include "topology/simplify/record.hpp"
-#include "topology/simplify/simplify.hpp"
+#include "topology/simplify/simplify_recording.hpp"
 
 namespace tripus::parameterise {
 namespace {
@@ -57,7 +56,6 @@ Found find_metric(meshing::MeshFile file, const MarkOptions& options, const Cont
   making.seed = options.seed;
   making.stop_requested = stop.get();
   making.progress = context.progress;
-  making.record = &found.record;
   meshing::Manifold manifold = meshing::manifold_of(std::move(file), making);
   require_hyperbolic_boundary(manifold);
   solid.mesh = std::move(manifold.mesh);
@@ -68,8 +66,15 @@ Found find_metric(meshing::MeshFile file, const MarkOptions& options, const Cont
   structure::SolveOptions solving;
   solving.stop_requested = stop.get();
   solving.evidence = false;
-  Gluings small = std::move(manifold.gluings);
   for (std::size_t n = 0;; ++n) {
+    found.record = {};
+    topology::SimplifyOptions simplify;
+    simplify.seed = options.seed + n;
+    simplify.stop_requested = stop.get();
+    simplify.progress = context.progress;
+    const Gluings small =
+        topology::simplify_recording(found.coned, found.record, simplify).gluings;
+    throw_if_stopped(stop.get());
     context.report("looking for the metric", small.tetrahedron_count());
     solid.manifold = std::make_unique<topology::Triangulation>(small);
     solid.report = structure::solve(*solid.manifold, solving);
@@ -77,13 +82,6 @@ Found find_metric(meshing::MeshFile file, const MarkOptions& options, const Cont
     solid.seed = options.seed + n;
     if (solid.report.outcome == structure::Outcome::kGeometric) return found;
     if (n + 1 >= options.seeds) break;
-    found.record = {};
-    topology::SimplifyOptions simplify;
-    simplify.seed = options.seed + n + 1;
-    simplify.stop_requested = stop.get();
-    simplify.record = &found.record;
-    small = topology::simplify(found.coned, simplify).gluings;
-    throw_if_stopped(stop.get());
   }
   throw Unsupported("none of " + std::to_string(options.seeds) +
                     " small triangulations of this solid carries a hyperbolic metric (" +

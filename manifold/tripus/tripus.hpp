@@ -11,4 +11,3 @@
 #include "base/version.hpp"
 #include "manifold/load.hpp"
 #include "manifold/manifold.hpp"
-#include "manifold/parameterise.hpp"

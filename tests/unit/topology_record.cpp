@@ -15,8 +15,7 @@
 #include "topology/isomorphism.hpp"
 #include "topology/isosig.hpp"
 #include "topology/simplify/carry_back.hpp"
-#include "topology/simplify/record.hpp"
-#include "topology/simplify/simplify.hpp"
+#include "topology/simplify/simplify_recording.hpp"
 #include "topology/subdivide.hpp"
 
 namespace tripus::topology {
@@ -122,7 +121,7 @@ TEST(SimplificationRecord, ReplaysForwardToTheResultAndBackToTheStart) {
   std::size_t longest = 0;
   for (const Gluings& start : fine_tables()) {
     SimplificationRecord record;
-    const Simplified result = simplify(start, {.effort = kEffort, .record = &record});
+    const Simplified result = simplify_recording(start, record, {.effort = kEffort});
     ASSERT_EQ(replayed(start, record), result.gluings);
     ASSERT_EQ(result.gluings, simplify(start, {.effort = kEffort}).gluings) << "a record changes nothing";
     Follow way;
@@ -139,7 +138,7 @@ TEST(SimplificationRecord, ReplaysForwardToTheResultAndBackToTheStart) {
 TEST(SimplificationRecord, RefusesAnotherTable) {
   const Gluings start = barycentric_subdivision(decode_isosig("cPcbbbihq"));
   SimplificationRecord record;
-  simplify(start, {.effort = kEffort, .record = &record});
+  simplify_recording(start, record, {.effort = kEffort});
   EXPECT_THROW(replayed(decode_isosig("cPcbbbihq"), record), InvalidInput);
 }
 
@@ -149,7 +148,7 @@ TEST(CarriedBack, CoversOfTheResultAreCoversOfTheStart) {
   std::size_t covers = 0;
   for (const Gluings& start : fine_tables()) {
     SimplificationRecord record;
-    const Simplified result = simplify(start, {.effort = kEffort, .record = &record});
+    const Simplified result = simplify_recording(start, record, {.effort = kEffort});
     const Triangulation small(result.gluings);
     for (const std::size_t degree : {2u, 3u}) {
       int visited = 0;

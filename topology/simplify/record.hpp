@@ -16,7 +16,7 @@ struct SimplificationStep {
   Move move;  ///< a collapse: at edge `place` of `tetrahedron`; `kind` and `choice` mean nothing
 };
 
-/// What `simplify` did, step by step: five bytes a step. With the table that it began with, that is
+/// What `simplify_recording` did, step by step: five bytes a step. With the table that it began with, that is
 /// enough to make every step again, and to take them back one after another.
 class SimplificationRecord {
  public:

@@ -14,6 +14,7 @@
 #include "topology/simplify/reducer.hpp"
 #include "topology/simplify/search.hpp"
 #include "topology/simplify/simplify_keeping.hpp"
+#include "topology/simplify/simplify_recording.hpp"
 
 namespace tripus::topology {
 namespace {
@@ -81,9 +82,9 @@ Triangulation skeleton_of(const Gluings& closed, bool in_their_order) {
 class Simplifier {
  public:
   Simplifier(const Gluings& closed, const SimplifyOptions& options,
-             std::span<const EdgePlace> kept = {})
-      : options_(&options), kept_(kept.begin(), kept.end()) {
-    const Triangulation triangulation = skeleton_of(closed, !kept.empty() || options.record != nullptr);
+             std::span<const EdgePlace> kept = {}, SimplificationRecord* record = nullptr)
+      : options_(&options), record_(record), kept_(kept.begin(), kept.end()) {
+    const Triangulation triangulation = skeleton_of(closed, !kept.empty() || record != nullptr);
     require_different(triangulation);
     result_.given = triangulation.tetrahedron_count();
     component_count_ = triangulation.component_count();
@@ -116,7 +117,7 @@ class Simplifier {
 
   void start(const Triangulation& triangulation) {
     m_.emplace(triangulation, kept_);
-    m_->record_steps(options_->record);
+    m_->record_steps(record_);
     reducer_.emplace(*m_);
   }
   void run_queue(std::string_view stage) {
@@ -127,6 +128,7 @@ class Simplifier {
   bool is_least() const;
 
   const SimplifyOptions* options_;
+  SimplificationRecord* record_;
   std::vector<EdgePlace> kept_;  // in m_ as it was at the last start
   Simplified result_;
   std::size_t component_count_ = 0;
@@ -186,7 +188,7 @@ Simplified Simplifier::run() {
   if (!result_.stopped && (options_->effort > 0 || finite_vertices_to_go() > 0)) {
     const Triangulation compact(m_->compacted());  // close together in memory again
     kept_ = m_->compacted_kept();
-    if (options_->record != nullptr) options_->record->compact();
+    if (record_ != nullptr) record_->compact();
     start(compact);
     search();
   }
@@ -210,11 +212,15 @@ Simplified simplify(const Gluings& closed, const SimplifyOptions& options) {
   return Simplifier(closed, options).run();
 }
 
+Simplified simplify_recording(const Gluings& closed, SimplificationRecord& record,
+                              const SimplifyOptions& options) {
+  require_effort(options);
+  return Simplifier(closed, options, {}, &record).run();
+}
+
 SimplifiedKeeping simplify_keeping(const Gluings& closed, std::span<const EdgePlace> kept,
                                    const SimplifyOptions& options) {
   require_effort(options);
-  if (options.record != nullptr)
-    throw InvalidInput("a simplification that keeps edges is not recorded");
   Simplifier simplifier(closed, options, kept);
   SimplifiedKeeping all{simplifier.run(), {}};
   all.kept = simplifier.kept();

@@ -10,8 +10,6 @@
 
 namespace tripus::topology {
 
-class SimplificationRecord;
-
 struct SimplifyOptions {
   std::uint64_t seed = 0;  ///< of the search; the same result for the same seed on every platform
   /// How long to search once nothing gets smaller directly: a factor of the default number of
@@ -21,9 +19,6 @@ struct SimplifyOptions {
   std::function<void(std::string_view stage, std::size_t tetrahedra)> progress = {};
   /// Where it becomes true, simplify returns soon, with what it has.
   const std::atomic<bool>* stop_requested = nullptr;
-  /// Where not null: an empty record, which is given the steps from the table to the result. The
-  /// tetrahedra are then taken in the order of the table, be it good for the caches or not.
-  SimplificationRecord* record = nullptr;
 };
 
 struct Simplified {

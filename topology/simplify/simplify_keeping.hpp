@@ -16,7 +16,7 @@ struct SimplifiedKeeping {
 
 /// `simplify` that keeps edges: the manifold with the graph that these form in it stays what it is,
 /// so that they can carry cone angles. Their ends are no finite vertices here, and stay.
-/// Throws what `simplify` throws, and InvalidInput for two places of one edge class and for a record.
+/// Throws what `simplify` throws, and InvalidInput for two places of one edge class.
 SimplifiedKeeping simplify_keeping(const Gluings& closed, std::span<const EdgePlace> kept,
                                    const SimplifyOptions& options = {});
 

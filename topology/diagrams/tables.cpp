@@ -84,16 +84,17 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kNicknam
     {"trivialhandcuff", "0_1handcuff"},
 }};
 
-/// Small letters and digits alone; the kind behind the number, also for Moriuchi's T and H.
-std::string normalized(std::string_view name) {
-  name = detail::trimmed(name);
-  // LinkInfo's L5a1{0}: the orientations of the components.
-  if (const std::size_t brace = name.find('{');
-      brace != std::string_view::npos && name.ends_with('}'))
-    name = name.substr(0, brace);
+/// Small letters, digits and signs; an underscore only where it keeps numbers apart.
+std::string squeezed(std::string_view name) {
   std::string text;
-  bool gap = false;  // an underscore keeps its numbers apart
-  for (const char c : name) {
+  bool gap = false;
+  int braces = 0;  // LinkInfo's L5a1{0}: the orientations of the components
+  for (const char c : detail::trimmed(name)) {
+    braces += c == '{' ? 1 : 0;
+    if (braces > 0) {
+      braces -= c == '}' ? 1 : 0;
+      continue;
+    }
     if (c == ' ' || c == '_' || c == '-') {
       gap = true;
       continue;
@@ -102,6 +103,11 @@ std::string normalized(std::string_view name) {
     gap = false;
     text += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   }
+  return braces == 0 ? text : std::string(name);
+}
+
+/// The kind behind the number, also for Moriuchi's T and H; nicknames as what they stand for.
+std::string as_in_tables(std::string text) {
   for (const auto& [nickname, known] : kNicknames)
     if (text == nickname) return std::string(known);
   if (text.ends_with("thetacurve")) text.resize(text.size() - 5);
@@ -118,6 +124,45 @@ std::string normalized(std::string_view name) {
       return text.substr(before.size()) + std::string(behind);
   return text;
 }
+
+/// Takes away what says "the mirror image of", once; false if nothing does.
+bool take_mirror(std::string& text) {
+  for (const std::string_view before : {"mirrorimage(", "mirror(", "m("})
+    if (text.starts_with(before) && text.ends_with(')')) {
+      text = text.substr(before.size(), text.size() - before.size() - 1);
+      return true;
+    }
+  for (const std::string_view before : {"mirrorimageof", "mirrorof", "mirrorimage", "mirror"})
+    if (text.starts_with(before) && text.size() > before.size()) {
+      text.erase(0, before.size());
+      return true;
+    }
+  for (const std::string_view behind : {"mirrorimage", "mirror", "(m)", "*", "m"}) {
+    // "5_1m theta" and "5_1 theta m".
+    for (const std::string_view kind : {"", "theta", "handcuff", "thetacurve", "handcuffgraph"}) {
+      const std::string end = std::string(behind) + std::string(kind);
+      if (!text.ends_with(end) || text.size() == end.size()) continue;
+      text.replace(text.size() - end.size(), end.size(), kind);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// A name as in the tables, and whether it means the mirror image.
+struct WantedName {
+  std::string name;
+  bool mirrored = false;
+};
+WantedName wanted_name(std::string_view name) {
+  WantedName wanted{squeezed(name)};
+  while (take_mirror(wanted.name)) wanted.mirrored = !wanted.mirrored;
+  wanted.name = as_in_tables(std::move(wanted.name));
+  return wanted;
+}
+
+/// Without regard to mirror images.
+std::string normalized(std::string_view name) { return as_in_tables(squeezed(name)); }
 
 /// Where a name stands.
 struct Place {
@@ -160,11 +205,8 @@ std::string shape(std::string_view normalized_name) {
 }
 
 /// Names of other tables, as names of these: K4a1 and 4a1 (Hoste and Thistlethwaite) are knots,
-/// 4^2_1 (Rolfsen) links; an m at an end is a mirror image.
+/// 4^2_1 (Rolfsen) links.
 std::string as_known_shape(std::string name) {
-  if (name.size() > 3 && name.starts_with("m(") && name.ends_with(')'))
-    name = name.substr(2, name.size() - 3);
-  if (name.size() > 1 && (name.ends_with('m') || name.ends_with('*'))) name.pop_back();
   const std::string kind = shape(name);
   if (kind == "ka" || kind == "kn" || kind == "a" || kind == "n") {
     if (name[0] == 'k') name.erase(0, 1);
@@ -201,15 +243,25 @@ const TabledDiagram* find_diagram(std::string_view name) {
   return &table_of(found->second.table)[found->second.index];
 }
 
+std::optional<NamedDiagram> find_diagram_or_mirror(std::string_view name) {
+  if (const TabledDiagram* entry = find_diagram(name))
+    return NamedDiagram{.name = entry->name, .diagram = entry->diagram};
+  const WantedName wanted = wanted_name(name);
+  const TabledDiagram* entry = find_diagram(wanted.name);
+  if (entry == nullptr) return std::nullopt;
+  if (!wanted.mirrored) return NamedDiagram{.name = entry->name, .diagram = entry->diagram};
+  return NamedDiagram{.name = "m(" + entry->name + ")", .diagram = entry->diagram.mirror_image()};
+}
+
 bool is_diagram_name(std::string_view text) {
-  const std::string name = as_known_shape(normalized(text));
+  const std::string name = as_known_shape(wanted_name(text).name);
   constexpr std::array<std::string_view, 6> kShapes{"_", "la", "ln", "_theta", "_handcuff", "hk_"};
   return std::ranges::find(kShapes, shape(name)) != kShapes.end() &&
          std::ranges::any_of(name, is_digit) && (name[0] != '_' && name.back() != '_');
 }
 
 std::string nearest_diagram_names(std::string_view name, std::size_t count) {
-  const std::string wanted = as_known_shape(normalized(name));
+  const std::string wanted = as_known_shape(wanted_name(name).name);
   const auto crossings = [](std::string_view text) {
     const std::size_t from = std::min(text.find_first_of("0123456789"), text.size());
     return text.substr(from, text.find_first_not_of("0123456789", from) - from);

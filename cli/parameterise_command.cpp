@@ -20,10 +20,14 @@ namespace tripus::cli {
 namespace {
 
 constexpr const char* kParameteriseHelp =
-    "INPUT is a surface or a tetrahedral mesh, as for tripus mesh. Its solid must carry a metric: the\n"
-    "boundary has a component of genus 2 or more, and no torus. Every point of the mesh gets a point\n"
-    "of hyperbolic space, neighbours up to deck transformations that the topology of the solid tells,\n"
-    "boundary points on the geodesic boundary, such that the energy, the sum of the weighted squares\n"
+    "INPUT is a surface or a tetrahedral mesh, as for tripus mesh. Its solid must carry a metric: "
+    "the\n"
+    "boundary has a component of genus 2 or more, and no torus. Every point of the mesh gets a "
+    "point\n"
+    "of hyperbolic space, neighbours up to deck transformations that the topology of the solid "
+    "tells,\n"
+    "boundary points on the geodesic boundary, such that the energy, the sum of the weighted "
+    "squares\n"
     "of distances along edges, is least. It has one minimum, which Newton's method finds.\n"
     "x.vtu has it all for ParaView, PyVista and tripus view --solid: docs/parameterise.md.\n"
     "\n"
@@ -31,7 +35,8 @@ constexpr const char* kParameteriseHelp =
     "  tripus parameterise examples/surfaces/knotted-y.off -o y.vtu\n"
     "  tripus parameterise mesh.vtk --report report.html --picture solid.svg\n"
     "\n"
-    "Exit status: 0 done, 1 no minimum within the limits, or interrupted, 2 bad usage or bad input,\n"
+    "Exit status: 0 done, 1 no minimum within the limits, or interrupted, 2 bad usage or bad "
+    "input,\n"
     "3 a failure of the program itself.";
 
 struct ParameteriseCommand {
@@ -74,18 +79,17 @@ std::string as_text(const std::string& input, const Parameterisation& found) {
   for (const std::string& note : solid.notes) line("note", note);
   line("solid", fmt::format("{} tetrahedra, {} points, {} edges", solid.mesh.tetrahedra.size(),
                             solid.mesh.points.size(), found.edge_count()));
-  line("manifold", fmt::format("{}, volume {:.12g}",
-                               counted(solid.manifold->tetrahedron_count(), "tetrahedron",
-                                       "tetrahedra"),
-                               quality.manifold_volume));
+  line("manifold",
+       fmt::format("{}, volume {:.12g}",
+                   counted(solid.manifold->tetrahedron_count(), "tetrahedron", "tetrahedra"),
+                   quality.manifold_volume));
   line("marking", fmt::format("{} steps taken back; relators hold to {:.1e}", solid.steps,
                               found.relator_defect()));
   if (found.clipped_weights() > 0)
     line("weights", fmt::format("{} of {} raised to be positive", found.clipped_weights(),
                                 found.edge_count()));
   line("energy", fmt::format("{:.12g}, max|gradient| {:.1e}: {} after {} steps", map.energy,
-                             map.max_gradient, solver::to_string(map.termination),
-                             map.iterations));
+                             map.max_gradient, solver::to_string(map.termination), map.iterations));
   line("image", fmt::format("volume {:.12g}, {} turned over, {} flat", quality.image_volume,
                             quality.inverted, quality.flat));
   line("distortion", fmt::format("median anisotropy {:.4g}", quality.median_anisotropy));
@@ -115,9 +119,8 @@ int run(ParameteriseCommand& command) {
   command.options.map.minimiser = command.method == "ceres"     ? parameterise::Minimiser::kCeres
                                   : command.method == "descent" ? parameterise::Minimiser::kDescent
                                                                 : parameterise::Minimiser::kNewton;
-  return answer_inputs(command.common, [&](const std::string& input) {
-    return parameterise_one(command, input);
-  });
+  return answer_inputs(command.common,
+                       [&](const std::string& input) { return parameterise_one(command, input); });
 }
 
 }  // namespace
@@ -164,8 +167,7 @@ void add_parameterise(CLI::App& program, Command& chosen) {
                    "force it (default: as few as it takes)")
       ->option_text("N")
       ->check(whole_number(std::numeric_limits<int>::max()));
-  verb->add_option("--seed", command->options.marking.seed,
-                   "of the simplification (default: 0)")
+  verb->add_option("--seed", command->options.marking.seed, "of the simplification (default: 0)")
       ->option_text("N")
       ->check(whole_number(std::numeric_limits<int>::max()));
   verb->footer(kParameteriseHelp);

@@ -197,8 +197,7 @@ Outcome view_one(const ViewCommand& command, const std::string& input) {
 
 /// --solid: no metric is looked for, all is in the file.
 int view_solid(const ViewCommand& command) {
-  if (command.page.empty())
-    throw InvalidInput("--solid needs a page to write: add -o FILE.html");
+  if (command.page.empty()) throw InvalidInput("--solid needs a page to write: add -o FILE.html");
   declare_output("-o", command.page);
   const std::string text = read_file(command.solid);
   try {

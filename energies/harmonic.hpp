@@ -82,15 +82,15 @@ class HarmonicEnergy final : public solver::Problem {
   std::vector<HarmonicEdge> edges_;
   std::vector<Matrix4> isometries_;
   std::vector<std::uint32_t> first_;  // [V + 1]
-  std::vector<Matrix4> planes_;       // [V] takes the plane z = 0 to that of v; the identity if free
-  std::vector<geometry::Vector3> base_;  // [V] in that frame, spatial coordinates
-  std::vector<Matrix4> frames_;          // [V] B
-  std::vector<Place> places_;            // [V] at the latest evaluation
-  std::vector<geometry::Vector3> u_;     // [V] likewise
+  std::vector<Matrix4> planes_;  // [V] takes the plane z = 0 to that of v; the identity if free
+  std::vector<geometry::Vector3> base_;          // [V] in that frame, spatial coordinates
+  std::vector<Matrix4> frames_;                  // [V] B
+  std::vector<Place> places_;                    // [V] at the latest evaluation
+  std::vector<geometry::Vector3> u_;             // [V] likewise
   std::vector<std::array<double, 9>> diagonal_;  // [V] blocks of the Hessian
   std::vector<std::array<double, 9>> across_;    // [edges] rows of a, columns of b
-  std::vector<double> bend_;                     // [V] sum of w phi' times -<base point, other point>
-  mutable std::vector<double> in_, out_;         // [3 V] of hessian_times
+  std::vector<double> bend_;              // [V] sum of w phi' times -<base point, other point>
+  mutable std::vector<double> in_, out_;  // [3 V] of hessian_times
   std::optional<ElementPattern> pattern_;
 };
 

@@ -67,6 +67,7 @@ std::string Parameterisation::to_json() const {
   count("linear_iterations", static_cast<std::size_t>(map_.linear_iterations));
   number("seconds", map_.seconds);
   number("image_volume", quality_.image_volume);
+  number("filled_volume", quality_.filled_volume);
   count("inverted", quality_.inverted);
   count("flat", quality_.flat);
   number("median_anisotropy", quality_.median_anisotropy);

@@ -20,9 +20,9 @@ struct ParameteriseOptions {
 /// The harmonic map of a solid in space onto its hyperbolic manifold, with what is known about it.
 class Parameterisation {
  public:
-  /// Throws InvalidInput for a solid whose boundary has only spheres; Unsupported for a torus in the
-  /// boundary and where no metric is found; Stopped before there is a marking; and what reading and
-  /// filling a mesh throws. A stop later leaves the map so far.
+  /// Throws InvalidInput for a solid whose boundary has only spheres; Unsupported for a torus in
+  /// the boundary and where no metric is found; Stopped before there is a marking; and what reading
+  /// and filling a mesh throws. A stop later leaves the map so far.
   Parameterisation(meshing::MeshFile file, std::string label, const ParameteriseOptions& options,
                    const Context& context = {});
 

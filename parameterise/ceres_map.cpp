@@ -95,8 +95,12 @@ struct Residual {
     }
     T scale;
     if (square < T(1e-3)) {
-      scale = T(1) + square * (T(-1.0 / 6) + square * (T(3.0 / 40) + square * (T(-15.0 / 336) +
-              square * (T(105.0 / 3456) + square * T(-945.0 / 42240)))));
+      scale =
+          T(1) +
+          square * (T(-1.0 / 6) +
+                    square * (T(3.0 / 40) +
+                              square * (T(-15.0 / 336) +
+                                        square * (T(105.0 / 3456) + square * T(-945.0 / 42240)))));
     } else {
       using std::log;
       using std::sqrt;
@@ -142,10 +146,9 @@ HarmonicMap minimised_by_ceres(energies::HarmonicEnergy& energy, std::span<const
     problem.AddParameterBlock(points[v].data(), 4, manifold);
   }
   for (const energies::HarmonicEdge& edge : energy.edges())
-    problem.AddResidualBlock(
-        new ceres::AutoDiffCostFunction<Residual, 3, 4, 4>(
-            new Residual{energy.isometries()[edge.isometry], std::sqrt(edge.weight)}),
-        nullptr, points[edge.a].data(), points[edge.b].data());
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<Residual, 3, 4, 4>(new Residual{
+                                 energy.isometries()[edge.isometry], std::sqrt(edge.weight)}),
+                             nullptr, points[edge.a].data(), points[edge.b].data());
   ceres::Solver::Options solving;
   solving.max_num_iterations = options.max_iterations;
   if (options.time_limit < 1e9) solving.max_solver_time_in_seconds = options.time_limit;

@@ -1,5 +1,6 @@
 #include "parameterise/deck_group.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -29,10 +30,7 @@ std::int64_t box_of(double height) {
 DeckGroup::DeckGroup(const embedding::Embedding& embedding,
                      const topology::Triangulation& triangulation,
                      const embedding::Holonomy& holonomy, const std::vector<Matrix4>& places)
-    : embedding_(embedding),
-      triangulation_(triangulation),
-      holonomy_(holonomy),
-      places_(places) {
+    : embedding_(embedding), triangulation_(triangulation), holonomy_(holonomy), places_(places) {
   of_word({});
 }
 
@@ -94,12 +92,11 @@ std::uint32_t DeckGroup::of_place(const Vector4& point) { return of_word(walk(po
 
 std::optional<ExactPole> DeckGroup::exact_pole(const Vector4& pole) {
   // The point of the plane that is nearest to the origin, and the cell there.
-  const Vector4 foot =
-      geometry::on_hyperboloid((geometry::origin() + pole[3] * pole) / std::sqrt(1 + pole[3] * pole[3]));
+  const Vector4 foot = geometry::on_hyperboloid((geometry::origin() + pole[3] * pole) /
+                                                std::sqrt(1 + pole[3] * pole[3]));
   const Way way = walk(foot);
   const std::uint32_t element = of_word(way.word);
-  const Matrix4 domain =
-      geometry::lorentz_inverse(matrices_[element] * places_[way.tetrahedron]);
+  const Matrix4 domain = geometry::lorentz_inverse(matrices_[element] * places_[way.tetrahedron]);
   const Vector4 here = domain * pole;
   for (const Vector4& vertex : embedding_.tetrahedra[way.tetrahedron].vertices)
     if ((vertex - here).norm() < kSamePole * vertex.norm())
@@ -140,6 +137,14 @@ std::uint32_t DeckGroup::inverse(std::uint32_t element) {
   inverses_.emplace(element, inverse);
   inverses_.emplace(inverse, element);
   return inverse;
+}
+
+double DeckGroup::size(std::uint32_t element) const {
+  return element == 0 ? 0 : std::acosh(std::max(1.0, matrices_[element](3, 3)));
+}
+
+bool DeckGroup::can_hold_product(std::uint32_t first, std::uint32_t second) const {
+  return size(first) + size(second) < std::acosh(kHighest);
 }
 
 std::uint32_t DeckGroup::of_letter(topology::Letter letter) {

@@ -22,19 +22,23 @@ struct ExactPole {
 
 /// Deck transformations of a hyperbolic manifold's universal cover, each known by one number, as a
 /// reduced word in the generators of its holonomy and as a Lorentz matrix that is the product of
-/// that word in a hundred digits. A product of two numbers is looked up by where it takes the centre
-/// of tetrahedron 0: deck transformations have no fixed points, so that this tells them apart. What
-/// is not known yet gets its word by walking home from there through the cells. So matrices do not
-/// inherit the rounding of the products that led to them, however many these are.
+/// that word in a hundred digits. A product of two numbers is looked up by where it takes the
+/// centre of tetrahedron 0: deck transformations have no fixed points, so that this tells them
+/// apart. What is not known yet gets its word by walking home from there through the cells. So
+/// matrices do not inherit the rounding of the products that led to them, however many these are.
 class DeckGroup final : public topology::NumberedGroup {
  public:
-  /// Keeps references to all four. `places` are those of the tetrahedra in the domain. The holonomy is of the embedding; the manifold is orientable.
+  /// Keeps references to all four. `places` are those of the tetrahedra in the domain. The holonomy
+  /// is of the embedding; the manifold is orientable.
   DeckGroup(const embedding::Embedding& embedding, const topology::Triangulation& triangulation,
             const embedding::Holonomy& holonomy, const std::vector<Matrix4>& places);
 
   /// Throws Unsupported if the product takes the centre so far away that doubles do not tell where.
   std::uint32_t product(std::uint32_t first, std::uint32_t second) override;
   std::uint32_t inverse(std::uint32_t element) override;
+  /// The distance by which the centre of tetrahedron 0 is moved.
+  double size(std::uint32_t element) const override;
+  bool can_hold_product(std::uint32_t first, std::uint32_t second) const override;
   std::uint32_t of_letter(topology::Letter letter);
   /// The element that takes the fundamental domain to its copy in which this point lies.
   std::uint32_t of_place(const Vector4& point);

@@ -58,8 +58,9 @@ HarmonicMap minimised_by_ceres(energies::HarmonicEnergy& energy, std::span<const
                                const MapOptions& options = {}, const Context& context = {});
 
 /// The harmonic map of a solid: from where the simplification sent its points to rough convergence,
-/// then, in frames chosen by that (choose_frames), to the end. The solid has these frames afterwards.
-/// `begin` [V]: other points to begin with, in the frames that the points have; empty for the start.
+/// then, in frames chosen by that (choose_frames), to the end. The solid has these frames
+/// afterwards. `begin` [V]: other points to begin with, in the frames that the points have; empty
+/// for the start.
 HarmonicMap harmonic_map(MarkedSolid& solid, Weights weights, const MapOptions& options = {},
                          const Context& context = {}, std::vector<Vector4> begin = {});
 

@@ -68,7 +68,8 @@ void append_pieces(const Facet& facet, double width, std::vector<Facet>& out) {
 std::string draw(std::vector<Facet> facets, const SolidPictureOptions& options, double band) {
   const Camera camera(options);
   std::erase_if(facets, [&](const Facet& f) {
-    return (f.corners[1] - f.corners[0]).cross(f.corners[2] - f.corners[0]).dot(camera.towards) <= 0;
+    return (f.corners[1] - f.corners[0]).cross(f.corners[2] - f.corners[0]).dot(camera.towards) <=
+           0;
   });
   const auto depth = [&](const Facet& f) {
     return (f.corners[0] + f.corners[1] + f.corners[2]).dot(camera.towards);
@@ -97,13 +98,16 @@ std::string draw(std::vector<Facet> facets, const SolidPictureOptions& options, 
     if (band > 0 && static_cast<long>(std::floor(level / band)) % 2 == 1) shade *= 0.78;
     std::string points;
     for (const Vector3& x : f.corners)
-      points += fmt::format(
-          "{}{:.1f},{:.1f}", points.empty() ? "" : " ",
-          options.width / 2.0 + scale * (x.dot(camera.right) - (low[0] + high[0]) / 2),
-          options.height / 2.0 - scale * (x.dot(camera.up) - (low[1] + high[1]) / 2));
-    const auto part = [&](std::size_t k) { return static_cast<int>(std::lround(f.colour[k] * shade)); };
+      points +=
+          fmt::format("{}{:.1f},{:.1f}", points.empty() ? "" : " ",
+                      options.width / 2.0 + scale * (x.dot(camera.right) - (low[0] + high[0]) / 2),
+                      options.height / 2.0 - scale * (x.dot(camera.up) - (low[1] + high[1]) / 2));
+    const auto part = [&](std::size_t k) {
+      return static_cast<int>(std::lround(f.colour[k] * shade));
+    };
     const std::string colour = fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2));
-    out += fmt::format("<polygon points=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n", points, colour, colour);
+    out +=
+        fmt::format("<polygon points=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n", points, colour, colour);
   }
   return out + "</g>\n</svg>\n";
 }
@@ -190,8 +194,8 @@ std::string image_picture(const MarkedSolid& solid, const HarmonicMap& map,
       Facet facet;
       for (std::size_t i = 0; i < 3; ++i) facet.corners[i] = klein[face[i]];
       if (is_turned) std::swap(facet.corners[1], facet.corners[2]);
-      facet.colour = is_turned ? embedding::Colour{20, 20, 20}
-                               : embedding::tetrahedron_colour(at.tetrahedron);
+      facet.colour =
+          is_turned ? embedding::Colour{20, 20, 20} : embedding::tetrahedron_colour(at.tetrahedron);
       facets.push_back(facet);
     }
   }
@@ -213,20 +217,24 @@ std::string convergence_picture(const HarmonicMap& map) {
   const double last = std::max(1, map.history.empty() ? 1 : map.history.back().iteration);
   std::string points;
   const auto x_of = [&](double i) { return kLeft + (kWidth - kLeft - 10) * i / last; };
-  const auto y_of = [&](double y) { return 10 + (kHeight - kBottom - 10) * (high - y) / (high - low); };
+  const auto y_of = [&](double y) {
+    return 10 + (kHeight - kBottom - 10) * (high - y) / (high - low);
+  };
   for (const MapStep& step : map.history)
     points += fmt::format("{:.1f},{:.1f} ", x_of(step.iteration),
                           y_of(std::log10(std::max(step.max_gradient, 1e-17))));
-  std::string out = fmt::format("<svg viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">", kWidth,
-                                kHeight);
+  std::string out =
+      fmt::format("<svg viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">", kWidth, kHeight);
   for (double y = low; y <= high; y += std::max(1.0, std::floor((high - low) / 6)))
-    out += fmt::format("<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" stroke=\"#ddd\"/>"
-                       "<text x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">1e{5}</text>",
-                       kLeft, kWidth - 10, y_of(y), kLeft - 6, y_of(y) + 4, static_cast<int>(y));
-  return out + fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"#0072b2\" "
-                           "stroke-width=\"2\"/><text x=\"{}\" y=\"{}\">Newton steps (0 to {})"
-                           "</text></svg>",
-                           points, kLeft, kHeight - 10, static_cast<int>(last));
+    out += fmt::format(
+        "<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" stroke=\"#ddd\"/>"
+        "<text x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">1e{5}</text>",
+        kLeft, kWidth - 10, y_of(y), kLeft - 6, y_of(y) + 4, static_cast<int>(y));
+  return out + fmt::format(
+                   "<polyline points=\"{}\" fill=\"none\" stroke=\"#0072b2\" "
+                   "stroke-width=\"2\"/><text x=\"{}\" y=\"{}\">Newton steps (0 to {})"
+                   "</text></svg>",
+                   points, kLeft, kHeight - 10, static_cast<int>(last));
 }
 
 std::string escaped(const std::string& text) {
@@ -242,17 +250,20 @@ std::string distortion_picture(const Quality& quality) {
   std::array<std::size_t, kBars> counts{};
   for (const CellQuality& cell : quality.cells)
     if (cell.orientation > 0)
-      ++counts[std::min(kBars - 1, static_cast<std::size_t>(std::log2(std::max(1.0, cell.anisotropy))))];
-  const double most = static_cast<double>(std::max<std::size_t>(1, *std::ranges::max_element(counts)));
+      ++counts[std::min(kBars - 1,
+                        static_cast<std::size_t>(std::log2(std::max(1.0, cell.anisotropy))))];
+  const double most =
+      static_cast<double>(std::max<std::size_t>(1, *std::ranges::max_element(counts)));
   std::string out = "<svg viewBox=\"0 0 640 300\" width=\"640\" height=\"300\">";
   for (std::size_t i = 0; i < kBars; ++i) {
     const double height = 230 * static_cast<double>(counts[i]) / most;
-    out += fmt::format("<rect x=\"{}\" y=\"{:.1f}\" width=\"40\" height=\"{:.1f}\" fill=\"#009e73\"/>"
-                       "<text x=\"{}\" y=\"270\" text-anchor=\"middle\">{}{}</text>",
-                       20 + 50 * i, 250 - height, height, 40 + 50 * i, 1u << i,
-                       i + 1 == kBars ? "+" : "");
+    out += fmt::format(
+        "<rect x=\"{}\" y=\"{:.1f}\" width=\"40\" height=\"{:.1f}\" fill=\"#009e73\"/>"
+        "<text x=\"{}\" y=\"270\" text-anchor=\"middle\">{}{}</text>",
+        20 + 50 * i, 250 - height, height, 40 + 50 * i, 1u << i, i + 1 == kBars ? "+" : "");
   }
-  return out + "<text x=\"20\" y=\"294\">largest by smallest stretch of a tetrahedron, from</text></svg>";
+  return out +
+         "<text x=\"20\" y=\"294\">largest by smallest stretch of a tetrahedron, from</text></svg>";
 }
 
 }  // namespace
@@ -291,7 +302,8 @@ std::string report_page(const std::string& title, const MarkedSolid& solid, cons
   const auto row = [&](std::string_view name, const std::string& value) {
     out += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", name, value);
   };
-  row("tetrahedra, points", fmt::format("{}, {}", solid.mesh.tetrahedra.size(), solid.mesh.points.size()));
+  row("tetrahedra, points",
+      fmt::format("{}, {}", solid.mesh.tetrahedra.size(), solid.mesh.points.size()));
   row("manifold", fmt::format("{} tetrahedra, volume {:.12g}", solid.manifold->tetrahedron_count(),
                               quality.manifold_volume));
   row("energy", fmt::format("{:.12g}", map.energy));
@@ -300,9 +312,10 @@ std::string report_page(const std::string& title, const MarkedSolid& solid, cons
   row("volume of the image", fmt::format("{:.12g}", quality.image_volume));
   row("turned over, flat", fmt::format("{}, {}", quality.inverted, quality.flat));
   row("anisotropy, median", fmt::format("{:.4g}", quality.median_anisotropy));
-  out += "</table>\n<h2>The solid, by the tetrahedra of its manifold</h2>\n<p>Each colour is a "
-         "truncated tetrahedron of the hyperbolic manifold; bands show the distance to the geodesic "
-         "boundary.</p>\n<div class=\"row\"><figure>";
+  out +=
+      "</table>\n<h2>The solid, by the tetrahedra of its manifold</h2>\n<p>Each colour is a "
+      "truncated tetrahedron of the hyperbolic manifold; bands show the distance to the geodesic "
+      "boundary.</p>\n<div class=\"row\"><figure>";
   out += solid_picture(shown, whole) + "</figure><figure>" + solid_picture(shown, open) +
          "</figure></div>\n<h2>Its image in hyperbolic space (Klein ball)</h2>\n<figure>" +
          image_picture(solid, map, open) + "</figure>\n<h2>Convergence</h2>\n" +

@@ -166,7 +166,66 @@ std::array<Vector4, 4> image(const MarkedSolid& solid, std::span<const Vector4> 
   return corners;
 }
 
-Quality quality(const MarkedSolid& solid, std::span<const Vector4> points) {
+namespace {
+
+/// Signed volume of what the images of boundary spheres bound on the side away from the solid:
+/// cones from one point of each. A sphere lifts to hyperbolic space; points are carried along its
+/// edges.
+double volume_of_filled_balls(MarkedSolid& solid, std::span<const Vector4> points) {
+  constexpr std::uint32_t kNone = 0xffffffffu;
+  struct Face {
+    std::size_t t;
+    std::array<std::size_t, 3> corners;  // outward
+  };
+  std::vector<Face> faces;
+  std::vector<std::vector<std::uint32_t>> at(points.size());
+  constexpr std::array<std::array<std::size_t, 3>, 4> kOutwards{
+      {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+  for (std::size_t t = 0; t < solid.mesh.tetrahedra.size(); ++t)
+    for (std::size_t f = 0; f < 4; ++f) {
+      if (!solid.gluings.is_open(t, static_cast<int>(f))) continue;
+      const Face face{t, kOutwards[f]};
+      if (!solid.poles[solid.mesh.tetrahedra[t][face.corners[0]]].isZero(0)) continue;
+      for (const std::size_t v : face.corners)
+        at[solid.mesh.tetrahedra[t][v]].push_back(static_cast<std::uint32_t>(faces.size()));
+      faces.push_back(face);
+    }
+  std::vector<std::uint32_t> element(points.size(), kNone);
+  double volume = 0;
+  for (std::uint32_t first = 0; first < points.size(); ++first) {
+    if (at[first].empty() || element[first] != kNone) continue;
+    element[first] = 0;
+    std::vector<std::uint32_t> queue{first};
+    for (std::size_t i = 0; i < queue.size(); ++i)
+      for (const std::uint32_t n : at[queue[i]]) {
+        const Face& face = faces[n];
+        const auto& corners = solid.mesh.tetrahedra[face.t];
+        std::array<Vector4, 4> cone;
+        std::uint32_t frame = kNone;  // of the tetrahedron, in that of the first point
+        for (const std::size_t v : face.corners)
+          if (corners[v] == queue[i])
+            frame = solid.group->product(element[queue[i]],
+                                         solid.group->inverse(solid.corners[4 * face.t + v]));
+        for (std::size_t k = 0; k < 3; ++k) {
+          const std::size_t v = face.corners[k];
+          const std::uint32_t here = solid.group->product(frame, solid.corners[4 * face.t + v]);
+          if (element[corners[v]] == kNone) {
+            element[corners[v]] = here;
+            queue.push_back(corners[v]);
+          }
+          cone[k] = solid.group->matrix(here) * points[corners[v]];
+        }
+        // Each face is met from its three corners; outward of the solid is inward of the ball.
+        cone[3] = points[first];
+        volume += signed_volume(cone) / 3;
+      }
+  }
+  return volume;
+}
+
+}  // namespace
+
+Quality quality(MarkedSolid& solid, std::span<const Vector4> points) {
   Quality result;
   result.manifold_volume = solid.report.volume;
   double space = 0;
@@ -183,6 +242,8 @@ Quality quality(const MarkedSolid& solid, std::span<const Vector4> points) {
     space += (x[1] - x[0]).cross(x[2] - x[0]).dot(x[3] - x[0]) / 6;
     if (cell.orientation > 0) anisotropies.push_back(cell.anisotropy);
   }
+  result.filled_volume = volume_of_filled_balls(solid, points);
+  result.image_volume += result.filled_volume;
   for (CellQuality& cell : result.cells) cell.volume_ratio *= space / result.manifold_volume;
   if (!anisotropies.empty()) {
     std::ranges::sort(anisotropies);
@@ -212,8 +273,8 @@ Located located(const MarkedSolid& solid, const Vector4& point) {
       }
     }
     if (face == 4) break;
-    y = geometry::on_hyperboloid(
-        geometry::lorentz_inverse(solid.embedding.face_pairings[t][face]) * y);
+    y = geometry::on_hyperboloid(geometry::lorentz_inverse(solid.embedding.face_pairings[t][face]) *
+                                 y);
     t = solid.manifold->gluings().neighbour(t, static_cast<int>(face));
   }
   Located result;

@@ -11,8 +11,8 @@ namespace tripus::parameterise {
 
 /// What became of one tetrahedron of the mesh: the geodesic one with its four corners' images.
 struct CellQuality {
-  int orientation = 1;   ///< exact sign in the Klein model; -1: turned over, 0: flat
-  double volume = 0;     ///< hyperbolic, with that sign
+  int orientation = 1;  ///< exact sign in the Klein model; -1: turned over, 0: flat
+  double volume = 0;    ///< hyperbolic, with that sign
   /// Largest by smallest stretch of the linear map between the corners, at the middle; >= 1.
   double anisotropy = 1;
   /// Hyperbolic by Euclidean volume, divided by the same of the whole: 1 is the mean.
@@ -23,14 +23,17 @@ struct Quality {
   std::vector<CellQuality> cells = {};  ///< [T]
   std::size_t inverted = 0;             ///< cells with orientation < 0
   std::size_t flat = 0;
-  double image_volume = 0;  ///< sum of the signed volumes: the manifold's, once covered
+  /// Sum of the signed volumes of the images, and of the balls that the images of boundary spheres
+  /// bound: the manifold's, once covered.
+  double image_volume = 0;
+  double filled_volume = 0;  ///< those balls' part of it
   double manifold_volume = 0;
   double median_anisotropy = 1, worst_anisotropy = 1;  ///< the worst of those not turned over
-  double off_boundary = 0;  ///< largest |<f, pole>| of a boundary point
+  double off_boundary = 0;                             ///< largest |<f, pole>| of a boundary point
 };
 
 /// points [V], each in its own frame.
-Quality quality(const MarkedSolid& solid, std::span<const Vector4> points);
+Quality quality(MarkedSolid& solid, std::span<const Vector4> points);
 
 /// Volume of the geodesic tetrahedron with these corners on the hyperboloid, positive where they
 /// are in positive order in the Klein model. By Gauss' rule after subdivision into small pieces;

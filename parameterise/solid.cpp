@@ -37,7 +37,8 @@ void require_hyperbolic_boundary(const meshing::Manifold& manifold) {
     if (genus == 1)
       throw Unsupported(
           "the solid has a torus among its boundary components; it would be a cusp of the metric, "
-          "infinitely far away, and only solids whose boundary has genus 2 or more (or spheres) are "
+          "infinitely far away, and only solids whose boundary has genus 2 or more (or spheres) "
+          "are "
           "parameterised");
 }
 
@@ -72,8 +73,7 @@ Found find_metric(meshing::MeshFile file, const MarkOptions& options, const Cont
     simplify.seed = options.seed + n;
     simplify.stop_requested = stop.get();
     simplify.progress = context.progress;
-    const Gluings small =
-        topology::simplify_recording(found.coned, found.record, simplify).gluings;
+    const Gluings small = topology::simplify_recording(found.coned, found.record, simplify).gluings;
     throw_if_stopped(stop.get());
     context.report("looking for the metric", small.tetrahedron_count());
     solid.manifold = std::make_unique<topology::Triangulation>(small);
@@ -128,7 +128,8 @@ void make_corners(MarkedSolid& solid) {
       const int v = static_cast<int>(here % 4);
       for (int f = 0; f < 4; ++f) {
         if (f == v || solid.gluings.is_open(t, f)) continue;
-        const std::size_t there = slot_of(solid.gluings.neighbour(t, f), solid.gluings.gluing(t, f)(v));
+        const std::size_t there =
+            slot_of(solid.gluings.neighbour(t, f), solid.gluings.gluing(t, f)(v));
         if (solid.corners[there] != kNone) continue;
         const std::uint32_t back = solid.group->inverse(solid.values[slot_of(t, f)]);
         solid.corners[there] = solid.group->product(back, solid.corners[here]);
@@ -249,17 +250,18 @@ std::unique_ptr<MarkedSolid> mark_solid(meshing::MeshFile file, const MarkOption
   context.report("carrying the metric back", solid->mesh.tetrahedra.size());
   solid->embedding = oriented_embedding(*solid->manifold, solid->report);
   solid->holonomy = embedding::holonomy(solid->embedding, *solid->manifold);
-  for (const auto& place :
-       embedding::developing_map(solid->embedding, solid->manifold->gluings()))
+  for (const auto& place : embedding::developing_map(solid->embedding, solid->manifold->gluings()))
     solid->places.push_back(geometry::to_matrix(place));
-  solid->group = std::make_unique<DeckGroup>(solid->embedding, *solid->manifold, solid->holonomy, solid->places);
+  solid->group = std::make_unique<DeckGroup>(solid->embedding, *solid->manifold, solid->holonomy,
+                                             solid->places);
   const topology::FlatConnection small = connection_of(*solid);
   const topology::FlatConnection fine =
       topology::carried_back(found.coned, found.record, small, *solid->group);
   if (!topology::curved_edges(found.coned, fine.values, *solid->group).empty())
     throw InternalError("the connection that was carried back is not flat");
-  solid->values.assign(fine.values.begin(),
-                       fine.values.begin() + static_cast<std::ptrdiff_t>(4 * solid->mesh.tetrahedra.size()));
+  solid->values.assign(
+      fine.values.begin(),
+      fine.values.begin() + static_cast<std::ptrdiff_t>(4 * solid->mesh.tetrahedra.size()));
   make_corners(*solid);
   make_poles(*solid, found.coned, fine);
   make_start(*solid, fine);
@@ -269,8 +271,8 @@ std::unique_ptr<MarkedSolid> mark_solid(meshing::MeshFile file, const MarkOption
 namespace {
 
 struct MeshEdge {
-  std::uint32_t a, b;       // a < b
-  std::uint32_t place;      // 6 t + e
+  std::uint32_t a, b;   // a < b
+  std::uint32_t place;  // 6 t + e
   friend auto operator<=>(const MeshEdge&, const MeshEdge&) = default;
 };
 
@@ -282,8 +284,8 @@ std::vector<MeshEdge> mesh_edges(const MarkedSolid& solid) {
     for (std::uint32_t e = 0; e < 6; ++e) {
       const auto [i, j] = topology::kEdgeEnds[e];
       const auto& corners = solid.mesh.tetrahedra[t];
-      const auto [a, b] = std::minmax(corners[static_cast<std::size_t>(i)],
-                                      corners[static_cast<std::size_t>(j)]);
+      const auto [a, b] =
+          std::minmax(corners[static_cast<std::size_t>(i)], corners[static_cast<std::size_t>(j)]);
       all.push_back({a, b, 6 * t + e});
     }
   std::ranges::sort(all);
@@ -330,8 +332,7 @@ WeightedEdges weighted_edges(MarkedSolid& solid, Weights weights) {
       for (std::size_t v = 0; v < 4; ++v)
         x[v] = Eigen::Map<const geometry::Vector3>(solid.mesh.points[t[v]].data());
       double part = 0;
-      for (const double w : element_weights(x, part))
-        by_place.push_back(std::isfinite(w) ? w : 0);
+      for (const double w : element_weights(x, part)) by_place.push_back(std::isfinite(w) ? w : 0);
       volume += part;
     }
     scale = 1 / std::cbrt(volume);
@@ -382,8 +383,7 @@ void choose_frames(MarkedSolid& solid, std::vector<Vector4>& points) {
     }
     frame[t] = solid.corners[4 * t];
     for (std::size_t v = 0; v < 4; ++v)
-      solid.corners[4 * t + v] =
-          group.product(group.inverse(frame[t]), solid.corners[4 * t + v]);
+      solid.corners[4 * t + v] = group.product(group.inverse(frame[t]), solid.corners[4 * t + v]);
   }
   for (std::size_t t = 0; t < count; ++t)
     for (int f = 0; f < 4; ++f) {
@@ -425,8 +425,8 @@ double equivariance_defect(MarkedSolid& solid) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     forward[all[i].place] = transformation(solid, all[i]);
     if (i == 0 || all[i].a != all[i - 1].a || all[i].b != all[i - 1].b) continue;
-    const Matrix4 difference = solid.group->matrix(forward[all[i].place]) -
-                               solid.group->matrix(forward[all[i - 1].place]);
+    const Matrix4 difference =
+        solid.group->matrix(forward[all[i].place]) - solid.group->matrix(forward[all[i - 1].place]);
     largest = std::max(largest, difference.cwiseAbs().maxCoeff());
   }
   for (std::size_t t = 0; t < solid.mesh.tetrahedra.size(); ++t) {

@@ -35,9 +35,9 @@ struct MarkOptions {
 /// is that of the metric on the small triangulation, carried back along the simplification
 /// (topology/simplify/carry_back.hpp).
 struct MarkedSolid {
-  meshing::TetrahedralMesh mesh = {};    ///< tetrahedra in positive order
-  topology::Gluings gluings = {};        ///< of the mesh, open on the boundary
-  std::vector<std::string> notes = {};   ///< what was mended in the input, and left out
+  meshing::TetrahedralMesh mesh = {};   ///< tetrahedra in positive order
+  topology::Gluings gluings = {};       ///< of the mesh, open on the boundary
+  std::vector<std::string> notes = {};  ///< what was mended in the input, and left out
   std::vector<int> boundary_genera = {};
 
   std::unique_ptr<topology::Triangulation> manifold = {};  ///< small, oriented as the solid
@@ -47,17 +47,17 @@ struct MarkedSolid {
   std::vector<Matrix4> places = {};  ///< [tetrahedra of the manifold] in the fundamental domain
   std::unique_ptr<DeckGroup> group = {};
 
-  std::vector<std::uint32_t> values = {};   ///< [T x 4] the connection, as numbers of the group
-  /// [T x 4] from the frame of the point at vertex v to that of tetrahedron t. A point has the frame
-  /// of the first tetrahedron that it is a vertex of.
+  std::vector<std::uint32_t> values = {};  ///< [T x 4] the connection, as numbers of the group
+  /// [T x 4] from the frame of the point at vertex v to that of tetrahedron t. A point has the
+  /// frame of the first tetrahedron that it is a vertex of.
   std::vector<std::uint32_t> corners = {};
   std::vector<Vector4> poles = {};  ///< [V] of the plane on which the point must lie, or 0
   std::vector<Vector4> start = {};  ///< [V] where the simplification sent the point
 
-  std::size_t steps = 0;               ///< of the simplification
-  std::size_t record_bytes = 0;        ///< that remember them
-  std::size_t planes = 0;              ///< boundary components that are geodesic
-  std::uint64_t seed = 0;              ///< of the simplification whose result carries the metric
+  std::size_t steps = 0;         ///< of the simplification
+  std::size_t record_bytes = 0;  ///< that remember them
+  std::size_t planes = 0;        ///< boundary components that are geodesic
+  std::uint64_t seed = 0;        ///< of the simplification whose result carries the metric
 };
 
 /// Throws InvalidInput for a solid with nothing but spheres for its boundary, whose fundamental

@@ -43,7 +43,8 @@ void append_array(std::string& out, std::string_view name, int components,
 
 template <class Number>
 std::vector<Number> read_array(std::string_view text, const std::string& name) {
-  const std::string mark = fmt::format("<DataArray type=\"{}\" Name=\"{}\"", vtk_type<Number>(), name);
+  const std::string mark =
+      fmt::format("<DataArray type=\"{}\" Name=\"{}\"", vtk_type<Number>(), name);
   std::size_t at = text.find(mark);
   const std::size_t begin = at == std::string_view::npos ? at : text.find('>', at);
   const std::size_t end = begin == std::string_view::npos ? begin : text.find('<', begin);
@@ -64,7 +65,8 @@ std::vector<Number> read_array(std::string_view text, const std::string& name) {
 Vector4 image_middle(const MarkedSolid& solid, std::span<const Vector4> points, std::size_t t) {
   const std::array<Vector4, 4> x = image(solid, points, t);
   const Vector4 sum = x[0] + x[1] + x[2] + x[3];
-  return geometry::on_hyperboloid(sum / std::sqrt(std::max(1.0, -geometry::lorentz_product(sum, sum))));
+  return geometry::on_hyperboloid(sum /
+                                  std::sqrt(std::max(1.0, -geometry::lorentz_product(sum, sum))));
 }
 
 }  // namespace
@@ -178,8 +180,8 @@ ColouredSolid read_coloured_solid(std::string_view vtu) {
     for (std::size_t v = 0; v < 4; ++v) {
       const std::int32_t corner = connectivity[4 * t + v];
       if (corner < 0 || static_cast<std::size_t>(corner) >= points)
-        throw InvalidInput(fmt::format("cell {} has the corner {}, and there are {} points", t,
-                                       corner, points));
+        throw InvalidInput(
+            fmt::format("cell {} has the corner {}, and there are {} points", t, corner, points));
       corners[v] = static_cast<std::uint32_t>(corner);
     }
     solid.mesh.tetrahedra.push_back(corners);

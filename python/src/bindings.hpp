@@ -22,7 +22,6 @@ void bind_metric(nb::module_& module);
 void bind_canonical(nb::module_& module);
 void bind_diagrams(nb::module_& module);
 void bind_files(nb::module_& module);
-void bind_parameterise(nb::module_& module);
 void bind_program(nb::module_& module);
 void bind_solve_many(nb::module_& module);
 void bind_studies(nb::module_& module);

@@ -15,6 +15,9 @@ namespace tripus::python {
 
 namespace nb = nanobind;
 
+/// Harmonic maps of solids; the other parts of the extension are in bindings.hpp.
+void bind_parameterise(nb::module_& module);
+
 using PointArray = nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 using IndexArray = nb::ndarray<const std::uint32_t, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 

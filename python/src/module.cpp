@@ -7,6 +7,7 @@
 #include "base/version.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
+#include "python/src/meshes.hpp"
 
 namespace tripus::python {
 namespace {

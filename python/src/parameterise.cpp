@@ -1,7 +1,7 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/string.h>
-#include <tripus/tripus.hpp>
 
+#include "manifold/parameterise.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/meshes.hpp"
@@ -87,20 +87,19 @@ void bind_parameterise(nb::module_& module) {
                                      const Limits& limits) {
     const std::string place = as_string(path);
     const auto options = options_of(uniform, method, tolerance, tetrahedra, seed);
-    return run(limits, [&](const Context& context) {
-      return parameterise_solid(place, options, context);
-    });
+    return run(limits,
+               [&](const Context& context) { return parameterise_solid(place, options, context); });
   });
-  module.def("parameterise_mesh",
-             [](const PointArray& points, const IndexArray& cells, bool uniform,
-                const std::string& method, double tolerance, std::size_t tetrahedra,
-                std::uint64_t seed, const Limits& limits) {
-               const meshing::MeshFile file = mesh_of(points, cells);
-               const auto options = options_of(uniform, method, tolerance, tetrahedra, seed);
-               return run(limits, [&](const Context& context) {
-                 return Parameterisation(file, "mesh", options, context);
-               });
-             });
+  module.def(
+      "parameterise_mesh",
+      [](const PointArray& points, const IndexArray& cells, bool uniform, const std::string& method,
+         double tolerance, std::size_t tetrahedra, std::uint64_t seed, const Limits& limits) {
+        const meshing::MeshFile file = mesh_of(points, cells);
+        const auto options = options_of(uniform, method, tolerance, tetrahedra, seed);
+        return run(limits, [&](const Context& context) {
+          return Parameterisation(file, "mesh", options, context);
+        });
+      });
 }
 
 }  // namespace tripus::python

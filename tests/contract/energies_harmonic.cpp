@@ -42,15 +42,14 @@ class HarmonicContract : public ::testing::Test {
     Sample s;
     s.isometries = {Matrix4::Identity(), isometry(0.5), isometry(0.5), isometry(1)};
     for (std::size_t v = 0; v < count; ++v) {
-      s.points.push_back(
-          geometry::on_hyperboloid(Vector4(normal(), normal(), normal(), 0)));
+      s.points.push_back(geometry::on_hyperboloid(Vector4(normal(), normal(), normal(), 0)));
       s.poles.push_back(v % 3 == 2 ? Vector4(isometry(0.5).col(2)) : Vector4(Vector4::Zero()));
     }
     for (std::uint32_t a = 0; a < count; ++a)
       for (std::uint32_t b = a + 1; b < count; ++b)
         if (b == a + 1 || random_() % 3 == 0)
-          s.edges.push_back({a, b, static_cast<std::uint32_t>(random_() % 4),
-                             0.1 + std::abs(normal())});
+          s.edges.push_back(
+              {a, b, static_cast<std::uint32_t>(random_() % 4), 0.1 + std::abs(normal())});
     return s;
   }
 
@@ -87,8 +86,8 @@ TEST_F(HarmonicContract, ValueIsTheSumOfTheSquaredDistances) {
     const std::vector<Vector4> f = energy.points(x);
     double sum = 0;
     for (const HarmonicEdge& e : s.edges) {
-      const double d = std::acosh(-geometry::lorentz_product(
-          f[e.a], Vector4(s.isometries[e.isometry] * f[e.b])));
+      const double d = std::acosh(
+          -geometry::lorentz_product(f[e.a], Vector4(s.isometries[e.isometry] * f[e.b])));
       sum += e.weight * d * d / 2;
     }
     EXPECT_NEAR(value, sum, 1e-9 * sum);

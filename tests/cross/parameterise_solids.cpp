@@ -29,8 +29,8 @@ meshing::MeshFile read_example(const std::string& name) {
 std::vector<double> edge_lengths(MarkedSolid& solid, const std::vector<Vector4>& points) {
   std::vector<double> lengths;
   for (const energies::HarmonicEdge& e : weighted_edges(solid, Weights::kUniform).edges)
-    lengths.push_back(geometry::hyperbolic_distance(
-        points[e.a], solid.group->matrix(e.isometry) * points[e.b]));
+    lengths.push_back(
+        geometry::hyperbolic_distance(points[e.a], solid.group->matrix(e.isometry) * points[e.b]));
   return lengths;
 }
 
@@ -73,8 +73,7 @@ TEST_P(Solids, HaveAMarkingAndAHarmonicMap) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Surfaces, Solids,
-                         ::testing::Values("knotted-y.off", "knotted-theta.off"),
+INSTANTIATE_TEST_SUITE_P(Surfaces, Solids, ::testing::Values("knotted-y.off", "knotted-theta.off"),
                          [](const auto& parameter) {
                            return std::string(parameter.param) == "knotted-y.off" ? "KnottedY"
                                                                                   : "KnottedTheta";
@@ -86,8 +85,8 @@ TEST(SignedVolume, IsThatOfTheFlatOneIfSmallAndChangesSign) {
   for (int n = 0; n < 50; ++n) {
     std::array<Vector4, 4> corners;
     for (Vector4& corner : corners)
-      corner = geometry::on_hyperboloid(
-          1e-3 * Vector4(normal(random), normal(random), normal(random), 0));
+      corner = geometry::on_hyperboloid(1e-3 *
+                                        Vector4(normal(random), normal(random), normal(random), 0));
     geometry::Vector3 edges[3];
     for (int k = 0; k < 3; ++k)
       edges[k] = (corners[static_cast<std::size_t>(k + 1)] - corners[0]).head<3>();
@@ -106,8 +105,8 @@ TEST(SignedVolume, IsAdditive) {
   for (int n = 0; n < 30; ++n) {
     std::array<Vector4, 4> corners;
     for (Vector4& corner : corners)
-      corner = geometry::on_hyperboloid(
-          (n % 2 == 0 ? 0.3 : 3.0) * Vector4(normal(random), normal(random), normal(random), 0));
+      corner = geometry::on_hyperboloid((n % 2 == 0 ? 0.3 : 3.0) *
+                                        Vector4(normal(random), normal(random), normal(random), 0));
     const Vector4 sum = 0.3 * corners[0] + 0.7 * corners[1];
     const Vector4 cut =
         geometry::on_hyperboloid(sum / std::sqrt(-geometry::lorentz_product(sum, sum)));

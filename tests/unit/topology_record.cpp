@@ -47,7 +47,9 @@ class Permutations final : public NumberedGroup {
     for (std::uint32_t k = 0; k < images.size(); ++k) images[elements_[element][k]] = k;
     return number(images);
   }
-  std::uint32_t image(std::uint32_t element, std::uint32_t k) const { return elements_[element][k]; }
+  std::uint32_t image(std::uint32_t element, std::uint32_t k) const {
+    return elements_[element][k];
+  }
   std::size_t degree() const { return elements_[0].size(); }
 
  private:
@@ -64,10 +66,9 @@ Gluings cover_of(const Gluings& base, const std::vector<std::uint32_t>& values,
     for (std::size_t t = 0; t < count; ++t)
       for (int f = 0; f < 4; ++f) {
         const std::uint32_t sheet = group.image(values[4 * t + static_cast<std::size_t>(f)], k);
-        cover.set_one_side(
-            k * count + t, f,
-            static_cast<TetrahedronIndex>(sheet * count + base.neighbour(t, f)),
-            base.gluing(t, f));
+        cover.set_one_side(k * count + t, f,
+                           static_cast<TetrahedronIndex>(sheet * count + base.neighbour(t, f)),
+                           base.gluing(t, f));
       }
   return cover;
 }
@@ -78,8 +79,8 @@ std::vector<Gluings> fine_tables() {
   unsigned n = 0;
   for (const auto& row : testing::compact_manifolds())
     if (n++ % 12 == 0)
-      tables.push_back(random_relabelling(
-          barycentric_subdivision(decode_isosig(row.at("isosig"))), n));
+      tables.push_back(
+          random_relabelling(barycentric_subdivision(decode_isosig(row.at("isosig"))), n));
   for (const char* signature : {"bkaaid", "cPcbbbiht", "eLPkbcddddjwgb", "cPcbbbdxm"})
     tables.push_back(barycentric_subdivision(decode_isosig(signature)));
   tables.push_back(cone_boundary(testing::cube_mesh(5, [](int x, int y, int z) {
@@ -123,7 +124,8 @@ TEST(SimplificationRecord, ReplaysForwardToTheResultAndBackToTheStart) {
     SimplificationRecord record;
     const Simplified result = simplify_recording(start, record, {.effort = kEffort});
     ASSERT_EQ(replayed(start, record), result.gluings);
-    ASSERT_EQ(result.gluings, simplify(start, {.effort = kEffort}).gluings) << "a record changes nothing";
+    ASSERT_EQ(result.gluings, simplify(start, {.effort = kEffort}).gluings)
+        << "a record changes nothing";
     Follow way;
     replay_backwards(start, record, way);
     ASSERT_EQ(way.table(start.tetrahedron_count()), start);

@@ -11,25 +11,26 @@
 #include "topology/moves/detail/kinds.hpp"
 #include "topology/moves/detail/surgery.hpp"
 
-// A step replaces the tetrahedra R of `before` by the tetrahedra D of `after`; all others, and their
-// frames, are in both. There is a map q from the space of `before` to that of `after` that is the
-// identity elsewhere and induces an isomorphism of fundamental groups (of the space without its
+// A step replaces the tetrahedra R of `before` by the tetrahedra D of `after`; all others, and
+// their frames, are in both. There is a map q from the space of `before` to that of `after` that is
+// the identity elsewhere and induces an isomorphism of fundamental groups (of the space without its
 // ideal vertices). A path of dual edges in `before` gets the value of its image.
 //
 // D is not empty: R and D are two triangulations of one ball. All of R gets the frame of the first
 // tetrahedron of D; inside there is nothing to say, and a face of R on the sphere has the value of
 // the same face of D, carried to the first one.
 //
-// D is empty: R is flattened. Each tetrahedron of R has two faces (a 2-0 at an edge: twice two) that
-// are laid upon those of others, in chains, until the ends of a chain, which are faces of tetrahedra
-// that stay, are glued together in `after`: the *merged face* of the chain. Of its two sides the
-// *near* one is that with the smaller number. What is flattened onto one merged face (collapse, 2-0
-// at a vertex) gets the frame of its near side. In a 2-0 at an edge the tetrahedra are flattened
-// onto two merged faces with a common edge, the hinge, and get the frame of the one; to the other
-// one goes around the hinge. In a collapse of ab two neighbours around ab share a face abc, which
-// becomes an edge of both of their merged faces: from one to the other one goes around that edge.
-// Either way around will do, as the connection is flat; both are tried at once, the shorter one
-// ends first, and the cost is that of relabelling the smaller of two classes in collapse.cpp.
+// D is empty: R is flattened. Each tetrahedron of R has two faces (a 2-0 at an edge: twice two)
+// that are laid upon those of others, in chains, until the ends of a chain, which are faces of
+// tetrahedra that stay, are glued together in `after`: the *merged face* of the chain. Of its two
+// sides the *near* one is that with the smaller number. What is flattened onto one merged face
+// (collapse, 2-0 at a vertex) gets the frame of its near side. In a 2-0 at an edge the tetrahedra
+// are flattened onto two merged faces with a common edge, the hinge, and get the frame of the one;
+// to the other one goes around the hinge. In a collapse of ab two neighbours around ab share a face
+// abc, which becomes an edge of both of their merged faces: from one to the other one goes around
+// that edge. Either way around will do, as the connection is flat; both are tried at once, the
+// shorter one ends first, and the cost is that of relabelling the smaller of two classes in
+// collapse.cpp.
 
 namespace tripus::topology {
 namespace {
@@ -71,15 +72,19 @@ class CarryBack final : public WayBack {
   };
 
   Value value(std::size_t t, int f) const { return c_.values[slot_of(t, f)]; }
-  Value times(Value a, Value b) {
-    return a == 0 ? b : b == 0 ? a : group_.product(a, b);
-  }
+  Value times(Value a, Value b) { return a == 0 ? b : b == 0 ? a : group_.product(a, b); }
   Value inverse(Value a) { return a == 0 ? 0 : group_.inverse(a); }
   /// Sets both sides of a face of `before`.
   void write(const Gluings& before, TetrahedronIndex t, int f, Value value) {
     written_.push_back({slot_of(t, f), value});
-    written_.push_back(
-        {slot_of(before.neighbour(t, f), before.gluing(t, f)(f)), inverse(value)});
+    written_.push_back({slot_of(before.neighbour(t, f), before.gluing(t, f)(f)), inverse(value)});
+  }
+
+  void settle(const Gluings& table, TetrahedronIndex t);
+  /// A value across a face of t, when t takes another frame.
+  Value changed(Value across, Value frame, bool is_loop) {
+    const Value from = times(inverse(frame), across);
+    return is_loop ? times(from, frame) : from;
   }
 
   void take_back_ball(const StepBack& step);
@@ -122,6 +127,8 @@ void CarryBack::renumbered(const Gluings& slots, std::span<const TetrahedronInde
   c_.values = std::move(values);
   c_.origins = std::move(origins);
   port_of_.assign(c_.values.size(), 0);
+  for (TetrahedronIndex t = 0; t < number.size(); ++t)
+    if (number[t] != kNoTetrahedron) settle(slots, t);
 }
 
 void CarryBack::step(const StepBack& step) {
@@ -135,6 +142,46 @@ void CarryBack::step(const StepBack& step) {
     take_back_ball(step);
   for (const auto& [slot, value] : written_) c_.values[slot] = value;
   for (const auto& [t, origin] : frames_) c_.origins[t] = origin;
+  for (const auto& [t, origin] : frames_) settle(step.before, t);
+}
+
+/// Gives t the frame of that neighbour which makes the sum of the sizes of its values least, if
+/// that is less than now.
+void CarryBack::settle(const Gluings& table, TetrahedronIndex t) {
+  double now = 0;
+  for (int f = 0; f < 4; ++f) now += group_.size(value(t, f));
+  int best = -1;
+  double least = now * (1 - 1e-9);
+  for (int g = 0; g < 4 && now > 0; ++g) {
+    const Value frame = value(t, g);
+    if (frame == 0 || table.neighbour(t, g) == t) continue;
+    double sum = 0;
+    for (int f = 0; f < 4 && sum < least; ++f) {
+      const Value across = value(t, f);
+      const bool is_loop = table.neighbour(t, f) == t;
+      // What cannot be held is not small.
+      if (!group_.can_hold_product(frame, across) ||
+          (is_loop && !group_.can_hold_product(frame, times(inverse(frame), across))))
+        sum = least;
+      else
+        sum += group_.size(changed(across, frame, is_loop));
+    }
+    if (sum >= least) continue;
+    least = sum;
+    best = g;
+  }
+  if (best < 0) return;
+  const Value frame = value(t, best);
+  c_.origins[t] = c_.origins[table.neighbour(t, best)];
+  std::array<Value, 4> values{};
+  for (int f = 0; f < 4; ++f)
+    values[static_cast<std::size_t>(f)] = changed(value(t, f), frame, table.neighbour(t, f) == t);
+  for (int f = 0; f < 4; ++f) {
+    const Value across = values[static_cast<std::size_t>(f)];
+    c_.values[slot_of(t, f)] = across;
+    if (table.neighbour(t, f) != t)
+      c_.values[slot_of(table.neighbour(t, f), table.gluing(t, f)(f))] = inverse(across);
+  }
 }
 
 /// The piece of `fresh` that has the face with these points, and which of its faces that is.
@@ -233,8 +280,7 @@ void CarryBack::find_near(const Gluings& before) {
     const Perm4 out = before.gluing(start.t, start.f);
     const auto [two, map] = chain_end(before, start.other, start.map(start.f), start.map);
     // Labels of the face at the end `one`, in terms of those of the end `two`.
-    const bool near_is_one =
-        std::pair(one, out(start.f)) < std::pair(two, map(start.f));
+    const bool near_is_one = std::pair(one, out(start.f)) < std::pair(two, map(start.f));
     const TetrahedronIndex near = near_is_one ? one : two;
     Perm4 labels = near_is_one ? out : map;  // of the tetrahedron that the walk is in
     Port* here = &start;
@@ -358,10 +404,9 @@ void CarryBack::take_back_pillow(const StepBack& step) {
   if (ports_.size() == 4) {
     // The hinge of the first tetrahedron lies opposite the edge around which the two are.
     const int a = ports_[0].f, b = ports_[2].f;
-    const auto [c, d] = kEdgeEnds[at(
-        5 - kEdgeNumber[at(a)][at(b)])];
-    const Value hinge = around(step.after, near_corner(ports_[0], c, d),
-                               near_corner(ports_[2], c, d));
+    const auto [c, d] = kEdgeEnds[at(5 - kEdgeNumber[at(a)][at(b)])];
+    const Value hinge =
+        around(step.after, near_corner(ports_[0], c, d), near_corner(ports_[2], c, d));
     ports_[2].to_frame = ports_[3].to_frame = hinge;
   }
   give_frame(one.t, ports_[0].near);

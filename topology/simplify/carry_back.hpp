@@ -17,12 +17,18 @@ class NumberedGroup {
   virtual ~NumberedGroup() = default;
   virtual std::uint32_t product(std::uint32_t first, std::uint32_t second) = 0;
   virtual std::uint32_t inverse(std::uint32_t element) = 0;
+  /// How far an element is from the identity, >= 0: frames are chosen so that this stays small.
+  virtual double size(std::uint32_t element) const { return element == 0 ? 0 : 1; }
+  /// Whether the product of two elements is sure to be one that the group can hold.
+  virtual bool can_hold_product(std::uint32_t /*first*/, std::uint32_t /*second*/) const {
+    return true;
+  }
 };
 
-/// A flat connection on the dual graph of a triangulation: every tetrahedron has a frame, and across
-/// face f of tetrahedron t the frame of the neighbour is `values[4 t + f]` times that of t, so that
-/// the value on the other side is the inverse, a path through tetrahedra has the product of its
-/// values from left to right, and the way around an edge has the identity.
+/// A flat connection on the dual graph of a triangulation: every tetrahedron has a frame, and
+/// across face f of tetrahedron t the frame of the neighbour is `values[4 t + f]` times that of t,
+/// so that the value on the other side is the inverse, a path through tetrahedra has the product of
+/// its values from left to right, and the way around an edge has the identity.
 struct FlatConnection {
   std::vector<std::uint32_t> values;  ///< [T x 4]
   /// [T] whose frame it is: a tetrahedron of the small triangulation, whose frame was copied from
@@ -32,7 +38,8 @@ struct FlatConnection {
 
 /// A flat connection on what `simplify` made of a table, on that table: the two are equal outside
 /// the ball in which a step happens, for every step of the record. Frames are copied and never made
-/// anew.
+/// anew; a tetrahedron that a step brings back takes the frame of a neighbour where that makes the
+/// values around it smaller.
 /// Source: docs/parameterise.md, "The connection".
 FlatConnection carried_back(const Gluings& start, const SimplificationRecord& record,
                             FlatConnection connection, NumberedGroup& group);

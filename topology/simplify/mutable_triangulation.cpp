@@ -51,8 +51,8 @@ void MutableTriangulation::set_side(TetrahedronIndex t, int f, TetrahedronIndex 
   record(Field::kSide, 4 * t + static_cast<std::uint32_t>(f), gluings_.neighbour(t, f),
          gluings_.gluing(t, f));
   if (log_ != nullptr)
-    log_->written.push_back({4 * t + static_cast<std::uint32_t>(f), gluings_.neighbour(t, f),
-                             gluings_.gluing(t, f)});
+    log_->written.push_back(
+        {4 * t + static_cast<std::uint32_t>(f), gluings_.neighbour(t, f), gluings_.gluing(t, f)});
   gluings_.set_one_side(t, f, other, p);
 }
 

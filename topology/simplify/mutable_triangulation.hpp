@@ -90,8 +90,8 @@ class MutableTriangulation {
   void keep_trial();
   void undo_trial();
 
-  /// From now on moves and collapses are recorded there, and those of undone trials forgotten; null:
-  /// nothing is. Not with kept edges, which a replay does not know.
+  /// From now on moves and collapses are recorded there, and those of undone trials forgotten;
+  /// null: nothing is. Not with kept edges, which a replay does not know.
   void record_steps(SimplificationRecord* steps) { steps_ = steps; }
   /// From now on all that is written to sides is logged there, undone trials included.
   void log_sides(SideLog* log) { log_ = log; }

@@ -13,9 +13,9 @@ constexpr unsigned kCollapse = 15;
 
 void make_step(MutableTriangulation& m, EdgeCollapse& collapse, const SimplificationStep& step) {
   const auto [is_collapse, move] = step;
-  const bool made =
-      is_collapse ? collapse.try_apply(move.tetrahedron, move.place) == CollapseRefusal::kNone
-                  : m.try_apply(move);
+  const bool made = is_collapse
+                        ? collapse.try_apply(move.tetrahedron, move.place) == CollapseRefusal::kNone
+                        : m.try_apply(move);
   if (!made)
     throw InvalidInput("the record of a simplification does not belong to this table: no " +
                        (is_collapse ? "collapse of edge " + std::to_string(move.place) +

@@ -16,8 +16,8 @@ struct SimplificationStep {
   Move move;  ///< a collapse: at edge `place` of `tetrahedron`; `kind` and `choice` mean nothing
 };
 
-/// What `simplify_recording` did, step by step: five bytes a step. With the table that it began with, that is
-/// enough to make every step again, and to take them back one after another.
+/// What `simplify_recording` did, step by step: five bytes a step. With the table that it began
+/// with, that is enough to make every step again, and to take them back one after another.
 class SimplificationRecord {
  public:
   std::size_t size() const { return places_.size(); }

@@ -19,6 +19,7 @@
 #include "manifold/load_diagram.hpp"
 #include "manifold/prepared.hpp"
 #include "meshing/formats/foreign_meshes.hpp"
+#include "meshing/formats/read_graph.hpp"
 #include "meshing/manifold.hpp"
 #include "topology/diagrams/read_diagram.hpp"
 #include "topology/diagrams/small_exterior.hpp"
@@ -140,10 +141,10 @@ std::vector<topology::NamedGluings> read_all_of(const std::string& text, const C
     all.push_back(std::move(each));
     return all;
   };
+  refuse_foreign_mesh(text);
   if (topology::looks_like_diagram(text))
     return one(exterior_of(topology::read_diagram(text), context));
   const topology::TextFormat format = topology::detect_format(text);
-  refuse_foreign_mesh(text);
   if (format == topology::TextFormat::kJson && is_drawing(text)) refuse_drawing();
   if (format == topology::TextFormat::kUnknown || format == topology::TextFormat::kIsosig) {
     const auto lines = topology::read_batch(text);
@@ -180,6 +181,8 @@ std::string source_of(const std::string& input) {
 
 std::optional<meshing::MeshFile> read_as_mesh(const std::string& content,
                                               const std::string& input) {
+  if (!topology::looks_like_diagram(content) && meshing::is_drawn_graph(content))
+    blame(source_of(input), refuse_drawing);
   if (!meshing::detect_mesh_format(content, input)) return std::nullopt;
   return blame(source_of(input), [&] { return meshing::read_mesh(content, input, read_file); });
 }

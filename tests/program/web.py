@@ -29,6 +29,9 @@ class Pictures(ProgramTest):
             "upper": "size=200x150&model=upper&cells=12&yaw=2&pitch=0.6",
             "many": "size=40x30&model=ball&cells=300",
             "dragged": "size=40x30&model=ball&drag=30:15",
+            "klein": "size=200x150&model=klein&cells=20",
+            "reference": "size=200x150&model=ball&cells=20&renderer=cells",
+            "paced": "size=400x300&model=ball&motion=4&paces=300:20,40:20,5:60",
             "nearer": "size=40x30&model=ball&keys=%2B:1",
             "centre": "size=200x150&view=inside&tube=0.05",
             "wall": "size=200x150&view=inside&tube=0.05&place=wall",
@@ -105,6 +108,30 @@ class Pictures(ProgramTest):
         self.assertGreater(len(set(self.check_outside(TRIPUS, "ball", 0.2, 0.6))), 15)
         self.check_outside(TRIPUS, "upper", 0.05, 0.6)
         self.check_outside(ASYMMETRIC, "one", 0.02, 0.6)
+        self.check_outside(TRIPUS, "klein", 0.2, 0.7)
+
+    def test_faces_and_whole_cells_make_the_same_picture(self):
+        faces, cells = self.pictures["ball"], self.pictures["reference"]
+        different = alone = 0
+        for y in range(1, faces.height - 1):
+            for x in range(1, faces.width - 1):
+                around = {faces.at(faces.identities, x + dx, y + dy)
+                          for dx in (-1, 0, 1) for dy in (-1, 0, 1)}
+                if len(around) > 1:
+                    continue
+                alone += 1
+                different += faces.at(faces.identities, x, y) != cells.at(cells.identities, x, y)
+        self.assertGreater(alone, faces.width * faces.height / 3)
+        self.assertLessEqual(1000 * different, alone)
+
+    def test_get_coarser_while_they_move_slowly(self):
+        facts = self.facts("paced")
+        self.assertEqual(len(facts["motion"]), 4)
+        self.assertEqual(facts["motion"][0]["quality"], 1)
+        coarse, steady, fine = facts["paces"]
+        self.assertEqual(coarse, 0.15)  # the coarsest, and no coarser
+        self.assertEqual(steady, coarse)
+        self.assertEqual(fine, 1)
 
     def check_inside(self, signature, name):
         picture = self.pictures[name]

@@ -61,6 +61,23 @@ function dump(page) {
       page.graphics.finish();
     }
     out.milliseconds = frames ? (performance.now() - begin) / frames : null;
+    // motion=10: what the share of pixels across becomes in so many frames while the camera turns;
+    // paces=200:10,5:10: what it would become in frames that take so many milliseconds, so many times.
+    out.motion = [];
+    for (let i = 0; i < Number(page.wishes.get('motion') ?? 0); ++i) {
+      const start = performance.now();
+      page.orbit.turn(0.02, 0);
+      page.draw(page.quality);
+      page.graphics.finish();
+      const milliseconds = performance.now() - start;
+      out.motion.push({quality: page.quality, milliseconds});
+      page.quality = nextQuality(page.quality, milliseconds);
+    }
+    out.paces = (page.wishes.get('paces') ?? '').split(',').filter(Boolean).map((pace) => {
+      const [milliseconds, times] = pace.split(':').map(Number);
+      for (let i = 0; i < times; ++i) page.quality = nextQuality(page.quality, milliseconds);
+      return page.quality;
+    });
     out.cells = page.views.outside.cover.cells.slice(0, page.state.cells)
         .map((cell) => ({...cell, centre: Lorentz.column(cell.isometry, 3)}));
     out.error = page.graphics?.gl.getError() ?? 0;

@@ -1,4 +1,17 @@
 // The page: its state, what draws it, and when.
+
+/// While things move, frames are drawn so coarsely that they take about so long, in milliseconds, but
+/// not with fewer than this share of the pixels across.
+const kMovingFrame = 40, kCoarsest = 0.15;
+
+/// How coarse the next frame should be, when one of `quality` took so long: pixels cost time in
+/// proportion to their number.
+function nextQuality(quality, milliseconds) {
+  const wanted = quality * Math.sqrt(kMovingFrame / Math.max(milliseconds, 1));
+  const slowly = Math.min(1.06 * quality, Math.max(0.4 * quality, wanted));
+  return Math.min(1, Math.max(kCoarsest, slowly));
+}
+
 class Page {
   /// `fragment`: what the address of the page wishes for, such as view=inside&place=wall.
   constructor(fragment) {
@@ -34,7 +47,8 @@ class Page {
     this.problem = '';
     this.quality = 1;
     this.waiting = false;
-    this.last = 0;
+    this.last = this.done = 0;
+    this.rested = true;
     this.fineTimer = 0;
   }
 
@@ -118,6 +132,7 @@ class Page {
   redraw() {
     if (this.waiting || !this.graphics || this.wishes.has('dump')) return;
     this.waiting = true;
+    this.rested = performance.now() - this.done > 60;
     requestAnimationFrame((now) => this.frame(now));
   }
 
@@ -128,14 +143,12 @@ class Page {
     const passed = now - this.last;
     this.last = now;
     const moving = this.controls.advance(Math.min(passed, 100) / 1000);
-    if (passed < 400) {
-      if (passed > 45) this.quality = Math.max(0.3, this.quality * 0.85);
-      if (passed < 20) this.quality = Math.min(1, this.quality * 1.02);
-    }
+    if (!this.rested) this.quality = nextQuality(this.quality, passed);
     this.draw(this.quality);
     clearTimeout(this.fineTimer);
     if (moving) this.redraw();
     else this.fineTimer = setTimeout(() => this.graphics && this.fine(), 160);
+    this.done = performance.now();
   }
 
   /// The resting picture: four samples a pixel, unless that would take this machine too long.

@@ -104,6 +104,8 @@ std::optional<topology::NamedGluings> read_word(const std::string& text, const C
   if (auto named = find_in_census(text)) return named;
   if (auto named = find_in_tables(text, context)) return named;
   if (topology::looks_like_diagram(text)) return exterior_of(topology::read_diagram(text), context);
+  if (topology::find_diagram_or_mirror(text + ")"))
+    throw InvalidInput("the bracket in " + quoted(text) + " is not closed; add ) at the end");
   if (topology::is_diagram_name(text)) refuse_unknown_name(text);
   if (topology::looks_like_signature(text)) return read_signature(text);
   if (const auto foreign = topology::foreign_name(text)) throw InvalidInput(*foreign);

@@ -60,8 +60,9 @@ class Page {
     this.resetView();
     for (const name of ['yaw', 'pitch', 'distance'])
       this.orbit[name] = this.number(name, this.orbit[name], -100, 100);
+    this.restore();
     connectPanel(this.state, (name) => this.changed(name));
-    for (const id of ['reset', 'save']) element(id).addEventListener('click', () => this.act(id));
+    for (const id of ['reset', 'save', 'link']) element(id).addEventListener('click', () => this.act(id));
     this.controls = new Controls(this.canvas, this);
     this.hover = new Hover(this);
     this.canvas.addEventListener('webglcontextlost', (e) => {
@@ -111,10 +112,58 @@ class Page {
 
   act(name) {
     if (name === 'change view') this.state.view = this.state.view === 'inside' ? 'outside' : 'inside';
+    const after = (choices, one) => choices[(choices.indexOf(one) + 1) % choices.length];
+    if (name === 'change model') {
+      this.state.model = after(['ball', 'upper', 'klein'], this.state.model);
+      this.orbit.reset(this.state.model);
+    }
+    if (name === 'change colour')
+      this.state.colour = after(['tetrahedron', 'depth', 'face'], this.state.colour);
+    if (name === 'link') this.link();
     if (name === 'reset') this.resetView();
     if (name === 'save') this.savePicture();
     if (name === 'help') element('help-text').showModal();
     this.redraw();
+  }
+
+  /// What link() wrote of the cameras, beside what the constructor has read.
+  restore() {
+    const numbers = (name, count) => {
+      const list = (this.wishes.get(name) ?? '').split(',').map(Number);
+      return list.length === count && list.every((x) => Math.abs(x) < 1e6) ? list : null;
+    };
+    this.orbit.target = numbers('target', 3) ?? this.orbit.target;
+    const frame = numbers('frame', 16), t = Number(this.wishes.get('tetrahedron') ?? -1);
+    if (!frame || !this.manifold.tetrahedra[t]) return;
+    const stands = Lorentz.orthonormalise(frame), place = Lorentz.column(stands, 3);
+    const {faces, vertices} = this.manifold.tetrahedra[t];
+    if (![...faces, ...vertices].every((n) => Lorentz.dot(n, place) <= 1e-6)) return;
+    [this.walker.tetrahedron, this.walker.frame] = [t, stands];
+  }
+
+  /// The fragment of the address that shows this very view.
+  fragment() {
+    const {state, orbit, walker} = this;
+    const wishes = new URLSearchParams({theme: state.themeName});
+    for (const name of ['view', 'model', 'cells', 'explode', 'colour', 'wall', 'tube', 'sight'])
+      wishes.set(name, state[name]);
+    for (const name of ['mirror', 'lines', 'discs']) wishes.set(name, state[name] ? '1' : '0');
+    const short = (x) => Number(x.toPrecision(10));
+    if (state.view === 'outside') {
+      for (const name of ['yaw', 'pitch', 'distance']) wishes.set(name, short(orbit[name]));
+      wishes.set('target', orbit.target.map(short).join(','));
+    } else {
+      wishes.set('tetrahedron', walker.tetrahedron);
+      wishes.set('frame', walker.frame.map(short).join(','));
+    }
+    return wishes.toString().replaceAll('%2C', ',');
+  }
+
+  /// Makes the address of the page that of this view, and copies it where the browser lets us.
+  link() {
+    history.replaceState(null, '', '#' + this.fragment());
+    navigator.clipboard?.writeText(location.href).catch(() => {});
+    this.hover.show('the address of this page is now that of this view');
   }
 
   savePicture() {

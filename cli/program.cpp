@@ -20,6 +20,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "cli/solid_commands.hpp"
 #include "cli/streams.hpp"
 #include "manifold/json_text.hpp"
 
@@ -102,6 +103,7 @@ void add_verbs(CLI::App& program, Command& command) {
   add_embed(program, command);
   add_orthospectrum(program, command);
   add_view(program, command);
+  add_parameterise(program, command);
   add_tube(program, command);
   add_draw(program, command);
   add_table(program, command);

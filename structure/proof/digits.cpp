@@ -246,6 +246,8 @@ Digits prove_digits(const Triangulation& triangulation, const Proof& proof, int 
   DigitsRun run{triangulation, proof, context};
   if (!proof.proved || proof.claim != Proof::Claim::kMetric) {
     run.result.reason = proof.proved ? "there is no metric" : proof.reason;
+  } else if (run.metric.has_finite_vertex()) {
+    run.result.reason = "many digits are not for triangulations with finite vertices";
   } else if (triangulation.edge_count() > kMostEdgesForDigits) {
     run.result.reason = fmt::format("many digits are for up to {} edge classes; here are {}",
                                     kMostEdgesForDigits, triangulation.edge_count());

@@ -1,5 +1,5 @@
-// Frame times of the desktop viewer, at one sample a pixel as in its window: image-based CSG
-// against the baseline, hollow cells by discarded pixels. Drawn by whatever EGL finds: label.
+// Frame times of the desktop viewer, at one sample a pixel as in its window: visible faces alone
+// against the baseline, image-based CSG. Drawn by whatever EGL finds.
 #include <stdexcept>
 
 #include <benchmark/benchmark.h>
@@ -24,13 +24,13 @@ viewer::Scene scene_of(std::size_t cells, viewer::Model model) {
                             viewer::default_frame(model, embedding));
 }
 
-void frame(benchmark::State& state, viewer::Model model, viewer::Drawing drawing) {
+void frame(benchmark::State& state, viewer::Model model, viewer::RendererKind renderer_kind) {
   const auto cells = static_cast<std::size_t>(state.range(0));
   const viewer::Scene scene = scene_of(cells, model);
   viewer::OffscreenRenderer renderer;
   viewer::PictureOptions options;
   options.model = model;
-  options.drawing = drawing;
+  options.renderer = renderer_kind;
   options.samples = 1;
   // The first picture makes the meshes and compiles the shaders; it must not be blank.
   const viewer::Image first = renderer.draw(scene, options, 800, 600, viewer::Pixels::kIdentities);
@@ -46,20 +46,17 @@ void frame(benchmark::State& state, viewer::Model model, viewer::Drawing drawing
 }
 
 void register_all() {
-  using viewer::Drawing;
   using viewer::Model;
-  for (const Model model : {Model::kUpperHalfSpace, Model::kPoincareBall}) {
-    for (const Drawing drawing : {Drawing::kSolid, Drawing::kHollow}) {
+  using viewer::RendererKind;
+  for (const RendererKind kind : {RendererKind::kFaces, RendererKind::kOpenCsg}) {
+    const bool faces = kind == RendererKind::kFaces;
+    for (const Model model : {Model::kUpperHalfSpace, Model::kPoincareBall, Model::kKleinBall}) {
       const std::string name = "frame_800x600/" + std::string(geometry::to_string(model)) +
-                               (drawing == Drawing::kSolid ? "/opencsg" : "/hollow");
-      benchmark::RegisterBenchmark(name.c_str(), frame, model, drawing)
-          ->Arg(1)
-          ->Arg(2)
-          ->Arg(20)
-          ->Arg(100)
-          ->Arg(500)
-          ->Unit(benchmark::kMillisecond)
-          ->MeasureProcessCPUTime();
+                               (faces ? "/faces" : "/opencsg");
+      auto* all = benchmark::RegisterBenchmark(name.c_str(), frame, model, kind);
+      for (const int cells : {1, 20, 100, 500}) all->Arg(cells);
+      if (faces) all->Arg(2000)->Arg(20000);
+      all->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
     }
   }
 }

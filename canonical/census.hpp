@@ -84,14 +84,17 @@ std::string to_journal(const CensusLine& line);
 std::optional<CensusLine> parse_journal_line(std::string_view text);
 
 /// The table: a comment with the counts, a header line, one manifold a line; then a comment for
-/// each unresolved triangulation, "# unresolved cPcbbbihq", and one with a checksum for each line.
+/// each unresolved triangulation, "# unresolved cPcbbbihq", with a surface behind it where the
+/// triangulation shows one that no hyperbolic manifold has (structure::closed_bigon), and one with
+/// a checksum for each line.
 std::string to_tsv(const Census& census);
 /// Line ends may be those of any system, and a table made by hand needs no comments. Throws
 /// InvalidInput, naming the line; also for a line or a count that is not as the comments say.
 Census parse_tsv(std::string_view text);
 
 /// A SQLite database with the tables manifold, triangulation, unresolved and about (the version,
-/// and the checksums of the lines). Both throw InvalidInput with the name of the file and the
+/// and the checksums of the lines), and the view hyperbolicity: yes by a metric, no by a surface,
+/// or not decided. Both throw InvalidInput with the name of the file and the
 /// library's reason, and IoError for what the system has failed in.
 void write_database(const Census& census, const std::string& path);
 Census read_database(const std::string& path);

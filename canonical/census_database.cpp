@@ -20,7 +20,10 @@ CREATE TABLE manifold (
   reversing INTEGER NOT NULL, signature TEXT NOT NULL UNIQUE);
 CREATE TABLE triangulation (
   isosig TEXT PRIMARY KEY, manifold TEXT NOT NULL REFERENCES manifold (name));
-CREATE TABLE unresolved (isosig TEXT PRIMARY KEY);
+CREATE TABLE unresolved (isosig TEXT PRIMARY KEY, surface TEXT);
+CREATE VIEW hyperbolicity AS
+  SELECT isosig, 'yes' AS hyperbolic, 'metric' AS because FROM triangulation UNION ALL
+  SELECT isosig, CASE WHEN surface IS NULL THEN NULL ELSE 'no' END, surface FROM unresolved;
 CREATE TABLE about (key TEXT PRIMARY KEY, value TEXT NOT NULL);
 CREATE INDEX manifold_by_volume ON manifold (volume);
 CREATE INDEX triangulation_by_manifold ON triangulation (manifold);
@@ -104,14 +107,15 @@ class Statement {
 void fill(Database& database, const Census& census) {
   Statement manifold(database, "INSERT INTO manifold VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
   Statement triangulation(database, "INSERT INTO triangulation VALUES (?, ?)");
-  Statement unresolved(database, "INSERT INTO unresolved VALUES (?)");
+  Statement unresolved(database, "INSERT INTO unresolved VALUES (?, nullif(?, ''))");
   for (const CensusEntry& e : census.manifolds) {
     manifold.bind(e.name).bind(e.tetrahedra).bind(e.boundary).bind(e.volume).bind(e.homology);
     manifold.bind(e.cells).bind(e.keeping).bind(e.reversing).bind(e.signature).insert();
     for (const std::string& isosig : e.triangulations)
       triangulation.bind(isosig).bind(e.name).insert();
   }
-  for (const std::string& isosig : census.unresolved) unresolved.bind(isosig).insert();
+  for (const std::string& isosig : census.unresolved)
+    unresolved.bind(isosig).bind(detail::surface_in(isosig)).insert();
   Statement about(database, "INSERT INTO about VALUES (?, ?)");
   about.bind("version").bind(std::string("tripus ") + kVersion).insert();
   const auto lines = detail::census_lines(census, detail::VolumeDigits::kAll);

@@ -11,6 +11,8 @@
 #include "base/error.hpp"
 #include "canonical/census.hpp"
 #include "canonical/detail/census_lines.hpp"
+#include "structure/closed_bigon.hpp"
+#include "topology/isosig.hpp"
 
 namespace tripus::canonical {
 namespace {
@@ -21,6 +23,8 @@ constexpr std::string_view kColumns =
 
 /// What a line of an unresolved triangulation begins with: a comment for other programs.
 constexpr std::string_view kUnresolved = "# unresolved ";
+/// What stands behind it where a surface is known that no hyperbolic manifold has.
+constexpr std::string_view kNotHyperbolic = "\tnot hyperbolic: ";
 
 /// The same of the line with the checksums of all others, in their order.
 constexpr std::string_view kChecksums = "# checksums of the lines: ";
@@ -117,6 +121,16 @@ std::vector<std::string> census_lines(const Census& census, VolumeDigits digits)
   return lines;
 }
 
+std::string surface_in(const std::string& isosig) {
+  try {
+    const auto bigon =
+        structure::closed_bigon(topology::Triangulation(topology::decode_isosig(isosig)));
+    if (bigon && bigon->decides()) return std::string(to_string(bigon->consequence));
+  } catch (const InvalidInput&) {  // a census of another program's, or made by hand
+  }
+  return {};
+}
+
 std::string checksums_of(const std::vector<std::string>& lines) {
   std::string text;
   for (const std::string& line : lines) text += (text.empty() ? "" : " ") + line_checksum(line);
@@ -196,7 +210,10 @@ struct Claims {
 }  // namespace
 
 std::string to_tsv(const Census& census) {
-  const auto lines = detail::census_lines(census, detail::VolumeDigits::kShown);
+  auto lines = detail::census_lines(census, detail::VolumeDigits::kShown);
+  for (std::size_t k = 0; k < census.unresolved.size(); ++k)
+    if (const std::string surface = detail::surface_in(census.unresolved[k]); !surface.empty())
+      lines[census.manifolds.size() + k] += std::string(kNotHyperbolic) + surface;
   std::string text = fmt::format("{}{}\n{}\n", kTitle, counts_of(census), kColumns);
   for (const std::string& line : lines) text += line + '\n';
   return text + fmt::format("{}{}\n", kChecksums, detail::checksums_of(lines));
@@ -217,7 +234,8 @@ Census parse_tsv(std::string_view text) {
     if (line.starts_with(kTitle)) claims.counts = line.substr(kTitle.size());
     if (line.starts_with(kChecksums)) claims.checksums = line.substr(kChecksums.size());
     if (line.starts_with(kUnresolved)) {
-      census.unresolved.emplace_back(line.substr(kUnresolved.size()));
+      const std::string_view signature = line.substr(kUnresolved.size());
+      census.unresolved.emplace_back(signature.substr(0, signature.find('\t')));
       found(line);
     }
     if (line.empty() || line.front() == '#') continue;

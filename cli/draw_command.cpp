@@ -30,7 +30,7 @@ constexpr const char* kDrawHelp =
 struct DrawCommand {
   std::string diagram, output = "-";
   double size = 320;
-  bool polylines = false, black = false, text = false;
+  bool polylines = false, black = false, text = false, arcs = false;
 };
 
 int run(const DrawCommand& command) {
@@ -49,6 +49,7 @@ int run(const DrawCommand& command) {
   options.size = command.size;
   options.title = loaded.name;
   options.colours = !command.black;
+  options.arcs = command.arcs;
   const std::string content = command.text        ? topology::pd_text(loaded) + "\n"
                               : command.polylines ? drawing::to_polylines(loaded.diagram)
                                                   : drawing::to_svg(loaded.diagram, options);
@@ -75,10 +76,15 @@ void add_draw(CLI::App& program, Command& chosen) {
       ->option_text("X")
       ->check(positive_number());
   verb->add_flag("--black", command->black, "all strands black");
+  auto* arcs =
+      verb->add_flag("--arcs", command->arcs,
+                     "with the numbers of the arcs, as --pd and Cone[ARC,ORDER] name them");
   auto* polylines = verb->add_flag("--polylines", command->polylines,
-                                   "not a picture but the drawing in space, for `tripus tube`");
+                                   "not a picture but the drawing in space, for `tripus tube`")
+                        ->excludes(arcs);
   verb->add_flag("--pd", command->text, "not a picture but the diagram as PD text")
-      ->excludes(polylines);
+      ->excludes(polylines)
+      ->excludes(arcs);
   verb->footer(kDrawHelp);
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }

@@ -1,11 +1,17 @@
 // tripus hyperbolic: hyperbolic or not, about the manifold. The Python package decides, with Regina
 // for normal surfaces: this verb hands the command line over to it, or says how to install it.
+#include <array>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "base/error.hpp"
@@ -18,7 +24,7 @@ namespace tripus::cli {
 namespace {
 
 struct HyperbolicCommandOptions {
-  std::string input, batch, check;
+  std::string input, batch, check, resume;
   double time_limit = 0;
   bool json = false;
   bool no_surfaces = false;
@@ -41,14 +47,49 @@ except ImportError as error:
 sys.exit(main(sys.argv[1:]))
 )py";
 
-std::vector<std::string> arguments_for_python(const HyperbolicCommandOptions& command) {
+/// A status with which other programs do not end.
+constexpr int kIsPython = 77;
+
+/// The Python that TRIPUS_PYTHON names; empty if it names none.
+std::string chosen_python() {
   const char* chosen = std::getenv("TRIPUS_PYTHON");
-  const bool is_chosen = chosen != nullptr && *chosen != '\0';
-  std::vector<std::string> arguments{is_chosen ? chosen : "python3", "-c", kProgram};
+  return chosen == nullptr ? "" : chosen;
+}
+
+/// What ends at once, such as /bin/false, would leave no word of what is wrong.
+/// Throws IoError, naming TRIPUS_PYTHON.
+void require_python(const std::string& program) {
+  std::array<std::string, 3> arguments{program, "-c",
+                                       fmt::format("raise SystemExit({})", kIsPython)};
+  std::array<char*, 4> pointers{arguments[0].data(), arguments[1].data(), arguments[2].data()};
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  for (const int stream : {0, 1, 2})
+    posix_spawn_file_actions_addopen(&files, stream, "/dev/null", O_RDWR, 0);
+  pid_t process = 0;
+  const int failure =
+      posix_spawnp(&process, pointers[0], &files, nullptr, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  int status = 0;
+  while (failure == 0 && waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (failure == 0 && WIFEXITED(status) && WEXITSTATUS(status) == kIsPython) return;
+  throw IoError(
+      fmt::format("TRIPUS_PYTHON={} {}: name a Python 3.11 or newer that has tripus "
+                  "(pip install 'tripus[regina]'), or unset it for python3",
+                  tripus::quoted(program),
+                  failure != 0 ? fmt::format("cannot be started ({})", std::strerror(failure))
+                               : "is no Python"));
+}
+
+std::vector<std::string> arguments_for_python(const HyperbolicCommandOptions& command) {
+  const std::string chosen = chosen_python();
+  std::vector<std::string> arguments{chosen.empty() ? "python3" : chosen, "-c", kProgram};
   const auto add = [&](const std::string& name, const std::string& value) {
     if (!value.empty()) arguments.push_back(name + "=" + value);
   };
   add("--batch", command.batch);
+  add("--resume", command.resume);
   add("--check", command.check);
   if (command.time_limit > 0) add("--time-limit", fmt::format("{}", command.time_limit));
   if (command.json) arguments.emplace_back("--json");
@@ -61,6 +102,7 @@ std::vector<std::string> arguments_for_python(const HyperbolicCommandOptions& co
 }
 
 int run(const HyperbolicCommandOptions& command) {
+  if (const std::string chosen = chosen_python(); !chosen.empty()) require_python(chosen);
   std::vector<std::string> arguments = arguments_for_python(command);
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
@@ -90,10 +132,17 @@ void add_hyperbolic(CLI::App& program, Command& chosen) {
                        "check the certificate in an answer of --json, with INPUT that it\n"
                        "is about this manifold")
           ->option_text("FILE");
-  verb->add_option("--batch", command->batch, "one INPUT a line, one answer for each")
+  auto* batch = verb->add_option("--batch", command->batch, "one INPUT a line, one answer for each")
+                    ->option_text("FILE")
+                    ->excludes(check);
+  auto* json =
+      verb->add_flag("--json", command->json, "one JSON object an INPUT")->option_text(" ");
+  verb->add_option("--resume", command->resume,
+                   "with --batch and --json: write to this file, after the answers\n"
+                   "that an interrupted run has left there")
       ->option_text("FILE")
-      ->excludes(check);
-  verb->add_flag("--json", command->json, "one JSON object an INPUT")->option_text(" ");
+      ->needs(batch)
+      ->needs(json);
   verb->add_flag("--no-surfaces", command->no_surfaces, "the quick tests only, without Regina")
       ->option_text(" ");
   verb->footer(

@@ -33,6 +33,7 @@ void tame_libraries() {
 #endif
   ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   if (std::getenv("OPENBLAS_NUM_THREADS") != nullptr) return;
+  ::setenv("OPENBLAS_NUM_THREADS", "1", 1);  // where it is loaded later, and where it is already:
   using SetThreads = void (*)(int);
   if (void* found = ::dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))
     reinterpret_cast<SetThreads>(found)(1);

@@ -34,6 +34,7 @@ struct ViewCommand {
   std::string model = "ball";
   MetricSearch search;
   std::string colour_by = "tetrahedron";
+  std::string renderer = "faces";
   std::optional<double> cut_away;
   std::string discs;  ///< as typed; empty: not, or without a length
   DiscRequest disc_request;
@@ -98,6 +99,7 @@ void name_choices(ViewCommand& command) {
   if (command.model == "klein") picture.model = Model::kKleinBall;
   if (command.colour_by == "face") picture.colour_by = ColourBy::kFace;
   if (command.colour_by == "depth") picture.colour_by = ColourBy::kDepth;
+  if (command.renderer == "opencsg") picture.renderer = viewer::RendererKind::kOpenCsg;
 }
 
 /// The metric of an INPUT, ready to be developed.
@@ -234,6 +236,11 @@ void add_picture_options(CLI::App& verb, ViewCommand& command) {
   verb.add_option("--cut-away", command.cut_away,
                   "cut the cells at the plane x = X of the model, and leave out\nwhat lies beyond")
       ->option_text("X");
+  verb.add_option("--renderer", command.renderer,
+                  "of pictures and windows: faces (default), or opencsg: the image-based\n"
+                  "CSG of the founding paper, a reference that needs seconds")
+      ->option_text("NAME")
+      ->check(CLI::IsMember({"faces", "opencsg"}));
   verb.add_option("--camera", command.camera,
                   "azimuth and elevation in degrees, distance in radii of the scene\n"
                   "(default: 30,20,4.2)")

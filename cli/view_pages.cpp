@@ -238,10 +238,6 @@ void check_pages(const PageRequest& request) {
     throw InvalidInput(fmt::format("--cells {}: a page shows at most {} cells", request.cells,
                                    viewer::kMostPageCells));
   }
-  if (request.model == "klein") {
-    throw InvalidInput(
-        "--model klein: a page shows the models ball and upper; --png draws the Klein ball");
-  }
 }
 
 Outcome write_page(const Subject& subject, const structure::Report& report,

@@ -52,10 +52,15 @@ class StrandPath {
   const Disc& node_disc(Dart d) const { return layout_->nodes[diagram_->node(d)]; }
   Point rim(Dart d) const { return contact(node_disc(d), layout_->arcs[d].front()); }
 
+  /// Between the rim and a vertex; at one of degree 2, half of the way through, without a corner.
   void spoke(DrawnStrand& drawn, Dart d, bool inwards) const {
-    const Point centre = node_disc(d).centre;
-    drawn.pieces.push_back(
-        {inwards ? Curve{rim(d), centre, {}, 0} : Curve{centre, rim(d), {}, 0}, Level::kPlane, 0});
+    Curve curve{rim(d), node_disc(d).centre, {}, 0};
+    if (diagram_->degree(diagram_->node(d)) == 2) {
+      curve = across(node_disc(d), rim(d), rim(diagram_->next(d)));
+      curve.to = curve.at(0.5);
+    }
+    if (!inwards) std::swap(curve.from, curve.to);
+    drawn.pieces.push_back({curve, Level::kPlane, 0});
   }
   void through(DrawnStrand& drawn, Dart in) const {
     const Level level = diagram_->is_under(in) ? Level::kUnder : Level::kOver;
@@ -76,6 +81,19 @@ class StrandPath {
   const Diagram* diagram_;
   const CircleLayout* layout_;
 };
+
+/// Beside the curve through the arc's first disc. A curve that bends has more room outside.
+ArcLabel label_of(const Diagram& diagram, const CircleLayout& layout, Dart d) {
+  const std::vector<Disc>& discs = layout.arcs[d];
+  const Disc& disc = discs.front();
+  const Point from = contact(layout.nodes[diagram.node(d)], disc);
+  const Point to =
+      contact(disc, discs.size() > 1 ? discs[1] : layout.nodes[diagram.node(diagram.mate(d))]);
+  const Curve curve = across(disc, from, to);
+  const Point middle = curve.at(0.5);
+  const Point away = curve.radius == 0 ? Point(0, 1) * (to - from) : middle - curve.centre;
+  return {diagram.arc(d), middle, unit(away), disc.radius};
+}
 
 }  // namespace
 
@@ -100,6 +118,8 @@ Drawing draw(const Diagram& diagram) {
   for (std::size_t n = 0; n < diagram.node_count(); ++n)
     if (!diagram.is_crossing(n) && diagram.degree(n) != 2)
       drawing.vertices.push_back(layout.nodes[n].centre);
+  for (Dart d = 0; d < diagram.dart_count(); ++d)
+    if (d < diagram.mate(d)) drawing.arcs.push_back(label_of(diagram, layout, d));
   constexpr int kSamples = 8;
   double low_x = 1e300, low_y = 1e300, high_x = -1e300, high_y = -1e300;
   for (const DrawnStrand& strand : drawing.strands)

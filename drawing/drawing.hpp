@@ -34,6 +34,14 @@ struct DrawnStrand {
   bool closed = false;
 };
 
+/// Where the number of an arc can stand: beside the middle of its curve, in a disc of its own.
+struct ArcLabel {
+  std::int64_t arc = 0;
+  Point middle;       ///< of the arc's curve in the disc
+  Point away;         ///< unit vector to the side on which there is more room
+  double radius = 0;  ///< of the disc
+};
+
 /// A diagram as smooth curves: in each disc of the layout a strand runs along the circle that meets
 /// the disc's rim at right angles, so it has no corners, and two strands of a crossing meet once.
 struct Drawing {
@@ -41,6 +49,7 @@ struct Drawing {
   std::vector<Point> vertices;  ///< of the graph; those of degree 2 are not among them
   std::vector<Disc> crossings;  ///< [N] the disc of each node
   topology::Strands names;      ///< which darts the strands have
+  std::vector<ArcLabel> arcs;   ///< one for each arc
   Point low, high;              ///< the corners of the picture
 };
 Drawing draw(const topology::Diagram& diagram);
@@ -52,6 +61,7 @@ struct SvgOptions {
   double size = 320;       ///< of the longer side, in pixels
   std::string title = {};  ///< what readers of the page hear; none if empty
   bool colours = true;     ///< one for each strand of a graph or component of a link
+  bool arcs = false;       ///< with the numbers of the arcs, as the diagram's text names them
 };
 /// A picture in SVG; under-strands have gaps, cut out and not painted over.
 std::string to_svg(const topology::Diagram& diagram, const SvgOptions& options = {});

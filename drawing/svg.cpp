@@ -19,6 +19,8 @@ constexpr double kStrokeOfSide = 0.014;     // of the picture's longer side
 constexpr double kStrokeOfCrossing = 0.22;  // of the radius of the smallest crossing's disc
 constexpr double kGapInStrokes = 2.0;       // from the middle of the over-strand
 constexpr double kVertexInStrokes = 1.7;
+constexpr double kLargestNumber = 0.045;  // height of arc numbers, of the picture's longer side
+constexpr double kNumberInDisc = 0.9;     // and of the radius of the arc's disc
 
 class SvgWriter {
  public:
@@ -33,7 +35,8 @@ class SvgWriter {
           over_[piece.node] = &piece.curve;
           stroke_ = std::min(stroke_, kStrokeOfCrossing * drawing.crossings[piece.node].radius);
         }
-    const double margin = 2.5 * stroke_;
+    const double margin = 2.5 * stroke_ + (options.arcs ? 1.5 * kLargestNumber * side : 0);
+    largest_number_ = kLargestNumber * side;
     scale_ = options.size / (side + 2 * margin);
     corner_ = {drawing.low.real() - margin, drawing.high.imag() + margin};
     width_ = (diagonal.real() + 2 * margin) * scale_;
@@ -58,6 +61,7 @@ class SvgWriter {
       out_ += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\"/>\n", p.real(),
                           p.imag(), kVertexInStrokes * stroke_ * scale_);
     }
+    if (options.arcs) numbers();
     return std::move(out_) + "</svg>\n";
   }
 
@@ -69,6 +73,22 @@ class SvgWriter {
   }
   Point pixel(Point p) const {
     return {(p.real() - corner_.real()) * scale_, (corner_.imag() - p.imag()) * scale_};
+  }
+
+  /// Beside the arcs. A digit is some 0.6 of its height wide.
+  void numbers() {
+    out_ += "<g font-family=\"sans-serif\" text-anchor=\"middle\" dominant-baseline=\"central\">\n";
+    for (const ArcLabel& label : drawing_->arcs) {
+      const std::string text = std::to_string(label.arc);
+      const double height = std::min(largest_number_, kNumberInDisc * label.radius);
+      const Point half{0.3 * height * double(text.size()), 0.4 * height};
+      const double out = stroke_ + std::abs(label.away.real()) * half.real() +
+                         std::abs(label.away.imag()) * half.imag();
+      const Point p = pixel(label.middle + out * label.away);
+      out_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\">{}</text>\n",
+                          p.real(), p.imag(), height * scale_, text);
+    }
+    out_ += "</g>\n";
   }
 
   void strand(const DrawnStrand& drawn, std::string_view colour) {
@@ -104,7 +124,7 @@ class SvgWriter {
 
   const Drawing* drawing_;
   std::vector<const Curve*> over_;
-  double stroke_ = 0, scale_ = 1, width_ = 0, height_ = 0;
+  double stroke_ = 0, largest_number_ = 0, scale_ = 1, width_ = 0, height_ = 0;
   Point corner_;
   bool pen_down_ = false;
   std::string out_;

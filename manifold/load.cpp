@@ -85,9 +85,8 @@ topology::NamedGluings exterior_of(const topology::NamedDiagram& diagram, const 
 /// A knot, link or graph of the shipped tables by its name.
 std::optional<topology::NamedGluings> find_in_tables(const std::string& name,
                                                      const Context& context) {
-  if (const topology::TabledDiagram* entry = topology::find_diagram(name))
-    return exterior_of({.name = entry->name, .diagram = entry->diagram}, context);
-  return std::nullopt;
+  const auto found = topology::find_diagram_or_mirror(name);
+  return found ? std::optional(exterior_of(*found, context)) : std::nullopt;
 }
 
 [[noreturn]] void refuse_unknown_name(const std::string& name) {
@@ -251,7 +250,8 @@ topology::NamedGluings load_as_given(const std::string& input, Wanted wanted,
     return read_single(content, source_of(place->file), place->label, context);
   }
   if (auto word = read_word(input, context)) {
-    const bool is_name = canonical::is_census_name(input) || topology::find_diagram(input);
+    const bool is_name =
+        canonical::is_census_name(input) || topology::find_diagram_or_mirror(input);
     if (!is_name && !topology::looks_like_diagram(input)) word->name.clear();  // a signature
     return *std::move(word);
   }
@@ -375,17 +375,16 @@ topology::NamedDiagram load_diagram(const std::string& input) {
   const auto read = [](const std::string& text) -> topology::NamedDiagram {
     const auto lines = topology::read_batch(text);
     if (lines.size() == 1)
-      if (const topology::TabledDiagram* entry = topology::find_diagram(lines.front().text))
-        return {.name = entry->name, .diagram = entry->diagram};
+      if (auto tabled = topology::find_diagram_or_mirror(lines.front().text)) return *tabled;
     return topology::read_diagram(text);
   };
   if (const auto place = find_file(input); place && !place->label) {
     const std::string content = read_file(place->file);
     return blame(source_of(input), [&] { return read(content); });
   }
-  if (topology::find_diagram(input) == nullptr && topology::is_diagram_name(input))
-    refuse_unknown_name(input);
-  if (topology::find_diagram(input) == nullptr && !topology::looks_like_diagram(input))
+  const bool is_tabled = topology::find_diagram_or_mirror(input).has_value();
+  if (!is_tabled && topology::is_diagram_name(input)) refuse_unknown_name(input);
+  if (!is_tabled && !topology::looks_like_diagram(input))
     throw InvalidInput(quoted(input) +
                        " is no diagram: give one as PD: X[4,2,5,1] ..., a file with one, or a name "
                        "of the tables (tripus table lists them)");

@@ -8,11 +8,12 @@
 #include <utility>
 
 #include "base/stopped.hpp"
+#include "topology/detail/minors.hpp"
 
-// Three stages. First, pivots +-1 are eliminated on sparse rows of 64-bit integers, with every
-// product checked: a pivot whose elimination would overflow is put aside. The few rows left are
-// reduced to independent columns and go through the same on big integers. Last, what has no unit
-// entry left is small, and goes through the textbook dense algorithm.
+// First, pivots +-1 are eliminated on sparse rows of 64-bit integers, with every product checked: a
+// pivot whose elimination would overflow is put aside. Numbers that are longer never arise: minors
+// of the few rows left give their rank and a multiple of all invariant factors, and modulo that
+// they go through the textbook algorithm.
 
 namespace tripus::topology::detail {
 namespace {
@@ -27,38 +28,30 @@ bool subtract_product(std::int64_t& x, std::int64_t factor, std::int64_t y) {
   x = difference;
   return true;
 }
-bool subtract_product(BigInteger& x, const BigInteger& factor, const BigInteger& y) {
-  x -= factor * y;
-  return true;
-}
 
-template <class Integer>
-bool is_unit(const Integer& x) {
-  return x == 1 || x == -1;
-}
+bool is_unit(std::int64_t x) { return x == 1 || x == -1; }
+
+using Row = SparseRow<std::int64_t>;
 
 /// old - factor * row, or nothing on overflow.
-template <class Integer>
-std::optional<SparseRow<Integer>> difference(const SparseRow<Integer>& old, const Integer& factor,
-                                             const SparseRow<Integer>& row) {
-  SparseRow<Integer> merged;
+std::optional<Row> difference(const Row& old, std::int64_t factor, const Row& row) {
+  Row merged;
   merged.reserve(old.size() + row.size());
   auto x = old.begin();
   for (const auto& y : row) {
     while (x != old.end() && x->column < y.column) merged.push_back(*x++);
-    Entry<Integer> sum{y.column, 0};
+    Entry<std::int64_t> sum{y.column, 0};
     if (x != old.end() && x->column == y.column) sum.value = (x++)->value;
     if (!subtract_product(sum.value, factor, y.value)) return std::nullopt;
-    if (sum.value != 0) merged.push_back(std::move(sum));
+    if (sum.value != 0) merged.push_back(sum);
   }
   merged.insert(merged.end(), x, old.end());
   return merged;
 }
 
-template <class Integer>
 class UnitEliminator {
  public:
-  UnitEliminator(std::vector<SparseRow<Integer>> rows, std::size_t column_count,
+  UnitEliminator(std::vector<Row> rows, std::size_t column_count,
                  const std::atomic<bool>* stop_requested)
       : stop_requested_(stop_requested),
         rows_(std::move(rows)),
@@ -93,7 +86,7 @@ class UnitEliminator {
     return pivots;
   }
 
-  std::vector<SparseRow<Integer>> take_rows() {
+  std::vector<Row> take_rows() {
     std::erase_if(rows_, [](const auto& row) { return row.empty(); });
     return std::move(rows_);
   }
@@ -124,14 +117,12 @@ class UnitEliminator {
 
   /// True if the divisor is a unit.
   bool merge_private_columns(std::uint32_t r) {
-    using boost::multiprecision::gcd;
-    using std::gcd;
-    SparseRow<Integer>& row = rows_[r];
-    Integer divisor = 0;
+    Row& row = rows_[r];
+    std::int64_t divisor = 0;
     std::uint32_t kept = 0;
     for (const auto& entry : row)
       if (count_[entry.column] == 1) {
-        divisor = gcd(divisor, entry.value);
+        divisor = std::gcd(divisor, entry.value);
         kept = entry.column;
       }
     const std::size_t old_size = row.size();
@@ -140,7 +131,7 @@ class UnitEliminator {
       if (gone) count_[entry.column] = 0;
       return gone;
     });
-    std::ranges::lower_bound(row, kept, {}, &Entry<Integer>::column)->value = divisor;
+    std::ranges::lower_bound(row, kept, {}, &Entry<std::int64_t>::column)->value = divisor;
     if (is_unit(divisor)) return true;
     if (row.size() != old_size) queue_row(r);
     return false;
@@ -152,12 +143,12 @@ class UnitEliminator {
 
   void drop_row(std::uint32_t r) {
     for (const auto& entry : rows_[r]) leave_column(entry.column);
-    SparseRow<Integer>().swap(rows_[r]);
+    Row().swap(rows_[r]);
   }
 
   /// The unit entry in the emptiest column, which makes the least fill.
-  const Entry<Integer>* cheapest_unit(const SparseRow<Integer>& row) const {
-    const Entry<Integer>* best = nullptr;
+  const Entry<std::int64_t>* cheapest_unit(const Row& row) const {
+    const Entry<std::int64_t>* best = nullptr;
     for (const auto& entry : row)
       if (is_unit(entry.value) && (!best || count_[entry.column] < count_[best->column]))
         best = &entry;
@@ -165,7 +156,7 @@ class UnitEliminator {
   }
 
   /// Markowitz's bound on the entries that the pivot makes.
-  std::size_t fill(std::uint32_t r, const Entry<Integer>& pivot) const {
+  std::size_t fill(std::uint32_t r, const Entry<std::int64_t>& pivot) const {
     return (rows_[r].size() - 1) * (count_[pivot.column] - 1);
   }
   void queue_row(std::uint32_t r) {
@@ -173,34 +164,34 @@ class UnitEliminator {
       waiting_.emplace(fill(r, *pivot), shuffled(r), r);
   }
 
-  static const Entry<Integer>* find(const SparseRow<Integer>& row, std::uint32_t column) {
-    const auto place = std::ranges::lower_bound(row, column, {}, &Entry<Integer>::column);
+  static const Entry<std::int64_t>* find(const Row& row, std::uint32_t column) {
+    const auto place = std::ranges::lower_bound(row, column, {}, &Entry<std::int64_t>::column);
     return place != row.end() && place->column == column ? &*place : nullptr;
   }
 
   /// False on overflow: then rows were changed by multiples of row r only, which is harmless.
   bool eliminate(std::uint32_t r, std::uint32_t column) {
-    const SparseRow<Integer> pivot_row = rows_[r];
-    const Integer pivot = find(pivot_row, column)->value;
+    const Row pivot_row = rows_[r];
+    const std::int64_t pivot = find(pivot_row, column)->value;
     const auto members = rows_of_[column];  // may hold rows that have lost the column
     for (const std::uint32_t other : members) {
       const auto* entry = other == r ? nullptr : find(rows_[other], column);
-      if (entry && !subtract(other, Integer(entry->value * pivot), pivot_row)) return false;
+      if (entry && !subtract(other, entry->value * pivot, pivot_row)) return false;
     }
     drop_row(r);
     std::vector<std::uint32_t>().swap(rows_of_[column]);
     return true;
   }
 
-  bool subtract(std::uint32_t target, const Integer& factor, const SparseRow<Integer>& row) {
+  bool subtract(std::uint32_t target, std::int64_t factor, const Row& row) {
     auto merged = difference(rows_[target], factor, row);
     if (!merged) return false;
     replace(target, std::move(*merged));
     return true;
   }
 
-  void replace(std::uint32_t target, SparseRow<Integer> merged) {
-    const SparseRow<Integer>& old = rows_[target];
+  void replace(std::uint32_t target, Row merged) {
+    const Row& old = rows_[target];
     for (const auto& entry : old)
       if (!find(merged, entry.column)) leave_column(entry.column);
     for (const auto& entry : merged)
@@ -216,41 +207,69 @@ class UnitEliminator {
   // Fill when queued, tie breaker, row.
   using Waiting = std::tuple<std::size_t, std::uint32_t, std::uint32_t>;
   const std::atomic<bool>* stop_requested_;
-  std::vector<SparseRow<Integer>> rows_;
+  std::vector<Row> rows_;
   std::vector<std::vector<std::uint32_t>> rows_of_;  // per column, possibly stale
   std::vector<std::uint32_t> count_;                 // per column, exact
   std::vector<std::uint32_t> single_;                // columns that may have one row only
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting_;
 };
 
-using DenseMatrix = std::vector<std::vector<BigInteger>>;
+using Vector = std::vector<BigInteger>;
 
-DenseMatrix compressed(const std::vector<SparseRow<BigInteger>>& rows) {
-  std::vector<std::uint32_t> columns;
-  for (const auto& row : rows)
-    for (const auto& entry : row) columns.push_back(entry.column);
-  std::ranges::sort(columns);
-  columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
-  DenseMatrix dense(rows.size(), std::vector<BigInteger>(columns.size()));
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    for (const auto& entry : rows[r]) {
-      const auto place = std::ranges::lower_bound(columns, entry.column) - columns.begin();
-      dense[r][static_cast<std::size_t>(place)] = entry.value;
-    }
-  return dense;
+/// x - factor * y modulo m, from the place `first` on; in [0, m).
+void subtract(Vector& x, const BigInteger& factor, const Vector& y, std::size_t first,
+              const BigInteger& m) {
+  for (std::size_t i = first; i < x.size(); ++i) {
+    if (y[i] == 0) continue;
+    x[i] = (x[i] - factor * y[i]) % m;
+    if (x[i] < 0) x[i] += m;
+  }
 }
 
-/// Diagonalises the block from (k, k) on, one entry at a time.
-class DenseReducer {
- public:
-  DenseReducer(DenseMatrix matrix, const std::atomic<bool>* stop_requested)
-      : matrix_(std::move(matrix)), stop_requested_(stop_requested) {}
+/// At most k vectors that generate, modulo m, what the columns of k rows generate. Brought to
+/// echelon form one by one, as there may be many more columns than rows.
+std::vector<Vector> generating_columns(const std::vector<Row>& rows, std::size_t column_count,
+                                       const BigInteger& m,
+                                       const std::atomic<bool>* stop_requested) {
+  std::vector<Row> columns(column_count);
+  for (std::uint32_t r = 0; r < rows.size(); ++r)
+    for (const auto& entry : rows[r]) columns[entry.column].push_back({r, entry.value});
+  std::vector<Vector> basis(rows.size());  // by first place
+  for (const Row& column : columns) {
+    throw_if_stopped(stop_requested);
+    Vector vector(rows.size());
+    for (const auto& entry : column) vector[entry.column] = ((entry.value % m) + m) % m;
+    for (std::size_t first = 0; first < vector.size();) {
+      if (vector[first] == 0) {
+        ++first;
+      } else if (basis[first].empty()) {
+        basis[first] = std::move(vector);
+        break;
+      } else {
+        // One step of Euclid's algorithm on the leading entries.
+        const BigInteger factor = vector[first] / basis[first][first];
+        subtract(vector, factor, basis[first], first, m);
+        if (vector[first] != 0) std::swap(vector, basis[first]);
+      }
+    }
+  }
+  std::erase_if(basis, [](const Vector& vector) { return vector.empty(); });
+  return basis;
+}
 
-  std::vector<BigInteger> diagonal() {
-    std::vector<BigInteger> result;
+/// Diagonalises a matrix modulo m, from the block at (corner, corner) on, one entry at a time.
+class ModularReducer {
+ public:
+  ModularReducer(std::vector<Vector> matrix, BigInteger modulus,
+                 const std::atomic<bool>* stop_requested)
+      : matrix_(std::move(matrix)), m_(std::move(modulus)), stop_requested_(stop_requested) {}
+
+  /// The entries that are not 0 modulo m, divisors of m, each dividing the next.
+  Vector diagonal() {
+    Vector result;
     for (; move_least_to_corner(); ++corner_) {
       while (!clear_cross() || !divides_the_rest()) (void)move_least_to_corner();
-      result.emplace_back(abs(matrix_[corner_][corner_]));
+      result.push_back(matrix_[corner_][corner_]);
     }
     return result;
   }
@@ -259,93 +278,94 @@ class DenseReducer {
   std::size_t height() const { return matrix_.size(); }
   std::size_t width() const { return matrix_.empty() ? 0 : matrix_[0].size(); }
 
-  /// False if the block is zero.
+  /// Least: with the least common divisor with m, to which it is scaled. False if all are 0.
   bool move_least_to_corner() {
-    std::size_t row = height();
-    std::size_t column = 0;
-    for (std::size_t i = corner_; i < height(); ++i)
-      for (std::size_t j = corner_; j < width(); ++j)
-        if (matrix_[i][j] != 0 &&
-            (row == height() || abs(matrix_[i][j]) < abs(matrix_[row][column]))) {
-          row = i;
-          column = j;
-        }
-    if (row == height()) return false;
+    BigInteger least = 0;
+    std::size_t row = 0, column = 0;
+    for (std::size_t i = corner_; i < height() && least != 1; ++i)
+      for (std::size_t j = corner_; j < width() && least != 1; ++j) {
+        if (matrix_[i][j] == 0) continue;
+        BigInteger divisor = gcd(matrix_[i][j], m_);
+        if (least != 0 && divisor >= least) continue;
+        least = std::move(divisor);
+        row = i;
+        column = j;
+      }
+    if (least == 0) return false;
     std::swap(matrix_[row], matrix_[corner_]);
     if (column != corner_)
-      for (auto& line : matrix_) std::swap(line[column], line[corner_]);
+      for (Vector& line : matrix_) std::swap(line[column], line[corner_]);
+    scale_corner_to(least);
     return true;
+  }
+
+  /// Multiplies the corner's row by a unit modulo m, so that the corner is its divisor with m.
+  void scale_corner_to(const BigInteger& divisor) {
+    Vector& top = matrix_[corner_];
+    const BigInteger part = m_ / divisor;
+    BigInteger unit = inverse(top[corner_] / divisor, part);
+    while (gcd(unit, m_) != 1) unit += part;
+    if (unit != 1)
+      for (std::size_t j = corner_; j < width(); ++j) top[j] = top[j] * unit % m_;
+  }
+
+  /// 1/x modulo m, for x and m without a common divisor; 1 if m = 1.
+  static BigInteger inverse(const BigInteger& x, const BigInteger& m) {
+    BigInteger a = m, b = x % m, of_a = 0, of_b = 1;
+    while (b > 1) {
+      const BigInteger quotient = a / b;
+      a -= quotient * b;
+      of_a -= quotient * of_b;
+      swap(a, b);
+      swap(of_a, of_b);
+    }
+    if (m == 1) return 1;
+    of_b %= m;
+    return of_b < 0 ? of_b + m : of_b;
   }
 
   /// Reduces the corner's row and column modulo the corner; true if both vanish.
   bool clear_cross() {
     bool clear = true;
-    const auto& top = matrix_[corner_];
+    const Vector& top = matrix_[corner_];
+    const BigInteger corner = top[corner_];
     for (std::size_t i = corner_ + 1; i < height(); ++i) {
       throw_if_stopped(stop_requested_);
-      const BigInteger factor = matrix_[i][corner_] / top[corner_];
-      if (factor != 0)
-        for (std::size_t j = corner_; j < width(); ++j) matrix_[i][j] -= factor * top[j];
+      const BigInteger factor = matrix_[i][corner_] / corner;
+      if (factor != 0) subtract(matrix_[i], factor, top, corner_, m_);
       clear = clear && matrix_[i][corner_] == 0;
     }
     for (std::size_t j = corner_ + 1; j < width(); ++j) {
-      throw_if_stopped(stop_requested_);
-      const BigInteger factor = top[j] / top[corner_];
-      if (factor != 0)
-        for (std::size_t i = corner_; i < height(); ++i)
-          matrix_[i][j] -= factor * matrix_[i][corner_];
-      clear = clear && top[j] == 0;
+      const BigInteger factor = top[j] / corner;
+      if (factor == 0) continue;
+      for (std::size_t i = corner_; i < height(); ++i) {
+        BigInteger& x = matrix_[i][j];
+        x = (x - factor * matrix_[i][corner_]) % m_;
+        if (x < 0) x += m_;
+      }
     }
+    for (std::size_t j = corner_ + 1; j < width(); ++j) clear = clear && top[j] == 0;
     return clear;
   }
 
   /// Adds a row with an entry that the corner does not divide to the corner's row, if there is
   /// one, so that the next round finds a smaller corner.
   bool divides_the_rest() {
+    Vector& top = matrix_[corner_];
     for (std::size_t i = corner_ + 1; i < height(); ++i)
       for (std::size_t j = corner_ + 1; j < width(); ++j)
-        if (matrix_[i][j] % matrix_[corner_][corner_] != 0) {
-          for (std::size_t k = corner_; k < width(); ++k) matrix_[corner_][k] += matrix_[i][k];
-          // The remainder itself, so that the least entry is smaller than before.
-          const BigInteger factor = matrix_[corner_][j] / matrix_[corner_][corner_];
-          for (std::size_t k = corner_; k < height(); ++k)
-            matrix_[k][j] -= factor * matrix_[k][corner_];
+        if (matrix_[i][j] % top[corner_] != 0) {
+          subtract(top, BigInteger(-1), matrix_[i], corner_, m_);
           return false;
         }
     return true;
   }
 
-  DenseMatrix matrix_;
+  std::vector<Vector> matrix_;
+  BigInteger m_;
   const std::atomic<bool>* stop_requested_;
   std::size_t corner_ = 0;
 };
-
-/// The columns of a few long rows, brought to echelon form one by one: k rows have at most k
-/// independent columns. Returns them as rows; the Smith form does not mind the transposition.
-std::vector<SparseRow<BigInteger>> independent_columns(
-    const std::vector<SparseRow<std::int64_t>>& rows, std::size_t column_count,
-    const std::atomic<bool>* stop_requested) {
-  std::vector<SparseRow<BigInteger>> columns(column_count);
-  for (std::uint32_t r = 0; r < rows.size(); ++r)
-    for (const auto& entry : rows[r]) columns[entry.column].push_back({r, entry.value});
-  std::vector<SparseRow<BigInteger>> basis(rows.size());  // by first place
-  for (SparseRow<BigInteger>& vector : columns)
-    while (!vector.empty()) {
-      throw_if_stopped(stop_requested);
-      SparseRow<BigInteger>& rival = basis[vector.front().column];
-      if (rival.empty()) {
-        rival = std::move(vector);
-        break;
-      }
-      // One step of Euclid's algorithm on the leading entries.
-      const BigInteger factor = vector.front().value / rival.front().value;
-      vector = *difference(vector, factor, rival);
-      if (!vector.empty() && vector.front().column == rival.front().column)
-        std::swap(vector, rival);
-    }
-  std::erase_if(basis, [](const auto& vector) { return vector.empty(); });
-  return basis;
-}
 
 }  // namespace
 
@@ -365,16 +385,18 @@ SparseRow<std::int64_t> collected(SparseRow<std::int64_t> summands) {
 SmithForm smith_form(std::vector<SparseRow<std::int64_t>> rows, std::size_t column_count,
                      const std::atomic<bool>* stop_requested) {
   SmithForm form;
-  UnitEliminator<std::int64_t> small(std::move(rows), column_count, stop_requested);
-  form.rank = small.run();
-  const auto left = small.take_rows();
-  UnitEliminator<BigInteger> big(independent_columns(left, column_count, stop_requested),
-                                 left.size(), stop_requested);
-  form.rank += big.run();
-  for (BigInteger& factor : DenseReducer(compressed(big.take_rows()), stop_requested).diagonal()) {
-    ++form.rank;
+  UnitEliminator eliminator(std::move(rows), column_count, stop_requested);
+  form.rank = eliminator.run();
+  const auto left = eliminator.take_rows();
+  const auto [rank, multiple] = minors(left, column_count, stop_requested);
+  form.rank += rank;
+  if (multiple == 1) return form;
+  ModularReducer reducer(generating_columns(left, column_count, multiple, stop_requested), multiple,
+                         stop_requested);
+  Vector factors = reducer.diagonal();
+  factors.resize(rank, multiple);  // a factor that is the multiple itself is 0 modulo it
+  for (BigInteger& factor : factors)
     if (factor != 1) form.factors.push_back(std::move(factor));
-  }
   return form;
 }
 

@@ -13,10 +13,16 @@
 
 namespace tripus::viewer {
 
-/// How the surfaces of cells are found.
+/// What cells are made of.
 enum class Drawing {
-  kSolid,   ///< image-based CSG: solid cells, also where they are cut
-  kHollow,  ///< each wall without its pixels outside of the others: faster, and hollow where cut
+  kSolid,   ///< solid cells, also where they are cut
+  kHollow,  ///< walls alone, seen from both sides: hollow where cut
+};
+
+/// What finds the pixels of cells.
+enum class RendererKind {
+  kFaces,    ///< each visible wall once, met by the rays of its pixels
+  kOpenCsg,  ///< image-based CSG of whole cells, as in the founding paper; slow in software
 };
 
 /// What a picture of a scene looks like.
@@ -30,6 +36,7 @@ struct PictureOptions {
   std::optional<double> cut_away;
   Camera camera;
   Drawing drawing = Drawing::kSolid;
+  RendererKind renderer = RendererKind::kFaces;
   bool occlusion = true;  ///< whether nooks are darkened; costs some
   int samples = 0;        ///< a pixel, in each direction, up to 4; 0: what its size allows
   /// Ends the drawing between two cells when it becomes true; null: nothing does.
@@ -50,6 +57,11 @@ struct Image {
 inline constexpr int kLargestSide = 4096;
 /// Cells in a scene that is drawn may be as many as this.
 inline constexpr std::size_t kMostCells = 20000;
+
+/// Whether cells are solid: without some of their walls they are not.
+inline bool is_solid(const PictureOptions& options) {
+  return options.drawing == Drawing::kSolid && options.faces && options.truncations;
+}
 
 /// Throws InvalidInput, naming the option, for a size, a camera or a number of cells out of range.
 void require_drawable(const Scene& scene, const PictureOptions& options, int width, int height);

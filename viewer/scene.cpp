@@ -13,7 +13,14 @@ namespace {
 /// Points bulge beyond the samples of a wall by at most this part of the ball's radius.
 constexpr double kBulge = 1.02;
 
-/// The corners of a wall, in cyclic order: 6 of a face, 3 of a truncation.
+Colour mixed(const Colour& from, const Colour& to, float t) {
+  Colour result;
+  for (std::size_t i = 0; i < 3; ++i) result[i] = (1 - t) * from[i] + t * to[i];
+  return result;
+}
+
+}  // namespace
+
 std::vector<std::size_t> corners_of_wall(std::size_t wall) {
   const auto corner = [](std::size_t v, std::size_t w) { return 3 * v + w - (w > v ? 1 : 0); };
   std::vector<std::size_t> around, result;
@@ -30,14 +37,6 @@ std::vector<std::size_t> corners_of_wall(std::size_t wall) {
   }
   return result;
 }
-
-Colour mixed(const Colour& from, const Colour& to, float t) {
-  Colour result;
-  for (std::size_t i = 0; i < 3; ++i) result[i] = (1 - t) * from[i] + t * to[i];
-  return result;
-}
-
-}  // namespace
 
 Scene make_scene(std::string title, const embedding::Embedding& embedding,
                  std::span<const embedding::Cell> cells, const geometry::Matrix4& frame) {

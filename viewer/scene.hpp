@@ -19,6 +19,10 @@ namespace tripus::viewer {
 inline constexpr std::size_t kWallCount = 8;
 constexpr bool is_truncation(std::size_t wall) { return wall >= 4; }
 
+/// The corners of a wall, in cyclic order, as numbers of SceneCell::corners: 6 of a face, 3 of a
+/// truncation.
+std::vector<std::size_t> corners_of_wall(std::size_t wall);
+
 /// One cell of the universal cover, ready to be drawn: an intersection of 8 half-spaces.
 struct SceneCell {
   std::uint32_t tetrahedron = 0;

@@ -15,6 +15,12 @@ enum class VolumeDigits { kShown, kAll };
 /// The lines of a table: manifolds, then what is unresolved.
 std::vector<std::string> census_lines(const Census& census, VolumeDigits digits);
 
+/// The surface by which the manifold of an unresolved triangulation is seen not to be hyperbolic:
+/// "moebius band", "disc" or "essential annulus" (structure::closed_bigon); empty if none is seen,
+/// which says nothing, and for a text that is no signature. Not kept: it follows from the
+/// triangulation, and is made anew wherever a census is written.
+std::string surface_in(const std::string& isosig);
+
 /// Their checksums, eight hexadecimal digits each, parted by spaces.
 std::string checksums_of(const std::vector<std::string>& lines);
 

@@ -46,11 +46,12 @@ Manifold exterior_of(const NamedDiagram& diagram, const Limits& limits) {
   });
 }
 
-std::string svg_of(const NamedDiagram& diagram, double size, bool colours) {
+std::string svg_of(const NamedDiagram& diagram, double size, bool colours, bool arcs) {
   drawing::SvgOptions options;
   options.size = size;
   options.title = diagram.name;
   options.colours = colours;
+  options.arcs = arcs;
   return run({}, [&](const Context&) { return drawing::to_svg(diagram.diagram, options); });
 }
 
@@ -110,7 +111,7 @@ void bind_diagrams(nb::module_& module) {
   });
   module.def("is_diagram", [](const nb::bytes& input) {
     const std::string text = as_string(input);
-    return topology::looks_like_diagram(text) || topology::find_diagram(text) != nullptr;
+    return topology::looks_like_diagram(text) || topology::find_diagram_or_mirror(text);
   });
   module.def("diagram_tables", [] {
     std::vector<std::string> names;

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from tripus import _core
@@ -107,6 +107,50 @@ class Diagram(Value):
         made = Manifold._wrap(core)
         return made.renamed(self.name()) if self.name() else made
 
+    def with_cone_orders(self, cone_orders: Mapping[int, Any] | None = None) -> Diagram:
+        """The same with these cone orders on the strands of these arcs, in place of its own.
+
+        A strand with a cone order is not drilled out. 1 fills it in as by a 2-handle along its
+        meridian, 0 makes it parabolic. Without cone_orders every strand is drilled out.
+
+        >>> D = Diagram("4_1").with_cone_orders({1: 4})
+        >>> D.exterior().volume(), D.with_cone_orders().exterior().volume()
+        (0.507470803205, 2.029883212819)
+        """
+        name, nodes, _, orientation_known = self._core.parts()
+        orders = {
+            _whole(arc): order if type(order) is int else str(order)
+            for arc, order in (cone_orders or {}).items()
+        }
+        data = {"diagram": [[kind, list(arcs)] for kind, arcs in nodes], "cone_orders": orders}
+        return _restored(json.dumps(data).encode(), name, orientation_known)
+
+    def drilled(
+        self,
+        edges: Sequence[int] | str = "singular",
+        *,
+        seed: int = 0,
+        time_limit: float | None = None,
+        progress: Progress = None,
+    ) -> Manifold:
+        """What is left of exterior() without neighbourhoods of these of its edge classes.
+
+        "singular": those of all strands that have a cone order, which are then boundary again.
+
+        >>> Diagram("4_1").with_cone_orders({1: 4}).drilled().volume()
+        2.029883212819
+        >>> Diagram("4_1").drilled([0]).links()[0]["euler_characteristic"]
+        -2
+        """
+        made = self.exterior(time_limit=time_limit, progress=progress)
+        if isinstance(edges, str):
+            if edges != "singular":
+                raise InvalidInput(f"edges are numbers of edge classes, or 'singular'; not {shown(edges)}")
+            edges = list(made.cone_orders)
+            if not edges:
+                raise InvalidInput("drilled(): no strand of the diagram has a cone order")
+        return made.drilled(edges, seed=seed, time_limit=time_limit, progress=progress)
+
     def wirtinger(self) -> dict[str, Any]:
         """The Wirtinger presentation of the fundamental group of the outside.
 
@@ -131,13 +175,15 @@ class Diagram(Value):
             ],
         }
 
-    def svg(self, size: float = 320, colours: bool = True) -> str:
+    def svg(self, size: float = 320, colours: bool = True, arcs: bool = False) -> str:
         """The picture: arcs of circles by a circle packing, strands in colours or all black.
+
+        arcs  with the numbers of the arcs, as PD_code() has them.
 
         >>> Diagram("4_1").svg()[:4]
         '<svg'
         """
-        return self._core.svg(size, colours)
+        return self._core.svg(size, colours, arcs)
 
     def polylines(self) -> list[npt.NDArray[np.float64]]:
         """The same as a drawing in space, [n x 3] each: for Manifold.from_drawing, plot.drawing."""

@@ -8,8 +8,8 @@
 #include "embedding/universal_cover.hpp"
 #include "geometry/hyperbolic_space.hpp"
 #include "tests/support/embedded_manifolds.hpp"
+#include "tests/support/one_renderer.hpp"
 #include "tests/support/scene_rays.hpp"
-#include "viewer/egl/offscreen.hpp"
 #include "viewer/legend.hpp"
 
 namespace tripus::viewer {
@@ -156,7 +156,7 @@ TEST(WallDiscs, AreDrawnWhereRaysMeetThem) {
       const bool is_tripus = std::string(name) == "cPcbbbihq";
       picture.options.drawing = is_tripus ? Drawing::kSolid : Drawing::kHollow;
       const Image image =
-          render_picture(picture.scene, picture.options, 320, 240, Pixels::kIdentities);
+          one_renderer().draw(picture.scene, picture.options, 320, 240, Pixels::kIdentities);
       const View view =
           view_of(picture.options.camera, bounding_ball(model, picture.scene), 320, 240);
       std::mt19937 random(20261130);
@@ -190,7 +190,9 @@ TEST(WallDiscs, AreSwitchedOffAndHaveALegend) {
   Drawn picture = drawn("cPcbbbihq", Model::kPoincareBall, 1, 4);
   picture.options.samples = 1;
   picture.options.drawing = Drawing::kHollow;
-  const auto draw = [&] { return render_picture(picture.scene, picture.options, 400, 300).pixels; };
+  const auto draw = [&] {
+    return one_renderer().draw(picture.scene, picture.options, 400, 300).pixels;
+  };
   const auto with = draw();
   EXPECT_EQ(with, draw());
   picture.options.discs = false;

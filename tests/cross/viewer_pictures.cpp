@@ -12,9 +12,9 @@
 #include "embedding/universal_cover.hpp"
 #include "structure/solve.hpp"
 #include "tests/support/data_files.hpp"
+#include "tests/support/one_renderer.hpp"
 #include "tests/support/scene_rays.hpp"
 #include "topology/isosig.hpp"
-#include "viewer/egl/offscreen.hpp"
 
 namespace tripus::viewer {
 namespace {
@@ -30,10 +30,8 @@ Scene scene_of(const std::string& signature, std::size_t cells, Model model) {
                     default_frame(model, embedding));
 }
 
-/// One renderer for all tests: a context costs more than a small picture.
 Image identities(const Scene& scene, const PictureOptions& options, int width, int height) {
-  static OffscreenRenderer renderer;
-  return renderer.draw(scene, options, width, height, Pixels::kIdentities);
+  return one_renderer().draw(scene, options, width, height, Pixels::kIdentities);
 }
 
 struct Agreement {
@@ -102,6 +100,7 @@ struct Case {
   std::string signature;
   std::size_t cells;
   Model model;
+  RendererKind renderer;
 };
 
 class ViewerPicture : public ::testing::TestWithParam<Case> {};
@@ -116,31 +115,39 @@ void expect_agreement(const Agreement& agreement, std::size_t cells, std::size_t
 }
 
 TEST_P(ViewerPicture, ShowsWhatRaysMeet) {
-  const auto& [signature, cells, model] = GetParam();
+  const auto& [signature, cells, model, renderer] = GetParam();
   const Scene scene = scene_of(signature, cells, model);
   ASSERT_EQ(scene.cells.size(), cells);
   PictureOptions options;
   options.model = model;
+  options.renderer = renderer;
   expect_agreement(compare(scene, options, 320, 240, cells > 100 ? 600 : 1500), cells,
                    std::min<std::size_t>(cells, 8));
 }
 
 TEST_P(ViewerPicture, IsTheSameHollowAndFromElsewhere) {
-  const auto& [signature, cells, model] = GetParam();
+  const auto& [signature, cells, model, renderer] = GetParam();
   const Scene scene = scene_of(signature, cells, model);
   PictureOptions options;
   options.model = model;
   options.drawing = Drawing::kHollow;
+  options.renderer = renderer;
   options.camera = {-100, 55, 6, 1.5, {0.1, -0.05}};
   expect_agreement(compare(scene, options, 320, 240, cells > 100 ? 300 : 800), cells,
                    cells > 2 ? 5 : 1);
 }
 
 TEST(ViewerPictures, AreCutOpen) {
-  for (const Model model : {Model::kUpperHalfSpace, Model::kPoincareBall}) {
+  for (const auto& [model, renderer] : std::initializer_list<std::pair<Model, RendererKind>>{
+           {Model::kUpperHalfSpace, RendererKind::kFaces},
+           {Model::kPoincareBall, RendererKind::kFaces},
+           {Model::kKleinBall, RendererKind::kFaces},
+           {Model::kUpperHalfSpace, RendererKind::kOpenCsg},
+           {Model::kPoincareBall, RendererKind::kOpenCsg}}) {
     const Scene scene = scene_of("cPcbbbihq", 20, model);
     PictureOptions options;
     options.model = model;
+    options.renderer = renderer;
     options.cut_away = 0.1;
     const Agreement agreement = compare(scene, options, 320, 240, 2000);
     EXPECT_EQ(agreement.wrong, 0) << agreement.first;
@@ -152,22 +159,27 @@ TEST(ViewerPictures, AreCutOpen) {
 }
 
 void PrintTo(const Case& of, std::ostream* out) {
-  *out << of.signature << ", " << of.cells << " cells, " << geometry::to_string(of.model);
+  *out << of.signature << ", " << of.cells << " cells, " << geometry::to_string(of.model)
+       << (of.renderer == RendererKind::kOpenCsg ? ", OpenCSG" : "");
 }
 
 std::string name_of(const ::testing::TestParamInfo<Case>& info) {
-  const auto& [signature, cells, model] = info.param;
-  return signature + "_" + std::to_string(cells) + "_" + std::string(geometry::to_string(model));
+  const auto& [signature, cells, model, renderer] = info.param;
+  return signature + "_" + std::to_string(cells) + "_" + std::string(geometry::to_string(model)) +
+         (renderer == RendererKind::kOpenCsg ? "_opencsg" : "");
 }
 
 std::vector<Case> cases() {
   std::vector<Case> result;
-  for (const Model model : {Model::kUpperHalfSpace, Model::kPoincareBall, Model::kKleinBall}) {
-    for (const std::size_t cells : {1, 2, 20}) result.push_back({"cPcbbbihq", cells, model});
-    // So many cells are thinner than a pixel in the Klein ball.
-    if (model != Model::kKleinBall) result.push_back({"cPcbbbihq", 500, model});
-    for (const char* signature : {"cMcabbjds", "dLQabccjkjn", "eLMkbbddddhape"})
-      result.push_back({signature, 20, model});
+  for (const RendererKind renderer : {RendererKind::kFaces, RendererKind::kOpenCsg}) {
+    for (const Model model : {Model::kUpperHalfSpace, Model::kPoincareBall, Model::kKleinBall}) {
+      for (const std::size_t cells : {1, 2, 20})
+        result.push_back({"cPcbbbihq", cells, model, renderer});
+      // So many cells are thinner than a pixel in the Klein ball.
+      if (model != Model::kKleinBall) result.push_back({"cPcbbbihq", 500, model, renderer});
+      for (const char* signature : {"cMcabbjds", "dLQabccjkjn", "eLMkbbddddhape"})
+        result.push_back({signature, 20, model, renderer});
+    }
   }
   return result;
 }

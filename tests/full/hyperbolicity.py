@@ -1,21 +1,26 @@
 #!/usr/bin/env python3
 """Hyperbolic or not, for whole lists, every certificate checked; run by scripts/hyperbolicity.
 
-    hyperbolicity.py run LIST [--limit S] [--jobs N] [--every N]    decides what is not in the journal
+    hyperbolicity.py run LIST [--limit S] [--jobs N] [--every N] [--seconds S]
+                                                                    decides what is not in the journal
     hyperbolicity.py table FILE.tsv                                 writes the journals as one table
+    hyperbolicity.py controls                                       adds them to data/hyperbolicity-controls.tsv
     hyperbolicity.py mark FILE.tsv                                  writes its "no" into a table of diagrams
     hyperbolicity.py summary                                        prints them as Markdown
 
 LIST is 2, 3, 4 or cusped (data/triangulations-*.txt), graphs (the handlebody-knots, theta curves and
-handcuffs of the tables), census or covers (hyperbolic manifolds, on which all tests but the metric
-are tried: none may say "no"). Journals are build/hyperbolicity/LIST.jsonl, a line each, so that a run
-that was interrupted goes on where it ended.
+handcuffs of the tables), or one of the controls: hyperbolic manifolds, on which all tests but the
+metric are tried, and none may say "no": census, covers, and quick (the census without the search for
+surfaces). Journals are build/hyperbolicity/LIST.jsonl, a line each, so that a run that was interrupted,
+or was given some seconds only, goes on where it ended. The controls come in an order in which every
+beginning is spread over the whole list, and those in data/hyperbolicity-controls.tsv are done.
 """
 
 import argparse
 import collections
 import concurrent.futures
 import json
+import math
 import multiprocessing
 import pathlib
 import statistics
@@ -24,9 +29,12 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 JOURNALS = ROOT / "build" / "hyperbolicity"
-LISTS = ("2", "3", "4", "cusped", "graphs", "census", "covers")
-CONTROLS = ("census", "covers")
+LISTS = ("2", "3", "4", "cusped", "graphs", "quick", "census", "covers")
+CONTROLS = ("quick", "census", "covers")
+CONTROLS_FILE = "hyperbolicity-controls.tsv"
 COVERS = 500
+#: Of the golden section; the census's places, this many apart, are spread evenly.
+STEP = 0.6180339887
 
 
 def rows(name):
@@ -46,8 +54,8 @@ def inputs(which):
         tables = ("diagrams-handlebody-knots.tsv", "diagrams-theta-curves.tsv")
         return [row["name"] for table in tables for row in rows(table)]
     signatures = [row["triangulations"].split(" ")[0] for row in rows("census.tsv")]
-    if which == "census":
-        return signatures
+    if which in ("census", "quick"):
+        return spread(signatures)
     import tripus
 
     out = []
@@ -60,17 +68,28 @@ def inputs(which):
     return out
 
 
+def spread(things):
+    """In an order of which every beginning is spread over the whole."""
+    step = int(STEP * len(things))
+    while math.gcd(step, len(things)) > 1:
+        step += 1
+    return [things[k * step % len(things)] for k in range(len(things))]
+
+
 def decide(job):
     """One line of the journal."""
-    key, limit, control = job
+    key, limit, which = job
     import tripus
     from tripus.hyperbolic.decide import hyperbolicity, without_metric
 
     manifold = tripus.Manifold(key)
     begin = time.perf_counter()
-    answer = (without_metric if control else hyperbolicity)(manifold, limit)
+    if which in CONTROLS:
+        answer = without_metric(manifold, limit, surfaces=which != "quick")
+    else:
+        answer = hyperbolicity(manifold, limit)
     seconds = time.perf_counter() - begin
-    line = {"input": key, "seconds": round(seconds, 4)}
+    line = {"input": key, "seconds": round(seconds, 4), "limit": limit}
     for name in ("hyperbolic", "proved", "by", "kind", "name", "pieces"):
         line[name] = getattr(answer, name)
     if answer.hyperbolic is None:
@@ -96,13 +115,13 @@ def journal(which):
 
 def run(arguments):
     JOURNALS.mkdir(parents=True, exist_ok=True)
-    known = {line["input"] for line in journal(arguments.list)}
+    known = {line["input"] for line in journal(arguments.list)} | set(done(arguments.list))
     todo = [key for key in inputs(arguments.list)[:: arguments.every] if key not in known]
     control = arguments.list in CONTROLS
-    jobs = [(key, arguments.limit, control) for key in todo]
+    jobs = [(key, arguments.limit, arguments.list) for key in todo]
     print(f"{arguments.list}: {len(known)} done, {len(todo)} to do", flush=True)
     context = multiprocessing.get_context("spawn")
-    begin, failures = time.monotonic(), 0
+    begin, failures, number = time.monotonic(), 0, 0
     with (
         (JOURNALS / f"{arguments.list}.jsonl").open("a") as out,
         concurrent.futures.ProcessPoolExecutor(arguments.jobs, mp_context=context) as pool,
@@ -113,7 +132,11 @@ def run(arguments):
             failures += bool(line.get("objection")) or (control and line["hyperbolic"] is False)
             if number % 500 == 0:
                 print(f"  {number} in {time.monotonic() - begin:.0f} s", flush=True)
-    print(f"{arguments.list}: done, {failures} failures", flush=True)
+            if time.monotonic() - begin > arguments.seconds:
+                pool.shutdown(cancel_futures=True)
+                print("  the seconds are over; the same command goes on", flush=True)
+                break
+    print(f"{arguments.list}: {len(known) + number} of {len(known) + len(todo)}, {failures} failures", flush=True)
     return failures
 
 
@@ -145,6 +168,38 @@ def table(arguments):
                     line = {**known[key], "list": which}
                     out.write("\t".join(cell(line.get(name)) for name in names) + "\n")
     return 0
+
+
+def done(which):
+    """The lines of the shipped table of a control, by input."""
+    if which not in CONTROLS or not (ROOT / "data" / CONTROLS_FILE).exists():
+        return {}
+    return {row["input"]: row for row in rows(CONTROLS_FILE) if row["list"] == which}
+
+
+def controls(arguments):
+    """The shipped table of controls with what the journals have."""
+    names = ("list", "input", "hyperbolic", "limit", "tried")
+    lines = []
+    for which in CONTROLS:
+        known = done(which)
+        for line in journal(which):
+            tried = "; ".join(line.get("tried", []))
+            known[line["input"]] = {**line, "list": which, "tried": tried}
+        if not known:
+            continue
+        order = inputs(which)
+        lines += [known[key] for key in order if key in known]
+        print(f"{which}: {len(known)} of {len(order)}")
+    with (ROOT / "data" / CONTROLS_FILE).open("w") as out:
+        out.write(
+            "# Controls of hyperbolic or not, by scripts/hyperbolicity: hyperbolic manifolds on which all tests "
+            "but the metric were tried. limit: seconds\n"
+        )
+        out.write("\t".join(names) + "\n")
+        for line in lines:
+            out.write("\t".join(cell(line.get(name)) for name in names) + "\n")
+    return sum(line["hyperbolic"] not in (None, "") for line in lines)
 
 
 def mark(arguments):
@@ -193,7 +248,9 @@ def main():
     verb.add_argument("--limit", type=float, default=600.0)
     verb.add_argument("--jobs", type=int, default=1)
     verb.add_argument("--every", type=int, default=1)
+    verb.add_argument("--seconds", type=float, default=math.inf)
     verb.set_defaults(call=run)
+    verbs.add_parser("controls").set_defaults(call=controls)
     verb = verbs.add_parser("table")
     verb.add_argument("file")
     verb.set_defaults(call=table)

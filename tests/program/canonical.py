@@ -120,7 +120,19 @@ class Census(ProgramTest):
             self.assertEqual(back, table.read_text())
             with sqlite3.connect(self.folder / "census.sqlite") as database:
                 (count,), = database.execute("SELECT count(*) FROM unresolved")
+                verdicts = dict(database.execute(
+                    "SELECT isosig, hyperbolic FROM hyperbolicity"))
             self.assertEqual(count, 4915)
+            # By the package's own tests, which know more: a "no" here is one there.
+            rows = [line.split("\t") for line in
+                    (DATA / "hyperbolicity.tsv").read_text().splitlines()[2:]]
+            known = {row[1]: row for row in rows if row[0] in "234"}
+            self.assertEqual(set(verdicts), set(known))
+            words = {"true": "yes", "false": "no"}
+            for isosig, verdict in verdicts.items():
+                self.assertIn(verdict, (words[known[isosig][2]], None), isosig)
+                if known[isosig][4] == "closed bigon" or known[isosig][2] == "true":
+                    self.assertIsNotNone(verdict, isosig)
         for query in (("--volume", "10:10.5"), ("--boundary", "g3", "--homology", "3 Z"),
                       ("--tetrahedra", "3")):
             self.assertEqual(self.run_program("census", "--in", "census.sqlite", *query).text,

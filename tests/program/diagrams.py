@@ -23,6 +23,28 @@ class Diagrams(ProgramTest):
         for name in ("hk5_3", "5_1 theta", "T5_1"):
             self.assertAlmostEqual(self.solved(name)["volume"], TRIPUS_VOLUME, 12)
 
+    def test_mirror_images_by_name(self):
+        # hk5_3 is chiral; 4_1 is not, and hk6_7 neither.
+        for one, two, words in (
+                ("hk5_3", "hk5_3m", "as mirror images"),
+                ("m(hk5_3)", "hk5_3*", "keeping the given orientations"),
+                ("m(m(hk5_3))", "hk5_3", "keeping the given orientations"),
+                ("L5a1", "L5a1m", "as mirror images"),
+                ("4_1", "mirror 4_1", "with either orientation"),
+                ("hk6_7", "hk6_7 mirror", "with either orientation")):
+            run = self.run_program("compare", one, two)
+            self.assertEqual(run.status, 0, run.err)
+            self.assertIn(f"Homeomorphic, {words}", run.text)
+        self.write("list.txt", "m(5_1 theta)\n")
+        self.write("name.txt", "5_1m theta\n")
+        answers = self.run_program("info", "--batch", "list.txt", "--json").lines
+        text = self.run_program("draw", "name.txt", "--pd").text
+        signatures = {read_json(answers[0])["oriented_isosig"]}
+        for name in ("T5_1m", "name.txt", text.strip()):
+            signatures.add(self.json_answer("info", name)["oriented_isosig"])
+        self.assertEqual(len(signatures), 1)
+        self.assertNotIn(self.json_answer("info", "5_1 theta")["oriented_isosig"], signatures)
+
     def test_files_of_all_forms(self):
         forms = {
             "text.pd": FIGURE_EIGHT,
@@ -76,7 +98,7 @@ class Diagrams(ProgramTest):
                 ('{"diagram": [["V",[1,1]]], "cone_order": {"1": 3}}', "is no key of a diagram"),
                 ('{"diagram": [["V",[1,1]]], "clockwise": "yes"}', "write true or false"),
                 ("PD: X[4,2,5,1 X[8,6,1,5]", "add ] before"),
-                ("hk5_3m", "the nearest names there are hk5_3"),
+                ("hk5_9m", "the nearest names there are hk5_"),
                 ("K4a1", "the nearest names there are 4_1"),
                 ("4^2_1", "the nearest names there are L4a1"),
                 ("morse { ^ ; U ; }", "it is the contour of a surface")):
@@ -118,6 +140,14 @@ class Draw(ProgramTest):
             self.assertEqual(sum(p.count("M") for p in paths), len(paths) + crossings)
             self.assertNotRegex("".join(paths), "nan|inf")
             self.assertEqual(root.find("{http://www.w3.org/2000/svg}title").text, name)
+
+    def test_arcs_have_their_numbers_if_asked(self):
+        run = self.run_program("draw", "hk6_9", "--arcs")
+        texts = xml.etree.ElementTree.fromstring(run.text).iter("{http://www.w3.org/2000/svg}text")
+        named = re.findall(r"\d+", self.run_program("draw", "hk6_9", "--pd").text[len("PD:"):])
+        self.assertEqual(sorted(text.text for text in texts), sorted(set(named)))
+        for other in ("--pd", "--polylines"):
+            self.assertEqual(self.run_program("draw", "hk6_9", "--arcs", other).status, 2)
 
     def test_the_drawing_in_space_becomes_the_same_manifold(self):
         run = self.run_program("draw", "hk5_3", "--polylines", "-o", "space.json")

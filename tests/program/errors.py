@@ -1,6 +1,7 @@
 """What is refused: exit status 2, the place in the message, nothing else on standard output."""
 
 import json
+import os
 
 import samples
 from support import TRIPUS, ProgramTest
@@ -11,6 +12,24 @@ def tripus_json(old="", new=""):
     text = samples.as_json(samples.TRIPUS_GLUINGS)
     assert old in text
     return text.replace(old, new, 1)
+
+
+class AnotherPython(ProgramTest):
+    def test_what_is_no_python_is_named(self):
+        for program in ("/bin/false", "/bin/true", "/bin/cat", "no-such-program"):
+            with self.subTest(program):
+                environment = {**os.environ, "TRIPUS_PYTHON": program}
+                result = self.run_program("hyperbolic", TRIPUS, env=environment)
+                self.assertEqual((result.status, result.out), (3, b""))
+                self.assertIn(f'TRIPUS_PYTHON="{program}"', result.err)
+                self.assertIn("name a Python 3.11 or newer", result.err)
+
+    def test_answers_go_on_only_in_a_batch(self):
+        self.write("list", TRIPUS + "\n")
+        for arguments in ((TRIPUS, "--json"), ("--batch", "list")):
+            result = self.run_program("hyperbolic", *arguments, "--resume", "answers")
+            self.assertEqual(result.status, 2)
+            self.assertIn("--resume requires", result.err)
 
 
 class Signatures(ProgramTest):

@@ -68,7 +68,8 @@ class Pictures(ProgramTest):
     def test_shows_what_was_asked_for(self):
         usual = self.picture(TRIPUS, "--model", "ball")
         self.assertEqual(usual, self.picture(TRIPUS, "--model", "ball"))  # the same every time
-        for change in (["--colour-by", "face"], ["--colour-by", "depth"], ["--no-truncations"],
+        for change in (["--renderer", "opencsg"], ["--colour-by", "face"],
+                       ["--colour-by", "depth"], ["--no-truncations"],
                        ["--no-faces"], ["--cut-away", "0"], ["--camera", "120,-30,6"]):
             self.assertNotEqual(usual, self.picture(TRIPUS, "--model", "ball", *change), change)
 
@@ -132,7 +133,7 @@ class InterruptedPictures(ProgramTest):
         # A minute of work, of which the nearest cells are soon done.
         run = subprocess.Popen(
             self.command("view", TRIPUS, "--model", "ball", "--cells", "20000", "--size",
-                         "1600x1200", "--png", "a.png", "--json"),
+                         "1600x1200", "--png", "a.png", "--json", "--renderer", "opencsg"),
             cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         time.sleep(2)
         run.send_signal(signal.SIGINT)
@@ -175,6 +176,7 @@ class RefusedViews(ProgramTest):
 
     def test_names(self):
         self.refused("--png", "a.png", "--model", "disk")
+        self.refused("--png", "a.png", "--renderer", "rays")
         self.refused("--png", "a.png", "--colour-by", "mood")
         self.refused("--png", "a.png", "--no-faces", "--no-truncations")
 

@@ -372,6 +372,76 @@ def test_command(tmp_path):
     assert [json.loads(line).get("hyperbolic") for line in done.stdout.splitlines()] == [True, None, False]
 
 
+def test_batches_go_on_where_they_ended(tmp_path):
+    inputs = [TRIPUS, "nonsense", "-", "dLQbcbcmebs", "\u00e9", TREFOIL]
+    (tmp_path / "list").write_text("# a comment\n" + "".join(f"{line}\n" for line in inputs))
+    (tmp_path / "half").write_text("")
+    options = ("--batch", str(tmp_path / "list"), "--json", "--no-surfaces")
+    plain = run(*options)
+    assert plain.returncode == 0
+    # Errors name the line of the file, as for every other batch.
+    assert [line.split(": ")[1] for line in plain.stderr.splitlines()] == ["line 3", "line 4", "line 6"]
+
+    def answers(text):
+        """Without times and what --resume adds."""
+        lines = [json.loads(line) for line in text.splitlines()]
+        return [{k: v for k, v in line.items() if k not in ("seconds", "checksum")} for line in lines]
+
+    assert [line["input"] for line in answers(plain.stdout)] == inputs
+    whole, half = tmp_path / "whole", tmp_path / "half"
+    done = run(*options, "--resume", str(whole))
+    assert (done.returncode, done.stdout) == (0, "")
+    assert answers(whole.read_text()) == answers(plain.stdout)
+    lines = whole.read_text().splitlines(keepends=True)
+    half.write_text("".join(lines[:3]) + '{"torn')
+    done = run(*options, "--resume", str(half))
+    assert [line.split(": ")[1] for line in done.stderr.splitlines()] == ["line 6"]
+    assert half.read_text().splitlines(keepends=True)[:3] == lines[:3]
+    assert answers(half.read_text()) == answers(plain.stdout)
+    # Other options, other answers; and what was changed.
+    for arguments, change in ((options[:-1], ""), (options, "x")):
+        half.write_text("".join(lines).replace("free group", "free group" + change))
+        before = half.read_text()
+        done = run(*arguments, "--resume", str(half))
+        assert done.returncode == 2 and "answered with other options" in done.stderr
+        assert half.read_text() == before
+    for wrong in (options[:2], (TRIPUS, "--json")):
+        assert run(*wrong, "--resume", str(half)).returncode == 2
+
+
+def test_large_triangulations_keep_to_the_budget_and_are_made_small():
+    for text, consequence in (("dLQbcbcaekw", "essential annulus"), ("dLQbcbcmebs", "essential annulus")):
+        M = tripus.Manifold(text).covers(90, cover_type="cyclic")[0]
+        answer = M.hyperbolicity(surfaces=False)
+        assert (M.num_tetrahedra(), answer.hyperbolic) == (270, False)
+        assert len(answer.certificate.data["gluings"]) < 270
+        assert answer.certificate.objection(M) == ""
+        assert "another" in answer.certificate.objection(tripus.Manifold(text))
+    M = tripus.Manifold("dLQbcbcmebs").covers(2000, cover_type="cyclic")[0]
+    begin = time.process_time()
+    answer = M.hyperbolicity(time_limit=0.05)
+    assert time.process_time() - begin < 10  # reading its group would take a minute
+    assert (answer.hyperbolic, answer.advice) == (None, "more time")
+
+
+def test_finite_vertices_go_first_and_the_certificate_is_of_the_manifold_given():
+    made = tripus.Manifold("dLQbcbcaekw").to_regina()
+    made.oneFourMove(made.tetrahedron(0)) if hasattr(made, "oneFourMove") else made.pachner(made.tetrahedron(0))
+    M = tripus.Manifold(made)
+    assert M.has_finite_vertices()
+    answer = M.hyperbolicity(surfaces=False)
+    assert answer.hyperbolic is False
+    assert answer.certificate.objection(M) == ""
+
+
+def test_what_may_help_is_said_where_it_may():
+    assert tripus.Manifold(TREFOIL).hyperbolicity(time_limit=30).advice is None
+    answer = tripus.Manifold("dLQacccjkfr").hyperbolicity(surfaces=False)
+    assert (answer.hyperbolic, answer.advice) == (None, "surfaces")
+    assert "More time" not in run(TREFOIL, "--time-limit", "30").stdout
+    assert "without --no-surfaces" in run("dLQacccjkfr", "--no-surfaces").stdout
+
+
 def test_without_regina():
     code = (
         "import sys; sys.modules['regina'] = None\n"

@@ -83,6 +83,12 @@ TEST(CensusTables, KeepWhatIsUnresolved) {
   const Census back = parse_tsv(to_tsv(census));
   EXPECT_EQ(back.unresolved, census.unresolved);
   EXPECT_EQ(back.manifolds, census.manifolds);
+  // An annulus is seen in the first; of the second, a handlebody, nothing is.
+  EXPECT_THAT(to_tsv(census),
+              testing::HasSubstr("# unresolved dLQbcbcaekw\tnot hyperbolic: essential annulus\n"
+                                 "# unresolved dLQbcbcmebs\n"));
+  census.unresolved = {"no signature"};
+  EXPECT_EQ(parse_tsv(to_tsv(census)).unresolved, census.unresolved);
 }
 
 TEST(CensusTables, TheShippedOneHasWhatIsUnresolved) {

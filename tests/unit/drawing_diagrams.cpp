@@ -72,6 +72,53 @@ TEST(Drawing, StrandsHaveNoCornersBetweenVertices) {
   }
 }
 
+// A circle without a crossing is one: at a vertex of degree 2 there is no corner either.
+TEST(Drawing, StrandsHaveNoCornersAtVerticesOfDegreeTwo) {
+  for (const char* text : {"Loop[1]", "V[1,2] V[2,1]", "V[1,2] V[1,2]", "V[1,2] V[2,3] V[1,3]",
+                           "X[1,1,2,3] V[2,3]", "V[1] V[1,2] V[2,3] V[3]"}) {
+    SCOPED_TRACE(text);
+    const Diagram diagram = topology::read_diagram(text).diagram;
+    std::vector<std::pair<Point, Point>> ends;  // where a curve ends, and how it leaves the vertex
+    for (const DrawnStrand& strand : draw(diagram).strands) {
+      const Curve& first = strand.pieces.front().curve;
+      const Curve& last = strand.pieces.back().curve;
+      ends.emplace_back(first.from, direction(first, first.from));
+      ends.emplace_back(last.to, -direction(last, last.to));
+    }
+    std::size_t pairs = 0;
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        if (std::abs(ends[i].first - ends[j].first) > 1e-9) continue;
+        ++pairs;
+        EXPECT_NEAR(std::abs(std::arg(-ends[i].second / ends[j].second)), 0, 1e-4);
+      }
+    EXPECT_GT(pairs, 0u);
+  }
+}
+
+TEST(Drawing, EveryArcHasItsNumberInADiscOfItsOwn) {
+  for (const Diagram& diagram : samples()) {
+    SCOPED_TRACE(to_text(diagram));
+    const CircleLayout layout = circle_layout(diagram);
+    const Drawing drawing = draw(diagram);
+    ASSERT_EQ(drawing.arcs.size(), diagram.arc_count());
+    std::size_t k = 0;
+    for (Dart d = 0; d < diagram.dart_count(); ++d) {
+      if (d > diagram.mate(d)) continue;
+      const ArcLabel& label = drawing.arcs[k++];
+      EXPECT_EQ(label.arc, diagram.arc(d));
+      const Disc& disc = layout.arcs[d].front();
+      EXPECT_LT(std::abs(label.middle - disc.centre), disc.radius);
+      EXPECT_NEAR(std::abs(label.away), 1, 1e-9);
+    }
+    std::string svg = to_svg(diagram, {.arcs = true});
+    std::size_t numbers = 0;
+    for (std::size_t at = 0; (at = svg.find("<text ", at)) != std::string::npos; ++at) ++numbers;
+    EXPECT_EQ(numbers, diagram.arc_count());
+    EXPECT_EQ(to_svg(diagram).find("<text "), std::string::npos);
+  }
+}
+
 TEST(Drawing, OverStrandsPassInTheMiddleOfTheGaps) {
   for (const Diagram& diagram : samples()) {
     const Drawing drawing = draw(diagram);

@@ -273,6 +273,41 @@ TEST(DiagramTables, NamesAreFoundHoweverTheyAreWritten) {
   }
 }
 
+TEST(DiagramTables, NamesOfMirrorImagesAreFoundInAllTables) {
+  for (const DiagramTable table : kDiagramTables)
+    for (const TabledDiagram& entry : table_of(table)) {
+      const Diagram mirrored = entry.diagram.mirror_image();
+      for (const std::string& name :
+           {"m(" + entry.name + ")", entry.name + "m", entry.name + "*", entry.name + " mirror",
+            "mirror " + entry.name, "Mirror(" + entry.name + ")", "mirror image of " + entry.name,
+            entry.name + "(m)", entry.name + "_m", "m(m(" + entry.name + "m))"}) {
+        const auto found = find_diagram_or_mirror(name);
+        ASSERT_TRUE(found) << name;
+        EXPECT_EQ(found->name, "m(" + entry.name + ")") << name;
+        EXPECT_EQ(found->diagram, mirrored) << name;
+        EXPECT_EQ(find_diagram(name), nullptr) << name;
+        EXPECT_THROW(decode_isosig(name), InvalidInput) << name;
+      }
+      for (const std::string& name : {entry.name, "m(" + entry.name + "*)"}) {
+        ASSERT_TRUE(find_diagram_or_mirror(name)) << name;
+        EXPECT_EQ(find_diagram_or_mirror(name)->diagram, entry.diagram) << name;
+        EXPECT_EQ(find_diagram_or_mirror(name)->name, entry.name) << name;
+      }
+    }
+  for (const auto& [name, known] :
+       std::vector<std::pair<const char*, const char*>>{{"T5_1m", "m(5_1 theta)"},
+                                                        {"5_1m theta", "m(5_1 theta)"},
+                                                        {"m(T5_1)", "m(5_1 theta)"},
+                                                        {"trefoil*", "m(3_1)"},
+                                                        {"m(L5a1{0})", "m(L5a1)"},
+                                                        {"L5a1{0}m", "m(L5a1)"}}) {
+    ASSERT_TRUE(find_diagram_or_mirror(name)) << name;
+    EXPECT_EQ(find_diagram_or_mirror(name)->name, known) << name;
+  }
+  for (const char* name : {"hk9_9m", "m", "m()", "mirror", "m004", "*", "hk5_3 {", "mm", "()m"})
+    EXPECT_FALSE(find_diagram_or_mirror(name)) << name;
+}
+
 // A name that were a signature could not be told from it.
 TEST(DiagramTables, NoNameIsASignature) {
   for (const DiagramTable table : kDiagramTables)

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -49,6 +51,49 @@ TEST(SmithForm, NumbersOutgrowSixtyFourBits) {
   EXPECT_EQ(form.rank, 7u);
   ASSERT_EQ(form.factors.size(), 1u);  // determinant 10^42 - 1
   EXPECT_EQ(form.factors[0].str(), std::string(42, '9'));
+}
+
+/// Row and column operations on a diagonal matrix, which its Smith form does not see.
+std::vector<detail::SparseRow<std::int64_t>> disguised(const std::vector<std::int64_t>& diagonal,
+                                                       std::size_t height, std::size_t width,
+                                                       std::mt19937& random) {
+  std::vector<std::vector<std::int64_t>> dense(height, std::vector<std::int64_t>(width, 0));
+  for (std::size_t i = 0; i < diagonal.size(); ++i) dense[i][i] = diagonal[i];
+  const auto pick = [&](std::size_t count) { return random() % count; };
+  for (std::size_t step = 0; step < 3 * (height + width); ++step) {
+    const std::int64_t factor = random() % 2 == 0 ? 1 : -1;
+    if (const auto a = pick(height), b = pick(height); a != b)
+      for (std::size_t j = 0; j < width; ++j) dense[a][j] += factor * dense[b][j];
+    if (const auto a = pick(width), b = pick(width); a != b)
+      for (auto& row : dense) row[a] += factor * row[b];
+  }
+  std::vector<detail::SparseRow<std::int64_t>> rows(height);
+  for (std::size_t i = 0; i < height; ++i)
+    for (std::uint32_t j = 0; j < width; ++j)
+      if (dense[i][j] != 0) rows[i].push_back({j, dense[i][j]});
+  return rows;
+}
+
+TEST(SmithForm, IsThatOfADisguisedDiagonal) {
+  std::mt19937 random(20261130);
+  for (int trial = 0; trial < 400; ++trial) {
+    SCOPED_TRACE(trial);
+    const std::size_t height = 1 + random() % 9, width = 1 + random() % 14;
+    const std::size_t rank = random() % (std::min(height, width) + 1);
+    std::vector<std::int64_t> diagonal;
+    std::int64_t factor = trial % 3 == 0 ? 1 : 1 + static_cast<std::int64_t>(random() % 6);
+    for (std::size_t i = 0; i < rank; ++i) {
+      diagonal.push_back(factor);
+      if (random() % 3 == 0) factor *= 1 + static_cast<std::int64_t>(random() % 12);
+    }
+    const auto form = detail::smith_form(disguised(diagonal, height, width, random), width);
+    EXPECT_EQ(form.rank, rank);
+    std::vector<std::string> expected, found;
+    for (const std::int64_t d : diagonal)
+      if (d > 1) expected.push_back(std::to_string(d));
+    for (const auto& d : form.factors) found.push_back(d.str());
+    EXPECT_EQ(found, expected);
+  }
 }
 
 TEST(DualGraph, SpanningForestHasAParentForAllButOne) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <mutex>
 #include <numeric>
 #include <utility>
 
@@ -19,8 +20,14 @@ constexpr std::array<std::string_view, 4> kNames{"knots", "links", "theta-curves
 
 using Table = std::vector<TabledDiagram>;
 
-Table parse(std::string_view text) {
-  Table table;
+/// A line of a table as it is shipped: reading all diagrams takes longer than solving one.
+struct Row {
+  std::string_view name;
+  std::string_view code;
+};
+
+std::vector<Row> rows_in(std::string_view text) {
+  std::vector<Row> rows;
   bool header = true;
   while (!text.empty()) {
     const std::string_view line = detail::take_line(text);
@@ -29,23 +36,30 @@ Table parse(std::string_view text) {
     const std::size_t first = line.find('\t'), second = line.find('\t', first + 1);
     if (second == std::string_view::npos)
       throw InternalError("a table of diagrams has a broken line: " + std::string(line));
-    TabledDiagram entry;
-    entry.name = line.substr(0, first);
-    entry.diagram = read_diagram(line.substr(second + 1)).diagram;
-    entry.crossings = entry.diagram.crossing_count();
-    table.push_back(std::move(entry));
+    rows.push_back({line.substr(0, first), line.substr(second + 1)});
   }
-  return table;
+  return rows;
 }
 
-const std::array<Table, 4>& tables() {
-  static const std::array<Table, 4> kTables = [] {
-    std::array<Table, 4> all;
-    for (const DiagramTable table : kDiagramTables)
-      all[static_cast<std::size_t>(table)] = parse(detail::shipped_table_text(table));
+const std::vector<Row>& rows_of(DiagramTable table) {
+  static const std::array<std::vector<Row>, 4> kRows = [] {
+    std::array<std::vector<Row>, 4> all;
+    for (const DiagramTable each : kDiagramTables)
+      all[static_cast<std::size_t>(each)] = rows_in(detail::shipped_table_text(each));
     return all;
   }();
-  return kTables;
+  return kRows[static_cast<std::size_t>(table)];
+}
+
+Table read_table(DiagramTable table) {
+  Table diagrams;
+  for (const Row& row : rows_of(table)) {
+    TabledDiagram& entry = diagrams.emplace_back();
+    entry.name = row.name;
+    entry.diagram = read_diagram(row.code).diagram;
+    entry.crossings = entry.diagram.crossing_count();
+  }
+  return diagrams;
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -70,16 +84,17 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kNicknam
     {"trivialhandcuff", "0_1handcuff"},
 }};
 
-/// Small letters and digits alone; the kind behind the number, also for Moriuchi's T and H.
-std::string normalized(std::string_view name) {
-  name = detail::trimmed(name);
-  // LinkInfo's L5a1{0}: the orientations of the components.
-  if (const std::size_t brace = name.find('{');
-      brace != std::string_view::npos && name.ends_with('}'))
-    name = name.substr(0, brace);
+/// Small letters, digits and signs; an underscore only where it keeps numbers apart.
+std::string squeezed(std::string_view name) {
   std::string text;
-  bool gap = false;  // an underscore keeps its numbers apart
-  for (const char c : name) {
+  bool gap = false;
+  int braces = 0;  // LinkInfo's L5a1{0}: the orientations of the components
+  for (const char c : detail::trimmed(name)) {
+    braces += c == '{' ? 1 : 0;
+    if (braces > 0) {
+      braces -= c == '}' ? 1 : 0;
+      continue;
+    }
     if (c == ' ' || c == '_' || c == '-') {
       gap = true;
       continue;
@@ -88,6 +103,11 @@ std::string normalized(std::string_view name) {
     gap = false;
     text += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   }
+  return braces == 0 ? text : std::string(name);
+}
+
+/// The kind behind the number, also for Moriuchi's T and H; nicknames as what they stand for.
+std::string as_in_tables(std::string text) {
   for (const auto& [nickname, known] : kNicknames)
     if (text == nickname) return std::string(known);
   if (text.ends_with("thetacurve")) text.resize(text.size() - 5);
@@ -105,11 +125,57 @@ std::string normalized(std::string_view name) {
   return text;
 }
 
-const std::map<std::string, const TabledDiagram*, std::less<>>& by_name() {
+/// Takes away what says "the mirror image of", once; false if nothing does.
+bool take_mirror(std::string& text) {
+  for (const std::string_view before : {"mirrorimage(", "mirror(", "m("})
+    if (text.starts_with(before) && text.ends_with(')')) {
+      text = text.substr(before.size(), text.size() - before.size() - 1);
+      return true;
+    }
+  for (const std::string_view before : {"mirrorimageof", "mirrorof", "mirrorimage", "mirror"})
+    if (text.starts_with(before) && text.size() > before.size()) {
+      text.erase(0, before.size());
+      return true;
+    }
+  for (const std::string_view behind : {"mirrorimage", "mirror", "(m)", "*", "m"}) {
+    // "5_1m theta" and "5_1 theta m".
+    for (const std::string_view kind : {"", "theta", "handcuff", "thetacurve", "handcuffgraph"}) {
+      const std::string end = std::string(behind) + std::string(kind);
+      if (!text.ends_with(end) || text.size() == end.size()) continue;
+      text.replace(text.size() - end.size(), end.size(), kind);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// A name as in the tables, and whether it means the mirror image.
+struct WantedName {
+  std::string name;
+  bool mirrored = false;
+};
+WantedName wanted_name(std::string_view name) {
+  WantedName wanted{squeezed(name)};
+  while (take_mirror(wanted.name)) wanted.mirrored = !wanted.mirrored;
+  wanted.name = as_in_tables(std::move(wanted.name));
+  return wanted;
+}
+
+/// Without regard to mirror images.
+std::string normalized(std::string_view name) { return as_in_tables(squeezed(name)); }
+
+/// Where a name stands.
+struct Place {
+  DiagramTable table;
+  std::size_t index;
+};
+
+const std::map<std::string, Place, std::less<>>& by_name() {
   static const auto kMap = [] {
-    std::map<std::string, const TabledDiagram*, std::less<>> map;
-    for (const Table& table : tables())
-      for (const TabledDiagram& entry : table) map.emplace(normalized(entry.name), &entry);
+    std::map<std::string, Place, std::less<>> map;
+    for (const DiagramTable table : kDiagramTables)
+      for (std::size_t i = 0; i < rows_of(table).size(); ++i)
+        map.emplace(normalized(rows_of(table)[i].name), Place{table, i});
     return map;
   }();
   return kMap;
@@ -139,11 +205,8 @@ std::string shape(std::string_view normalized_name) {
 }
 
 /// Names of other tables, as names of these: K4a1 and 4a1 (Hoste and Thistlethwaite) are knots,
-/// 4^2_1 (Rolfsen) links; an m at an end is a mirror image.
+/// 4^2_1 (Rolfsen) links.
 std::string as_known_shape(std::string name) {
-  if (name.size() > 3 && name.starts_with("m(") && name.ends_with(')'))
-    name = name.substr(2, name.size() - 3);
-  if (name.size() > 1 && (name.ends_with('m') || name.ends_with('*'))) name.pop_back();
   const std::string kind = shape(name);
   if (kind == "ka" || kind == "kn" || kind == "a" || kind == "n") {
     if (name[0] == 'k') name.erase(0, 1);
@@ -166,40 +229,55 @@ std::optional<DiagramTable> find_table(std::string_view name) {
 }
 
 std::span<const TabledDiagram> table_of(DiagramTable table) {
-  return tables()[static_cast<std::size_t>(table)];
+  static std::array<std::once_flag, 4> read;
+  static std::array<Table, 4> diagrams;
+  const auto number = static_cast<std::size_t>(table);
+  std::call_once(read[number], [&] { diagrams[number] = read_table(table); });
+  return diagrams[number];
 }
 
 const TabledDiagram* find_diagram(std::string_view name) {
   const auto& map = by_name();
   const auto found = map.find(normalized(name));
-  return found == map.end() ? nullptr : found->second;
+  if (found == map.end()) return nullptr;
+  return &table_of(found->second.table)[found->second.index];
+}
+
+std::optional<NamedDiagram> find_diagram_or_mirror(std::string_view name) {
+  if (const TabledDiagram* entry = find_diagram(name))
+    return NamedDiagram{.name = entry->name, .diagram = entry->diagram};
+  const WantedName wanted = wanted_name(name);
+  const TabledDiagram* entry = find_diagram(wanted.name);
+  if (entry == nullptr) return std::nullopt;
+  if (!wanted.mirrored) return NamedDiagram{.name = entry->name, .diagram = entry->diagram};
+  return NamedDiagram{.name = "m(" + entry->name + ")", .diagram = entry->diagram.mirror_image()};
 }
 
 bool is_diagram_name(std::string_view text) {
-  const std::string name = as_known_shape(normalized(text));
+  const std::string name = as_known_shape(wanted_name(text).name);
   constexpr std::array<std::string_view, 6> kShapes{"_", "la", "ln", "_theta", "_handcuff", "hk_"};
   return std::ranges::find(kShapes, shape(name)) != kShapes.end() &&
          std::ranges::any_of(name, is_digit) && (name[0] != '_' && name.back() != '_');
 }
 
 std::string nearest_diagram_names(std::string_view name, std::size_t count) {
-  const std::string wanted = as_known_shape(normalized(name));
+  const std::string wanted = as_known_shape(wanted_name(name).name);
   const auto crossings = [](std::string_view text) {
     const std::size_t from = std::min(text.find_first_of("0123456789"), text.size());
     return text.substr(from, text.find_first_not_of("0123456789", from) - from);
   };
-  std::vector<std::pair<std::size_t, const TabledDiagram*>> ranked;
-  for (const Table& table : tables())
-    for (const TabledDiagram& entry : table) {
-      const std::string other = normalized(entry.name);
+  std::vector<std::pair<std::size_t, std::string_view>> ranked;
+  for (const DiagramTable table : kDiagramTables)
+    for (const Row& row : rows_of(table)) {
+      const std::string other = normalized(row.name);
       const std::size_t kind = shape(other) == shape(wanted) ? 0 : 3;
       const std::size_t number = crossings(other) == crossings(wanted) ? 0 : 2;
-      ranked.emplace_back(kind + number + edit_distance(wanted, other), &entry);
+      ranked.emplace_back(kind + number + edit_distance(wanted, other), row.name);
     }
-  std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, const TabledDiagram*>::first);
+  std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, std::string_view>::first);
   std::string names;
   for (std::size_t i = 0; i < std::min(count, ranked.size()); ++i)
-    names += (i == 0 ? "" : ", ") + ranked[i].second->name;
+    names.append(i == 0 ? "" : ", ").append(ranked[i].second);
   return names;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "topology/diagrams/diagram.hpp"
+#include "topology/diagrams/read_diagram.hpp"
 
 namespace tripus::topology {
 
@@ -34,7 +35,12 @@ std::span<const TabledDiagram> table_of(DiagramTable table);
 /// "5_1 theta" and "2_1 handcuff". Null if there is none.
 const TabledDiagram* find_diagram(std::string_view name);
 
-/// Whether a text has the form of such a name: "hk9_9", "7_100", "L14n5", "8_1 theta".
+/// The same as a diagram with its name, or its mirror image, called "m(hk5_3)", where the name asks
+/// for it: "m(hk5_3)", "hk5_3m", "hk5_3*", "hk5_3 mirror" and "mirror hk5_3" all do. Nothing if
+/// there is none.
+std::optional<NamedDiagram> find_diagram_or_mirror(std::string_view name);
+
+/// Whether a text has the form of such a name: "hk9_9", "7_100", "L14n5", "8_1 theta", "hk9_9m".
 bool is_diagram_name(std::string_view text);
 
 /// The names nearest to one that is not there, for messages: "hk5_1, hk5_2, ...".

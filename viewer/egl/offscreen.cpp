@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "viewer/detail/gl.hpp"
+#include "viewer/detail/renderer.hpp"
 #include "viewer/legend.hpp"
-#include "viewer/opencsg/detail/gl.hpp"
-#include "viewer/opencsg/detail/renderer.hpp"
 
 // After GLEW.
 #include <EGL/egl.h>
@@ -34,6 +34,9 @@ class OffscreenContext {
       fail("EGL has no configuration with OpenGL");
     context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, nullptr);
     if (context_ == EGL_NO_CONTEXT) fail("EGL makes no OpenGL context");
+    make_current();
+  }
+  void make_current() {
     if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE)
       fail("EGL needs a surface where we have none");
   }
@@ -61,10 +64,10 @@ class OffscreenContext {
   EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-/// Samples a pixel, in each direction: as many as 4 million pixels in all allow.
-int samples_for(int width, int height) {
+/// Samples a pixel, in each direction. The renderer of faces smooths its lines itself.
+int samples_for(RendererKind renderer, int width, int height) {
   const double pixels = static_cast<double>(width) * height;
-  if (pixels <= 7e5) return 3;
+  if (renderer == RendererKind::kOpenCsg && pixels <= 7e5) return 3;
   return pixels <= 4.5e6 ? 2 : 1;
 }
 
@@ -74,17 +77,18 @@ class OffscreenRenderer::Implementation {
  public:
   Image draw(const Scene& scene, const PictureOptions& options, int width, int height,
              Pixels pixels) {
+    context_.make_current();
     if (target_.width != width || target_.height != height)
       target_ = make_render_target(width, height);
     glBindFramebuffer(GL_FRAMEBUFFER, target_.framebuffer.name());
     renderer_.set_scene(scene, options.model);
-    Renderer::Frame frame;
+    Frame frame;
     frame.width = width;
     frame.height = height;
     frame.identities = pixels == Pixels::kIdentities;
     frame.samples = frame.identities      ? 1
                     : options.samples > 0 ? options.samples
-                                          : samples_for(width, height);
+                                          : samples_for(options.renderer, width, height);
     const std::size_t left = renderer_.draw(options, frame);
     Image image = read_pixels(width, height);
     if (!frame.identities) add_legend(scene, options, image);

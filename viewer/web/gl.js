@@ -12,13 +12,14 @@ class Graphics {
     this.nothing = gl.createVertexArray();  // all vertices are made in the shaders
   }
 
-  /// A program of shader files by name; `shared` are put before the fragment and vertex shaders.
-  program(vertex, fragment, shared = []) {
+  /// A program of shader files by name; `shared`, files and lines that begin with #, are put before
+  /// the fragment and vertex shaders, `more` before the fragment shader alone.
+  program(vertex, fragment, shared = [], more = []) {
     const gl = this.gl;
     const program = gl.createProgram();
-    const parts = [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]];
-    for (const [kind, name] of parts) {
-      const source = ['common.glsl', ...shared, name].map(shaderSource).join('\n');
+    const parts = [[gl.VERTEX_SHADER, vertex, []], [gl.FRAGMENT_SHADER, fragment, more]];
+    for (const [kind, name, own] of parts) {
+      const source = ['common.glsl', ...shared, ...own, name].map(shaderSource).join('\n');
       const shader = gl.createShader(kind);
       gl.shaderSource(shader, source);
       gl.compileShader(shader);
@@ -126,4 +127,4 @@ class Graphics {
   }
 }
 
-const shaderSource = (name) => document.getElementById(`shader-${name}`).textContent;
+const shaderSource = (name) => name.startsWith('#') ? name : document.getElementById(`shader-${name}`).textContent;

@@ -14,7 +14,8 @@ class Page {
     this.number = number;
     this.state = {
       view: choice('view', this.data.view_shown === 'inside' ? ['inside', 'outside'] : ['outside', 'inside']),
-      model: choice('model', this.data.model_shown === 'upper' ? ['upper', 'ball'] : ['ball', 'upper']),
+      model: choice('model', [this.data.model_shown, 'ball', 'upper', 'klein']),
+      renderer: choice('renderer', ['faces', 'cells']),
       cells: Math.round(number('cells', this.data.cells_shown ?? 20, 1, kCellCounts.at(-1))),
       explode: number('explode', 0, 0, 1.5),
       colour: choice('colour', ['tetrahedron', 'depth', 'face']),
@@ -148,6 +149,7 @@ class Page {
   /// Draws at `scale` pixels for one of the canvas.
   draw(scale) {
     const {canvas, graphics, state} = this;
+    if (!graphics) return;
     const ratio = Math.min(window.devicePixelRatio || 1, 2);
     const [width, height] = this.fixedSize ??
         [canvas.clientWidth * ratio, canvas.clientHeight * ratio];

@@ -8,7 +8,6 @@ uniform int uColourBy;  // 0 tetrahedron, 1 depth, 2 face
 uniform vec3 uPalette[12];  // for faces
 uniform vec3 uDepths[12];
 uniform float uLine;    // thickness of the edges in pixels
-uniform float uPixel;   // angle of a pixel
 
 flat in ivec2 vFirst;
 flat in int vCell;

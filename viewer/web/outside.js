@@ -15,6 +15,15 @@ const kModels = {
       return {at: [centre[0] * height, centre[1] * height, Math.cosh(radius) * height],
               radius: Math.sinh(radius) * height};
     },
+    ballOf(centre, radius) {
+      const {at, radius: r} = this.sphere(centre, radius);
+      return [...at, r];
+    },
+    place(x) {
+      const height = 1 / (x[3] - x[2]);
+      const size = Math.sqrt(Math.max(-Lorentz.dot(x, x), 1e-300));
+      return [x[0] * height, x[1] * height, size * height];
+    },
     /// Edge 01 of the root upwards in the middle, as in the paper; the truncation of vertex 1
     /// becomes the unit hemisphere, and everything lies under it.
     frame(root) {
@@ -38,7 +47,32 @@ const kModels = {
       const scale = 1 / (centre[3] + Math.cosh(radius));
       return {at: centre.slice(0, 3).map((x) => x * scale), radius: Math.sinh(radius) * scale};
     },
+    ballOf(centre, radius) {
+      const {at, radius: r} = this.sphere(centre, radius);
+      return [...at, r];
+    },
+    place(x) {
+      const scale = 1 / (x[3] + Math.sqrt(Math.max(-Lorentz.dot(x, x), 1e-300)));
+      return [x[0] * scale, x[1] * scale, x[2] * scale];
+    },
     /// The centre of the root in the middle, its vertex 3 upwards.
+    frame: () => Lorentz.identity,
+    view: {target: [0, 0, 0], yaw: 0.5, pitch: 0.35, distance: 3.5},
+  },
+  klein: {
+    number: 2,
+    points: [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 0], [0, 0, 0, 1]],
+    halfSpace(n) {
+      const length = Math.hypot(n[0], n[1], n[2]);
+      return {A: 0, b: n.slice(0, 3).map((x) => x / length), C: -2 * n[3] / length};
+    },
+    /// Cells are the hulls of their corners.
+    ballOf(centre, radius, corners) {
+      const points = corners();
+      const at = [0, 1, 2].map((k) => points.reduce((sum, p) => sum + p[k], 0) / points.length);
+      return [...at, Math.max(...points.map((p) => Math.hypot(...p.map((x, k) => x - at[k]))))];
+    },
+    place: (x) => [x[0] / x[3], x[1] / x[3], x[2] / x[3]],
     frame: () => Lorentz.identity,
     view: {target: [0, 0, 0], yaw: 0.5, pitch: 0.35, distance: 3.5},
   },
@@ -56,12 +90,28 @@ function determinant(m) {
   return minor([0, 1, 2, 3], [0, 1, 2, 3]);
 }
 
+/// From points at + radius u of the model to the hyperboloid in the tetrahedron's coordinates:
+/// five columns that (u, |u|^2, 1) is multiplied with. The result is the point over s, where u
+/// moves s of hyperbolic length for one of its own.
+function toTetrahedron(isometry, model, at, radius) {
+  const inverse = Lorentz.inverse(isometry);
+  const [x, y, z, square, one] = model.points;
+  const sum = (terms) => Lorentz.apply(inverse, [0, 1, 2, 3].map(
+      (i) => terms.reduce((total, [factor, column]) => total + factor * column[i], 0)));
+  const axes = [x, y, z];
+  return [...axes.map((axis, k) => sum([[1, axis], [2 * at[k], square]])),
+          sum([[radius, square]]),
+          sum([...axes.map((axis, k) => [at[k] / radius, axis]),
+               [dot3(at, at) / radius, square], [1 / radius, one]])].flat();
+}
+
 class OutsideView {
   constructor(graphics, manifold) {
     this.graphics = graphics;
     this.manifold = manifold;
     this.cover = new UniversalCover(manifold);
     this.records = {upper: [], ball: []};
+    this.sets = {};
     this.texture = null;
     this.shown = '';
     this.connect();
@@ -70,9 +120,9 @@ class OutsideView {
   /// Makes what lives on the graphics card, at the start and after it was lost.
   connect() {
     const shared = ['outside_camera.glsl'];
-    this.cells = this.graphics.program('outside.vert.glsl', 'outside.frag.glsl',
-                                       [...shared, 'discs.glsl']);
+    this.cells = null;
     this.discs = this.manifold.discs.texture(this.graphics);
+    this.faces = new FaceDrawing(this.graphics, this.manifold, this.discs);
     this.ground =
         this.graphics.program('fullscreen.vert.glsl', 'outside_ground.frag.glsl', shared);
     this.shown = '';
@@ -81,21 +131,6 @@ class OutsideView {
   /// The isometry from the coordinates of the root to those of the model.
   toModel(model) {
     return Lorentz.inverse(kModels[model].frame(this.manifold.tetrahedra[0]));
-  }
-
-  /// From points at + radius u of the model to the hyperboloid in the tetrahedron's coordinates:
-  /// five columns that (u, |u|^2, 1) is multiplied with. The result is the point over s, where u
-  /// moves s of hyperbolic length for one of its own.
-  toTetrahedron(isometry, model, at, radius) {
-    const inverse = Lorentz.inverse(isometry);
-    const [x, y, z, square, one] = kModels[model].points;
-    const sum = (terms) => Lorentz.apply(inverse, [0, 1, 2, 3].map(
-        (i) => terms.reduce((total, [factor, column]) => total + factor * column[i], 0)));
-    const axes = [x, y, z];
-    return [...axes.map((axis, k) => sum([[1, axis], [2 * at[k], square]])),
-            sum([[radius, square]]),
-            sum([...axes.map((axis, k) => [at[k] / radius, axis]),
-                 [dot3(at, at) / radius, square], [1 / radius, one]])].flat();
   }
 
   /// 19 x 4 numbers of a cell for the shader; see outside.frag.glsl.
@@ -114,7 +149,7 @@ class OutsideView {
     numbers.set([...at, radius], 40);
     numbers.set([...paletteColour(cell.tetrahedron), cell.depth], 44);
     numbers.set(this.manifold.faceClass[cell.tetrahedron], 48);
-    numbers.set(this.toTetrahedron(isometry, model, at, radius), 52);
+    numbers.set(toTetrahedron(isometry, kModels[model], at, radius), 52);
     const tile = 4 * cell.tetrahedron;
     numbers.set(this.manifold.discs.first.slice(tile, tile + 4), 72);
     return numbers;
@@ -141,7 +176,6 @@ class OutsideView {
   draw(state, camera, width, height, scale) {
     const gl = this.graphics.gl;
     const model = kModels[state.model];
-    const count = this.upload(state.cells, state.model);
     const view = camera.view(width / height);
     const setCamera = (program) => {
       gl.useProgram(program.program);
@@ -154,7 +188,7 @@ class OutsideView {
       gl.uniform1i(program.at('uOutput'), state.identities ? 1 : 0);
     };
     setCamera(this.ground);
-    gl.uniform1i(this.ground.at('uModel'), model.number);
+    gl.uniform1i(this.ground.at('uModel'), state.model === 'upper' ? 0 : 1);
     for (const [name, hex] of Object.entries(state.theme.outside))
       gl.uniform3fv(this.ground.at(name), linearColour(hex));
     gl.uniform1i(this.ground.at('uFront'), 0);
@@ -162,6 +196,36 @@ class OutsideView {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     gl.depthFunc(gl.LEQUAL);
 
+    if (state.renderer === 'cells' && state.model !== 'klein')
+      this.drawCells(state, view, scale, setCamera);
+    else
+      this.drawFaces(state, view, width, height, scale, setCamera);
+
+    if (state.model === 'upper' || state.identities) return;
+    setCamera(this.ground);
+    gl.uniform1i(this.ground.at('uFront'), 1);
+    gl.enable(gl.BLEND);
+    gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ZERO, gl.ONE);
+    gl.depthFunc(gl.ALWAYS);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.disable(gl.BLEND);
+    gl.depthFunc(gl.LEQUAL);
+  }
+
+  drawFaces(state, view, width, height, scale, setCamera) {
+    const cells = this.cover.grow(state.cells);
+    const set = this.sets[state.model] ??=
+        new FaceSet(this.manifold, state.model, this.toModel(state.model));
+    set.grow(cells);
+    this.faces.draw(set, cells, state, view, width, height, scale, setCamera);
+  }
+
+  /// Each cell by its eight half-spaces: the reference that faces are compared with.
+  drawCells(state, view, scale, setCamera) {
+    const gl = this.graphics.gl;
+    const count = this.upload(state.cells, state.model);
+    this.cells ??= this.graphics.program('outside.vert.glsl', 'outside.frag.glsl',
+                                         ['outside_camera.glsl', 'discs.glsl']);
     setCamera(this.cells);
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D, this.texture);
@@ -175,15 +239,5 @@ class OutsideView {
     gl.uniform3fv(this.cells.at('uDepths'), kDepthPalette.flat());
     gl.uniform1f(this.cells.at('uLine'), (state.lines ? 1.9 : 0) * scale);
     gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
-
-    if (state.model !== 'ball' || state.identities) return;
-    setCamera(this.ground);
-    gl.uniform1i(this.ground.at('uFront'), 1);
-    gl.enable(gl.BLEND);
-    gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ZERO, gl.ONE);
-    gl.depthFunc(gl.ALWAYS);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
-    gl.disable(gl.BLEND);
-    gl.depthFunc(gl.LEQUAL);
   }
 }

@@ -3,6 +3,7 @@ uniform vec3 uEye;
 uniform mat3 uAxes;       // columns: right, up, forward
 uniform vec2 uTangent;    // of half the field of view, across and up
 uniform vec2 uSize;       // of the picture in pixels
+uniform float uPixel;     // the angle of a pixel
 uniform vec2 uDepth;      // distances that become depth 0 and 1
 
 vec3 rayThroughPixel(vec2 pixel) {

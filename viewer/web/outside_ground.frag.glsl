@@ -2,7 +2,6 @@
 // upper half-space with a grid.
 uniform int uModel;  // 0 upper half-space, 1 ball
 uniform vec3 uHigh, uLow, uInk;  // background above and below, colour of lines
-uniform float uPixel;
 uniform int uFront;  // 1: the near side of the glass ball, blended over the cells
 out vec4 colour;
 

@@ -181,8 +181,9 @@ void check(const PageOptions& options, const topology::Triangulation& triangulat
     throw InvalidInput(
         fmt::format("a page shows 1 to {} cells, not {}", kMostPageCells, options.cells));
   }
-  if (options.model != "ball" && options.model != "upper")
-    throw InvalidInput("a page knows the models ball and upper, not " + quoted(options.model));
+  if (options.model != "ball" && options.model != "upper" && options.model != "klein")
+    throw InvalidInput("a page knows the models ball, upper and klein, not " +
+                       quoted(options.model));
   if (triangulation.tetrahedron_count() > kMostPageTetrahedra) {
     throw Unsupported(fmt::format("a page shows manifolds of up to {} tetrahedra, not {}",
                                   kMostPageTetrahedra, triangulation.tetrahedron_count()));

@@ -1,15 +1,18 @@
 # The page's files, as they are, become strings of the library, in the order in which a page puts them
-# together. Sets TRIPUS_WEB_ASSETS_CPP, the source file to compile.
+# together, and those of the desktop's renderer of faces. Sets TRIPUS_WEB_ASSETS_CPP, the source file
+# to compile.
 set(TRIPUS_WEB_SHADERS
   common.glsl discs.glsl fullscreen.vert.glsl outside_camera.glsl outside.vert.glsl
-  outside.frag.glsl outside_ground.frag.glsl inside.frag.glsl)
+  outside.frag.glsl outside_ground.frag.glsl outside_faces.frag.glsl inside.frag.glsl
+  ../faces/faces.vert.glsl ../faces/faces.glsl)
+set(TRIPUS_WEB_DESKTOPS ../faces/desktop.glsl ../faces/desktop.frag.glsl)
 set(TRIPUS_WEB_SCRIPTS
-  lorentz.js manifold.js palette.js gl.js discs.js outside.js cameras.js inside.js panel.js
+  lorentz.js manifold.js palette.js gl.js discs.js outside.js faces.js cameras.js inside.js panel.js
   controls.js hover.js dump.js main.js)
 set(TRIPUS_WEB_TEXTS page.html style.css gallery.html gallery.css)
 
 set(TRIPUS_WEB_ENTRIES "")
-foreach(kind Shader Script Text)
+foreach(kind Shader Desktop Script Text)
   string(TOUPPER "${kind}S" list)
   foreach(file IN LISTS TRIPUS_WEB_${list})
     set(path "${CMAKE_CURRENT_LIST_DIR}/${file}")
@@ -18,8 +21,9 @@ foreach(kind Shader Script Text)
     if(text MATCHES "\\)tripus\"")
       message(FATAL_ERROR "${file} holds the end mark of a raw string")
     endif()
+    get_filename_component(name "${file}" NAME)
     string(APPEND TRIPUS_WEB_ENTRIES
-           "    {AssetKind::k${kind}, \"${file}\", R\"tripus(${text})tripus\"},\n")
+           "    {AssetKind::k${kind}, \"${name}\", R\"tripus(${text})tripus\"},\n")
   endforeach()
 endforeach()
 set(TRIPUS_WEB_ASSETS_CPP "${CMAKE_CURRENT_BINARY_DIR}/web_assets.cpp")

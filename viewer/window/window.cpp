@@ -11,9 +11,9 @@
 #include <optional>
 #include <vector>
 
+#include "viewer/detail/gl.hpp"
+#include "viewer/detail/renderer.hpp"
 #include "viewer/legend.hpp"
-#include "viewer/opencsg/detail/gl.hpp"
-#include "viewer/opencsg/detail/renderer.hpp"
 
 // After GLEW.
 #include <GLFW/glfw3.h>
@@ -270,7 +270,7 @@ class Viewer {
   }
 
   void draw_scene(int width, int height) {
-    Renderer::Frame frame;
+    Frame frame;
     frame.width = width;
     frame.height = height;
     frame.samples = shown_.samples > 0 ? shown_.samples : 1;

@@ -36,6 +36,10 @@ NEAR = 40
 FAR = 5000
 FAR_SECONDS = 3.0
 WAIT = 3.0
+#: More tetrahedra than that are made fewer before anything but a metric is looked for.
+LARGE = 50
+#: Seconds a tetrahedron that the cells and the group take in Python, with room to spare.
+READING = 3e-4
 
 _ARTICLES = {"annulus": "an essential annulus", "disc": "an essential disc"}
 
@@ -113,6 +117,12 @@ class Hyperbolicity(Value):
         return list(self._fields["tried"])
 
     @property
+    def advice(self) -> str | None:
+        """What may decide it, where it was not decided: "more time", "surfaces" (a search for them);
+        None where neither does."""
+        return self._fields["advice"]  # type: ignore[no-any-return]
+
+    @property
     def seconds(self) -> float:
         """Time it took."""
         return float(self._fields["seconds"])
@@ -135,23 +145,39 @@ class _Decision:
         self.began = time.monotonic()
         self.deadline = self.began + time_limit
         self.surfaces = surfaces
+        self.advice: str | None = None
         self.tried: list[str] = []
-        if manifold.has_finite_vertices() and len(manifold.links()) > sum(
-            link["euler_characteristic"] > 0 for link in manifold.links()
-        ):
-            manifold = manifold.simplified(time_limit=time_limit)
-        self.manifold = manifold
-        self.table = Table(manifold.gluings)
+        self.given = manifold
+        self.manifold = manifold  # the same with fewer tetrahedra, where that is needed
 
     def left(self) -> float:
         return max(1e-3, self.deadline - time.monotonic())
 
+    def is_over(self) -> bool:
+        return time.monotonic() >= self.deadline
+
+    @functools.cached_property
+    def table(self) -> Table:
+        """Of self.manifold, when that is settled."""
+        return Table(self.manifold.gluings)
+
     def run(self, metric: bool = True) -> Hyperbolicity:
         self.metric = metric
+        is_large = self.given.num_tetrahedra() > LARGE
+        if needs_simplifying(self.given):
+            self._simplify()
+        else:
+            # Of a large one that has no metric the moves and the group need the time.
+            share = self.left() / (3 if is_large else 1)
+            answer = self._by_metric(self.given, share)
+            if answer is not None:
+                return answer
+            if is_large:
+                self._simplify()
         objection = _objection(self.manifold)
-        tests: list[Callable[[], Hyperbolicity | None]] = [
-            functools.partial(self._by_metric, self.manifold)
-        ]
+        tests: list[Callable[[], Hyperbolicity | None]] = []
+        if self.manifold is not self.given:
+            tests.append(functools.partial(self._by_metric, self.manifold))
         if objection:
             tests.append(functools.partial(self._by_other_metric, FAR))
         else:
@@ -160,23 +186,38 @@ class _Decision:
             if self.surfaces:
                 tests.append(self._by_surface)
         for test in tests:
+            if self.is_over():
+                break
             answer = test()
             if answer is not None:  # an answer of "no" is one, too
                 return answer
         if objection:
             self.tried.append(objection)
-        return self._not_decided()
+        return self._not_decided(surfaces_help=not objection and not self.surfaces)
+
+    def _simplify(self) -> None:
+        """What a search that was cut short leaves could not be made anew by a check."""
+        before = self.given.num_tetrahedra()
+        seconds = self.left() / 2
+        begin = time.monotonic()
+        small = self.given.simplified(time_limit=seconds)
+        if time.monotonic() - begin < seconds:
+            self.manifold = small
+            return
+        self.tried.append(f"fewer tetrahedra than {before}: not done after {seconds:.2g} s")
 
     # Yes
 
-    def _by_metric(self, manifold: Manifold) -> Hyperbolicity | None:
-        if not self.metric or manifold.verdict(time_limit=self.left()).outcome != "geometric":
+    def _by_metric(self, manifold: Manifold, limit: float = math.inf) -> Hyperbolicity | None:
+        if not self.metric:
+            return None
+        if manifold.verdict(time_limit=min(limit, self.left())).outcome != "geometric":
             return None
         found = manifold.prove(time_limit=self.left())
         proof, reason = (json.loads(found.to_json()), "") if found else (None, found.reason)
         certificate = {
             "by": "metric",
-            "gluings": self.table.rows(),
+            "gluings": self.given.gluings,
             "triangulation": manifold.gluings,
             "proof": proof,
             "reason": reason,
@@ -188,7 +229,7 @@ class _Decision:
         return self._answer(True, "metric", message, certificate, proved=proof is not None)
 
     def _by_other_metric(self, budget: int) -> Hyperbolicity | None:
-        if not self.metric or time.monotonic() >= self.deadline:
+        if not self.metric:
             return None
         seconds = self.left() if budget == NEAR else min(self.left(), FAR_SECONDS)
         other = self.manifold.retriangulated(budget=budget, time_limit=seconds)
@@ -203,10 +244,20 @@ class _Decision:
     # No
 
     def _by_group(self) -> Hyperbolicity | None:
+        size = self.manifold.num_tetrahedra()
+        if READING * size > self.left():
+            self.tried.append(
+                f"the fundamental group: not read, as {size} tetrahedra are too many for "
+                f"{self.left():.2g} s"
+            )
+            return None
         group = presentation.of_table(self.table, self.deadline)
         start = [list(group.generators), [list(word) for word in group.relators]]
         group.simplify()
         group.shorten()
+        if self.is_over():
+            self.tried.append("the fundamental group: the time was over while it was made simpler")
+            return None
         parts: list[list[int]] | None
         if not group.relators and len(group.generators) > 1:
             by, parts = "free group", [group.generators]
@@ -214,7 +265,8 @@ class _Decision:
             by, split = "free product", group.splitting()
             parts = None if split is None else list(split)
         if parts is None:
-            count = f"{len(group.generators)} generators, {len(group.relators)} relators"
+            number = len(group.relators)
+            count = f"{len(group.generators)} generators, {number} relator{'s' * (number != 1)}"
             self.tried.append(f"the fundamental group: {count}, seen neither free nor a free product")
             return None
         certificate = {
@@ -254,8 +306,6 @@ class _Decision:
     def _by_surface(self) -> Hyperbolicity | None:
         from tripus.hyperbolic.worker import worker
 
-        if time.monotonic() >= self.deadline:
-            return None
         try:
             searcher = worker()
         except Unsupported as error:
@@ -294,8 +344,12 @@ class _Decision:
 
     # The answer
 
-    def _not_decided(self) -> Hyperbolicity:
-        message = "not decided; tried: " + "; ".join(self.tried)
+    def _not_decided(self, surfaces_help: bool) -> Hyperbolicity:
+        if self.is_over():
+            self.advice = "more time"
+        elif surfaces_help:
+            self.advice = "surfaces"
+        message = "not decided; tried: " + "; ".join(self.tried or ["nothing, for want of time"])
         return self._answer(None, None, message, None, proved=False)
 
     def _answer(
@@ -320,10 +374,17 @@ class _Decision:
                 "pieces": pieces or [],
                 "name": name,
                 "tried": self.tried,
+                "advice": self.advice,
                 "seconds": round(time.monotonic() - self.began, 6),
                 "message": message,
             }
         )
+
+
+def needs_simplifying(manifold: Manifold) -> bool:
+    """Whether there are finite vertices beside the boundary, which the tests do not know."""
+    spheres = sum(link["euler_characteristic"] > 0 for link in manifold.links())
+    return manifold.has_finite_vertices() and spheres < len(manifold.links())
 
 
 def _objection(manifold: Manifold) -> str:
@@ -359,6 +420,8 @@ def hyperbolicity(
     return _Decision(manifold, seconds, surfaces).run()
 
 
-def without_metric(manifold: Manifold, time_limit: float) -> Hyperbolicity:
+def without_metric(
+    manifold: Manifold, time_limit: float, surfaces: bool = True
+) -> Hyperbolicity:
     """All the tests but the metric: for hyperbolic manifolds, where none may say "no"."""
-    return _Decision(manifold, time_limit, True).run(metric=False)
+    return _Decision(manifold, time_limit, surfaces).run(metric=False)

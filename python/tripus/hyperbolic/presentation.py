@@ -5,6 +5,7 @@ Words are tuples of integers other than 0: generator i is i + 1, its inverse -(i
 
 from __future__ import annotations
 
+import collections
 import itertools
 import math
 import time
@@ -127,15 +128,12 @@ class Presentation:
         """Eliminates as long as the relators stay short."""
         while time.monotonic() < self._deadline:
             best: tuple[int, int, int] | None = None
+            in_all = collections.Counter(abs(x) for word in self.relators for x in word)
             for r, word in enumerate(self.relators):
-                counts: dict[int, int] = {}
-                for x in word:
-                    counts[abs(x)] = counts.get(abs(x), 0) + 1
-                for x, n in counts.items():
+                for x, n in collections.Counter(map(abs, word)).items():
                     if n != 1:
                         continue
-                    others = sum(abs(y) == x for s, w in enumerate(self.relators) if s != r for y in w)
-                    cost = others * (len(word) - 2) - len(word)
+                    cost = (in_all[x] - 1) * (len(word) - 2) - len(word)
                     if best is None or cost < best[0]:
                         best = cost, x - 1, r
             if best is None or self.length + best[0] > longest:
@@ -183,6 +181,8 @@ class Presentation:
             for x in word:
                 classes.join(abs(word[0]) - 1, abs(x) - 1)
         parts = list(classes.groups().values())
+        if len(parts) < 2:
+            return None
         free = [p for p in parts if not self.part(p).relators]
         good = free or [p for p in parts if self.part(p).homology() != ([], 0)]
         for part in good:

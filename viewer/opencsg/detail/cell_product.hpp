@@ -6,7 +6,7 @@
 
 #include <opencsg.h>
 
-#include "viewer/opencsg/detail/gl.hpp"
+#include "viewer/detail/gl.hpp"
 #include "viewer/opencsg/half_space_mesh.hpp"
 #include "viewer/scene.hpp"
 

@@ -37,7 +37,7 @@ varying vec3 position;
 float product(vec4 a, vec4 b) { return dot(a.xyz, b.xyz) - a.w * b.w; }
 
 vec4 disc_texel(float i) {
-  const float row = 1024.0;    // kDiscTexelsPerRow
+  const float row = 2048.0;    // kDiscTexelsPerRow
   float y = floor((i + 0.5) / row);
   return texture2D(discs, vec2((i - row * y + 0.5) / row, (y + 0.5) / disc_rows));
 }
@@ -128,105 +128,6 @@ void main() {
   light += vec3(0.10 * shine) + vec3(0.05, 0.055, 0.06) * rim;
   vec3 shown = sqrt(clamp(light, 0.0, 1.0));
   gl_FragColor = vec4(mix(shown, 0.22 * own_colour, ink), 1.0);
-}
-)";
-
-const std::string_view kComposeVertexShader = R"(#version 120
-void main() { gl_Position = gl_Vertex; }
-)";
-
-// `samples` is defined by the caller in front of this text, with the version line.
-const std::string_view kComposeFragmentShader = R"(
-uniform sampler2D colours;
-uniform sampler2D depths;
-uniform vec2 size;             // of the textures, pixels
-uniform vec4 lens;             // projection: its [0][0], [1][1], [2][0], [2][1]
-uniform vec2 range;            // near, far
-uniform mat3 to_model;         // directions from eye space
-uniform vec3 eye;              // in the model
-uniform float reach;           // of the darkening, in the model's unit
-uniform int model;             // 0 upper half-space, 1 a ball
-uniform vec3 middle;           // of the scene, and its radius
-uniform float extent;
-
-float distance_at(vec2 at) {
-  float z = 2.0 * texture2D(depths, at).r - 1.0;
-  return 2.0 * range.x * range.y / (range.y + range.x - z * (range.y - range.x));
-}
-
-vec3 place(vec2 at, float far) {
-  vec2 ndc = 2.0 * at - 1.0;
-  return vec3((ndc + lens.zw) / lens.xy, -1.0) * far;
-}
-
-// How much of the sky above a point its surroundings leave open.
-// turn: of the pattern of places that are looked at
-float openness(vec2 at, float turn) {
-  float d = distance_at(at);
-  vec3 p = place(at, d);
-  // The slope of the surface, from the nearer neighbours on each side.
-  float west = distance_at(at - vec2(1.0, 0.0) / size), east = distance_at(at + vec2(1.0, 0.0) / size);
-  float south = distance_at(at - vec2(0.0, 1.0) / size), north = distance_at(at + vec2(0.0, 1.0) / size);
-  vec3 across = abs(west - d) < abs(east - d) ? p - place(at - vec2(1.0, 0.0) / size, west)
-                                              : place(at + vec2(1.0, 0.0) / size, east) - p;
-  vec3 along = abs(south - d) < abs(north - d) ? p - place(at - vec2(0.0, 1.0) / size, south)
-                                               : place(at + vec2(0.0, 1.0) / size, north) - p;
-  vec3 normal = normalize(cross(across, along));
-  float closed = 0.0;
-  for (int i = 0; i < 10; ++i) {
-    float share = (float(i) + 0.5) / 10.0;
-    float angle = turn + 2.3999632 * float(i);
-    vec2 offset = 0.5 * lens.xy * reach * share / d * vec2(cos(angle), sin(angle));
-    vec2 there = at + offset;
-    vec3 way = place(there, distance_at(there)) - p;
-    float length2 = dot(way, way);
-    float fade = max(1.0 - length2 / (reach * reach), 0.0);
-    closed += fade * max(dot(normal, way) * inversesqrt(length2 + 1e-12) - 0.08, 0.0);
-  }
-  return 1.0 / (1.0 + 2.4 * closed / 10.0 * 2.0);
-}
-
-vec3 background(vec2 at) {
-  vec3 direction = to_model * normalize(place(at, 1.0));
-  vec3 sky = mix(vec3(0.93, 0.945, 0.96), vec3(0.985, 0.985, 0.98), smoothstep(0.0, 1.0, 1.0 - at.y));
-  if (model == 0) {
-    // The plane at infinity, z = 0, fading out around the scene.
-    float t = -eye.z / direction.z;
-    if (eye.z * direction.z < 0.0) {
-      vec2 ground = eye.xy + t * direction.xy - middle.xy;
-      float fade = exp(-dot(ground, ground) / (3.2 * extent * extent));
-      sky = mix(sky, vec3(0.80, 0.83, 0.86), 0.75 * fade);
-    }
-    return sky;
-  }
-  // The ball: a faint glass sphere.
-  float b = dot(eye, direction);
-  float gap = dot(eye, eye) - b * b;
-  if (gap < 1.0 && b < 0.0) sky = mix(sky, vec3(0.74, 0.79, 0.85), 0.18 + 0.42 * pow(gap, 6.0));
-  return sky;
-}
-
-void main() {
-  vec3 sum = vec3(0.0);
-  for (int i = 0; i < samples; ++i) {
-    for (int j = 0; j < samples; ++j) {
-      vec2 pixel = float(samples) * floor(gl_FragCoord.xy) + vec2(float(i), float(j)) + 0.5;
-      vec2 at = pixel / size;
-      // Each sample of a pixel looks elsewhere; a single one at random, which is grainy.
-      float part = samples > 1 ? float(i * samples + j) / float(samples * samples)
-                               : fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
-      vec4 drawn = texture2D(colours, at);
-      vec3 shown;
-      if (drawn.a == 0.0) {
-        shown = background(at);
-      } else {
-        shown = drawn.rgb;
-        if (reach > 0.0) shown *= mix(vec3(0.05, 0.07, 0.12), vec3(1.0), openness(at, 6.2831853 * part));
-      }
-      sum += shown;
-    }
-  }
-  gl_FragColor = vec4(sum / float(samples * samples), 1.0);
 }
 )";
 

@@ -8,9 +8,14 @@
 
 namespace tripus::viewer::detail {
 
-enum class AssetKind { kShader, kScript, kText };
+enum class AssetKind {
+  kShader,
+  kDesktop,  ///< a shader that no page has
+  kScript,
+  kText,
+};
 
-/// A file of viewer/web.
+/// A file of viewer/web or viewer/faces.
 struct Asset {
   AssetKind kind;
   std::string_view name;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "viewer/opencsg/detail/gl.hpp"
+#include "viewer/detail/gl.hpp"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"

@@ -3,12 +3,16 @@
 #include <memory>
 #include <vector>
 
-#include "viewer/opencsg/detail/gl.hpp"
+#include "viewer/detail/gl.hpp"
 #include "viewer/scene.hpp"
 
 namespace tripus::viewer {
 
-/// The discs of a scene on the graphics card, for kWallFragmentShader.
+/// Of the texture that holds the discs, two texels each: centre; colour and extent, which is
+/// negative behind the last disc of a tile.
+inline constexpr int kDiscTexelsPerRow = 2048;
+
+/// The discs of a scene on the graphics card, for discs.glsl and kWallFragmentShader.
 class DrawnDiscs {
  public:
   /// Takes the discs of a scene from now on; null: there are none.
@@ -17,7 +21,13 @@ class DrawnDiscs {
 
   bool empty() const { return discs_ == nullptr; }
 
-  /// Tells the program in use of the cell that is drawn next.
+  GLuint texture() const { return texture_.name(); }
+  /// Where the discs of a tile begin.
+  float first_texel(std::uint32_t tetrahedron, std::uint32_t vertex) const {
+    return first_[4 * std::size_t{tetrahedron} + vertex];
+  }
+
+  /// For OpenCSG: tells the program in use of the cell that is drawn next.
   void use_cell(GLuint program, const ToTetrahedron& to_tetrahedron) const;
   /// Tells it of the wall of that cell: discs lie on truncations alone.
   void use_wall(GLuint program, const SceneCell& cell, std::size_t wall) const;

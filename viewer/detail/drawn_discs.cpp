@@ -1,6 +1,4 @@
-#include "viewer/opencsg/detail/drawn_discs.hpp"
-
-#include "viewer/opencsg/detail/shaders.hpp"
+#include "viewer/detail/drawn_discs.hpp"
 
 namespace tripus::viewer {
 namespace {
@@ -58,7 +56,7 @@ void DrawnDiscs::use_cell(GLuint program, const ToTetrahedron& to_tetrahedron) c
 void DrawnDiscs::use_wall(GLuint program, const SceneCell& cell, std::size_t wall) const {
   if (wall >= kWallCount || !is_truncation(wall)) return use_none(program);
   glUniform1f(glGetUniformLocation(program, "first_disc"),
-              first_[4 * std::size_t{cell.tetrahedron} + wall - 4]);
+              first_texel(cell.tetrahedron, static_cast<std::uint32_t>(wall - 4)));
 }
 
 void DrawnDiscs::use_none(GLuint program) {

@@ -1,4 +1,4 @@
-#include "viewer/opencsg/detail/gl.hpp"
+#include "viewer/detail/gl.hpp"
 
 #include <algorithm>
 

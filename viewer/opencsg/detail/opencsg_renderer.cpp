@@ -1,4 +1,4 @@
-#include "viewer/opencsg/detail/renderer.hpp"
+#include "viewer/opencsg/detail/opencsg_renderer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,10 @@
 
 #include <Eigen/Geometry>
 
+#include "viewer/detail/compose.hpp"
+#include "viewer/detail/drawn_discs.hpp"
+#include "viewer/detail/gl.hpp"
 #include "viewer/opencsg/detail/cell_product.hpp"
-#include "viewer/opencsg/detail/drawn_discs.hpp"
-#include "viewer/opencsg/detail/gl.hpp"
 #include "viewer/opencsg/detail/shaders.hpp"
 
 namespace tripus::viewer {
@@ -25,29 +26,18 @@ constexpr std::size_t kCellsBetweenWaits = 8;
 
 Eigen::Matrix4f as_floats(const Eigen::Matrix4d& matrix) { return matrix.cast<float>(); }
 
-/// Without some of its walls a cell is no solid.
-bool is_solid(const PictureOptions& options) {
-  return options.drawing == Drawing::kSolid && options.faces && options.truncations;
-}
-
 bool is_stopped(const PictureOptions& options) {
   return options.stop_requested != nullptr &&
          options.stop_requested->load(std::memory_order_relaxed);
 }
 
-struct Uniform {
-  GLuint program;
-  GLint at(const char* name) const { return glGetUniformLocation(program, name); }
-};
-
 }  // namespace
 
-class Renderer::Implementation {
+class OpenCsgRenderer::Implementation {
  public:
   Implementation();
   void set_scene(const Scene& scene, Model model);
   std::size_t draw(const PictureOptions& options, const Frame& frame);
-  const Ball& scene_ball() const { return ball_; }
 
  private:
   std::size_t draw_cells(const PictureOptions& options, const Frame& frame, const View& view);
@@ -56,14 +46,10 @@ class Renderer::Implementation {
   void solve_product(const CellProduct& product, const View& view);
   void shade(std::size_t number, const PictureOptions& options, const Frame& frame,
              const View& view);
-  void compose(const PictureOptions& options, const Frame& frame, const View& view, GLint target);
-  GLuint compose_program(int samples);
 
   GlProgram wall_program_;
-  GlProgram compose_program_;
-  int compose_samples_ = 0;
+  Composer composer_;
   DrawnMesh bounding_;
-  RenderTarget target_;
   Scene scene_;
   Model model_ = Model::kUpperHalfSpace;
   Ball ball_;
@@ -71,7 +57,7 @@ class Renderer::Implementation {
   DrawnDiscs discs_;
 };
 
-Renderer::Implementation::Implementation()
+OpenCsgRenderer::Implementation::Implementation()
     : wall_program_(make_program(kWallVertexShader, kWallFragmentShader)),
       bounding_(bounding_mesh()) {
   // All primitives are convex: the sequenced subtraction of Stewart, Leach and John. Occlusion
@@ -81,7 +67,7 @@ Renderer::Implementation::Implementation()
   OpenCSG::setOption(OpenCSG::DepthComplexitySetting, OpenCSG::NoDepthComplexitySampling);
 }
 
-void Renderer::Implementation::set_scene(const Scene& scene, Model model) {
+void OpenCsgRenderer::Implementation::set_scene(const Scene& scene, Model model) {
   // Cells that stay keep their meshes.
   const bool grows =
       model == model_ && scene.cells.size() >= scene_.cells.size() &&
@@ -97,35 +83,20 @@ void Renderer::Implementation::set_scene(const Scene& scene, Model model) {
     products_.emplace_back(model, scene.cells[products_.size()]);
 }
 
-std::size_t Renderer::Implementation::draw(const PictureOptions& options, const Frame& frame) {
-  const int width = frame.width * frame.samples, height = frame.height * frame.samples;
+std::size_t OpenCsgRenderer::Implementation::draw(const PictureOptions& options,
+                                                  const Frame& frame) {
   const View view = view_of(options.camera, ball_, frame.width, frame.height);
-  GLint target = 0;
-  glGetIntegerv(GL_FRAMEBUFFER_BINDING, &target);
   glPushAttrib(GL_ALL_ATTRIB_BITS);
-  if (target_.width != width || target_.height != height)
-    target_ = make_render_target(width, height);
-  glBindFramebuffer(GL_FRAMEBUFFER, target_.framebuffer.name());
-  glViewport(0, 0, width, height);
-  glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_BLEND);
-  glDisable(GL_DITHER);
-  glClearColor(0, 0, 0, 0);
-  glClearDepth(1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  glEnable(GL_DEPTH_TEST);
+  composer_.begin(frame);
   const std::size_t left = draw_cells(options, frame, view);
-  compose(options, frame, view, target);
+  composer_.finish(options, frame, view, ball_);
   glPopAttrib();
-  const GLenum error = glGetError();
-  if (error != GL_NO_ERROR)
-    throw NoOpenGl("OpenGL reports the error " + std::to_string(error) +
-                   " while drawing; try a smaller --size or fewer --cells");
+  require_no_error();
   return left;
 }
 
-std::size_t Renderer::Implementation::draw_cells(const PictureOptions& options, const Frame& frame,
-                                                 const View& view) {
+std::size_t OpenCsgRenderer::Implementation::draw_cells(const PictureOptions& options,
+                                                        const Frame& frame, const View& view) {
   glMatrixMode(GL_PROJECTION);
   glLoadMatrixf(as_floats(view.projection).data());
   glMatrixMode(GL_MODELVIEW);
@@ -147,9 +118,9 @@ std::size_t Renderer::Implementation::draw_cells(const PictureOptions& options, 
   return 0;
 }
 
-void Renderer::Implementation::draw_cell(std::size_t number, const PictureOptions& options,
-                                         const Frame& frame, const View& view,
-                                         const HalfSpace* cut) {
+void OpenCsgRenderer::Implementation::draw_cell(std::size_t number, const PictureOptions& options,
+                                                const Frame& frame, const View& view,
+                                                const HalfSpace* cut) {
   CellProduct& product = products_[number];
   const double distance = (product.centre() - view.eye).norm();
   const double pixels =
@@ -170,7 +141,7 @@ void Renderer::Implementation::draw_cell(std::size_t number, const PictureOption
   shade(number, options, frame, view);
 }
 
-void Renderer::Implementation::solve_product(const CellProduct& product, const View& view) {
+void OpenCsgRenderer::Implementation::solve_product(const CellProduct& product, const View& view) {
   // The box of the picture where the cell is.
   const Eigen::Vector3d centre = (view.model_view * product.centre().homogeneous()).head(3);
   const double reach = kPrimitiveReach * product.scale();
@@ -201,8 +172,8 @@ void Renderer::Implementation::solve_product(const CellProduct& product, const V
   OpenCSG::render(pointers);
 }
 
-void Renderer::Implementation::shade(std::size_t number, const PictureOptions& options,
-                                     const Frame& frame, const View& view) {
+void OpenCsgRenderer::Implementation::shade(std::size_t number, const PictureOptions& options,
+                                            const Frame& frame, const View& view) {
   const CellProduct& product = products_[number];
   const SceneCell& cell = scene_.cells[number];
   const std::vector<CellProduct::Wall>& walls = product.walls();
@@ -276,68 +247,13 @@ void Renderer::Implementation::shade(std::size_t number, const PictureOptions& o
   glUseProgram(0);
 }
 
-GLuint Renderer::Implementation::compose_program(int samples) {
-  if (compose_samples_ != samples) {
-    const std::string source = "#version 120\nconst int samples = " + std::to_string(samples) +
-                               ";\n" + std::string(kComposeFragmentShader);
-    compose_program_ = make_program(kComposeVertexShader, source);
-    compose_samples_ = samples;
-  }
-  return compose_program_.name();
-}
-
-void Renderer::Implementation::compose(const PictureOptions& options, const Frame& frame,
-                                       const View& view, GLint target) {
-  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(target));
-  glViewport(0, 0, frame.width, frame.height);
-  glDisable(GL_DEPTH_TEST);
-  if (frame.identities) {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.framebuffer.name());
-    glBlitFramebuffer(0, 0, target_.width, target_.height, 0, 0, frame.width, frame.height,
-                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(target));
-    return;
-  }
-  const Uniform uniform{compose_program(frame.samples)};
-  glUseProgram(uniform.program);
-  glActiveTexture(GL_TEXTURE1);
-  glBindTexture(GL_TEXTURE_2D, target_.depth.name());
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, target_.colour.name());
-  glUniform1i(uniform.at("colours"), 0);
-  glUniform1i(uniform.at("depths"), 1);
-  const auto f = [](double x) { return static_cast<GLfloat>(x); };
-  glUniform2f(uniform.at("size"), f(target_.width), f(target_.height));
-  const Eigen::Matrix4d& p = view.projection;
-  glUniform4f(uniform.at("lens"), f(p(0, 0)), f(p(1, 1)), f(p(0, 2)), f(p(1, 2)));
-  glUniform2f(uniform.at("range"), f(view.near), f(view.far));
-  const Eigen::Matrix3f to_model = view.model_view.topLeftCorner<3, 3>().transpose().cast<float>();
-  glUniformMatrix3fv(uniform.at("to_model"), 1, GL_FALSE, to_model.data());
-  const Eigen::Vector3f eye = view.eye.cast<float>(), middle = ball_.centre.cast<float>();
-  glUniform3fv(uniform.at("eye"), 1, eye.data());
-  glUniform3fv(uniform.at("middle"), 1, middle.data());
-  glUniform1f(uniform.at("extent"), f(ball_.radius));
-  glUniform1f(uniform.at("reach"), options.occlusion ? f(0.22 * ball_.radius) : 0);
-  glUniform1i(uniform.at("model"), options.model == Model::kUpperHalfSpace ? 0 : 1);
-  glBegin(GL_TRIANGLES);
-  glVertex2f(-1, -1);
-  glVertex2f(3, -1);
-  glVertex2f(-1, 3);
-  glEnd();
-  glUseProgram(0);
-}
-
-Renderer::Renderer() {
-  load_opengl();
-  implementation_ = std::make_unique<Implementation>();
-}
-Renderer::~Renderer() { OpenCSG::freeResources(); }
-void Renderer::set_scene(const Scene& scene, Model model) {
+OpenCsgRenderer::OpenCsgRenderer() : implementation_(std::make_unique<Implementation>()) {}
+OpenCsgRenderer::~OpenCsgRenderer() { OpenCSG::freeResources(); }
+void OpenCsgRenderer::set_scene(const Scene& scene, Model model) {
   implementation_->set_scene(scene, model);
 }
-std::size_t Renderer::draw(const PictureOptions& options, const Frame& frame) {
+std::size_t OpenCsgRenderer::draw(const PictureOptions& options, const Frame& frame) {
   return implementation_->draw(options, frame);
 }
-const Ball& Renderer::scene_ball() const { return implementation_->scene_ball(); }
 
 }  // namespace tripus::viewer

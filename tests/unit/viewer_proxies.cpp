@@ -1,0 +1,139 @@
+// The polygons around faces, and which faces are drawn: without OpenGL.
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "embedding/universal_cover.hpp"
+#include "tests/support/embedded_manifolds.hpp"
+#include "viewer/faces/face_set.hpp"
+#include "viewer/faces/proxies.hpp"
+#include "viewer/faces/wall_outline.hpp"
+
+namespace tripus::viewer {
+namespace {
+
+constexpr Model kModels[] = {Model::kUpperHalfSpace, Model::kPoincareBall, Model::kKleinBall};
+
+struct Placed {
+  std::vector<embedding::Cell> cells;
+  Scene scene;
+};
+
+Placed placed(const testing::Embedded& manifold, std::size_t cells, Model model) {
+  embedding::UniversalCoverOptions options;
+  options.max_cells = cells;
+  Placed result;
+  result.cells = embedding::universal_cover(manifold.embedding, manifold.triangulation, options);
+  result.scene = make_scene("scene", manifold.embedding, result.cells,
+                            default_frame(model, manifold.embedding));
+  return result;
+}
+
+/// A random point of a wall: all of them are sums of its corners.
+Vector3 random_point(Model model, const SceneCell& cell, std::size_t wall, std::mt19937& random) {
+  std::exponential_distribution<double> weight;
+  Vector4 x = Vector4::Zero();
+  for (const std::size_t corner : corners_of_wall(wall)) x += weight(random) * cell.corners[corner];
+  return geometry::to_model(model, x / std::sqrt(-geometry::lorentz_product(x, x)));
+}
+
+bool in_polygon(const ProxyMesh& mesh, const Eigen::Vector2d& p) {
+  const std::size_t count = mesh.corners.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector2d a = mesh.corners[i].head<2>().cast<double>();
+    const Eigen::Vector2d b = mesh.corners[(i + 1) % count].head<2>().cast<double>();
+    if ((b - a).x() * (p - a).y() - (b - a).y() * (p - a).x() < 0) return false;
+  }
+  return count >= 4;
+}
+
+TEST(ViewerProxies, HoldTheirFaces) {
+  constexpr int kSide = 400;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (const char* name : {"cPcbbbihq", "dLQabccjkjn", "eLMkbbddddhape", "dLQbccchrqg"}) {
+    const testing::Embedded manifold = *testing::try_embed(name);
+    for (const Model model : kModels) {
+      const Scene scene = placed(manifold, 60, model).scene;
+      const Ball ball = bounding_ball(model, scene);
+      const FaceSet set(model, scene, ball.radius);
+      int seen = 0;
+      for (int turn = 0; turn < 4; ++turn) {
+        Camera camera;
+        camera.azimuth = 360 * share(random);
+        camera.elevation = 160 * share(random) - 80;
+        camera.distance = 2.4 + 3 * share(random);
+        const View view = view_of(camera, ball, kSide, kSide);
+        const Projector projector(view, kSide, kSide);
+        for (std::size_t i = 0; i < set.faces().size(); ++i) {
+          const SceneFace& face = set.faces()[i];
+          const std::span points(set.points().data() + face.first_point, face.point_count);
+          ProxyMesh mesh;
+          projector.add(points, face.margin, 0, mesh);
+          const bool may = may_face(set.half_spaces()[i], points, face.margin, view.eye);
+          for (int k = 0; k < 20; ++k) {
+            const Vector3 p = random_point(model, scene.cells[face.cell], face.wall, random);
+            EXPECT_LE((p - face.ball.centre).norm(), face.ball.radius * (1 + 1e-9));
+            const Vector4 clip = view.projection * view.model_view * p.homogeneous();
+            const Eigen::Vector2d place = clip.head<2>() / clip[3];
+            if (place.cwiseAbs().maxCoeff() < 1) {
+              EXPECT_TRUE(in_polygon(mesh, place)) << name << " " << geometry::to_string(model);
+            }
+            const bool faces = set.half_spaces()[i].gradient(p).dot(p - view.eye) < 0;
+            EXPECT_TRUE(may || !faces);
+            seen += faces;
+          }
+        }
+      }
+      EXPECT_GT(seen, 1000);
+    }
+  }
+}
+
+// Two cells that are glued in the scene share a face, and no others do: here by the isometries.
+TEST(ViewerFaceSet, KnowsSharedFaces) {
+  for (const char* name : {"cPcbbbihq", "eLMkbbddddhape", "dLQbccchrqg"}) {
+    const testing::Embedded manifold = *testing::try_embed(name);
+    for (const Model model : kModels) {
+      const auto [cells, scene] = placed(manifold, 80, model);
+      const FaceSet set(model, scene, bounding_ball(model, scene).radius);
+      int shared = 0;
+      for (const SceneFace& face : set.faces()) {
+        if (is_truncation(face.wall)) {
+          EXPECT_FALSE(face.shared);
+          continue;
+        }
+        const embedding::Cell& cell = cells[face.cell];
+        const geometry::Matrix4 beyond =
+            cell.isometry * manifold.embedding.face_pairings[cell.tetrahedron][face.wall];
+        const bool there = std::ranges::any_of(cells, [&](const embedding::Cell& other) {
+          return geometry::hyperbolic_distance(other.isometry.col(3), beyond.col(3)) < 1e-4;
+        });
+        EXPECT_EQ(face.shared, there) << name << " " << geometry::to_string(model);
+        shared += face.shared;
+      }
+      EXPECT_GE(shared, 2 * 79);  // every cell but the first was reached across a face
+    }
+  }
+}
+
+TEST(ViewerFaceSet, BoundsWallsByTheirNeighbours) {
+  for (std::size_t wall = 0; wall < kWallCount; ++wall) {
+    const auto bounds = bounds_of_wall(wall);
+    EXPECT_EQ(bounds.size(), is_truncation(wall) ? 3u : 6u);
+    // Each bounding wall has two corners with it.
+    const auto own = corners_of_wall(wall);
+    for (std::size_t other = 0; other < kWallCount; ++other) {
+      const auto theirs = corners_of_wall(other);
+      const auto common = std::ranges::count_if(
+          own, [&](std::size_t corner) { return std::ranges::count(theirs, corner) > 0; });
+      EXPECT_EQ(std::ranges::count(bounds, other), other != wall && common == 2 ? 1 : 0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tripus::viewer

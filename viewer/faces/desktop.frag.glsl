@@ -1,0 +1,48 @@
+// The colours of the desktop viewer, those of its OpenCSG renderer (opencsg/detail/shaders.cpp).
+// kDiscs, whether discs are drawn, is defined in front of it.
+uniform bool uIdentities;
+uniform vec3 uKeyLight;      // unit, towards the light
+uniform sampler2D uPlaces;   // five texels for each cell: to_tetrahedron of scene.hpp
+out vec4 colour;
+
+#if kDiscs
+vec3 discsAt(Meeting met, out int disc) {
+  int first = 5 * int(vColour.w);
+  vec4 column[5];
+  for (int k = 0; k < 5; ++k)
+    column[k] = texelFetch(uPlaces, ivec2((first + k) % 2048, (first + k) / 2048), 0);
+  vec4 x = column[0] * met.u.x + column[1] * met.u.y + column[2] * met.u.z +
+           column[3] * dot(met.u, met.u) + column[4];
+  float scale = inversesqrt(max(-discProduct(x, x), 1e-30));
+  float pixel = scale * sqrt(max(dot(met.right, met.right), dot(met.up, met.up)));
+  return discColour(int(vAbout.w), x * scale, pixel, disc);
+}
+#endif
+
+void main() {
+  vec3 ray = rayThroughPixel(gl_FragCoord.xy);
+  Meeting met;
+  if (!meet(ray, met)) discard;
+  gl_FragDepth = depthOf(met.along * vEye.w * dot(ray, uAxes[2]));
+  int disc = 0;
+  vec3 own = vColour.rgb;
+#if kDiscs
+  if (onTruncation()) own = discsAt(met, disc);
+#endif
+  if (uIdentities) {
+    int number = int(vColour.w) + 1;
+    colour = vec4(float(number & 255), float(number >> 8),
+                  float(wallNumber() + 1) + discIdentity(disc), 255.0) / 255.0;
+    return;
+  }
+  vec3 normal = dot(met.normal, ray) < 0.0 ? met.normal : -met.normal;
+  float key = max(dot(normal, uKeyLight), 0.0);
+  float sky = 0.5 + 0.5 * normal.z;
+  float shine = pow(max(dot(normal, normalize(uKeyLight - ray)), 0.0), 40.0);
+  float facing = 1.0 + dot(normal, ray);
+  vec3 albedo = own * own;  // about from sRGB to light
+  vec3 light = albedo * (0.75 * key + mix(vec3(0.26, 0.24, 0.23), vec3(0.46, 0.49, 0.54), sky));
+  light += vec3(0.10 * shine) + vec3(0.05, 0.055, 0.06) * facing * facing * facing;
+  vec3 shown = sqrt(clamp(light, 0.0, 1.0));
+  colour = vec4(mix(shown, 0.22 * own, met.border), 1.0);
+}

@@ -1,0 +1,292 @@
+#include "viewer/faces/detail/faces_renderer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+
+#include "viewer/web/detail/assets.hpp"
+
+namespace tripus::viewer {
+namespace {
+
+/// Cells whose ball is of smaller radius on the picture, in pixels, are not drawn.
+constexpr double kSmallestCell = 0.4;
+/// Polygons around smaller faces, in pixels, are squares around their balls.
+constexpr double kSmallFace = 1;
+/// Drawing that can be stopped waits for the graphics after so many cells.
+constexpr std::size_t kCellsBetweenWaits = 2000;
+/// Of faces.vert.glsl, and of the places of cells in desktop.frag.glsl.
+constexpr std::size_t kTexelsPerRow = 2048;
+
+bool is_stopped(const PictureOptions& options) {
+  return options.stop_requested != nullptr &&
+         options.stop_requested->load(std::memory_order_relaxed);
+}
+
+/// A texture of so many numbers, four a texel, rows of kTexelsPerRow.
+GlTexture number_texture(std::vector<float> numbers) {
+  const std::size_t row = 4 * kTexelsPerRow;
+  const std::size_t rows = std::max<std::size_t>(1, (numbers.size() + row - 1) / row);
+  GLint most_rows = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most_rows);
+  if (rows > static_cast<std::size_t>(most_rows))
+    throw NoOpenGl("this graphics card cannot hold so many cells; try fewer --cells");
+  numbers.resize(row * rows);
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  GlTexture texture(name);
+  glBindTexture(GL_TEXTURE_2D, name);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<GLsizei>(kTexelsPerRow),
+               static_cast<GLsizei>(rows), 0, GL_RGBA, GL_FLOAT, numbers.data());
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  return texture;
+}
+
+GlBuffer new_buffer() {
+  GLuint name = 0;
+  glGenBuffers(1, &name);
+  return GlBuffer(name);
+}
+
+template <class Item>
+void fill(GLenum target, const GlBuffer& buffer, const std::vector<Item>& items) {
+  glBindBuffer(target, buffer.name());
+  glBufferData(target, static_cast<GLsizeiptr>(items.size() * sizeof(Item)), items.data(),
+               GL_STREAM_DRAW);
+}
+
+/// The half-spaces of a cell's walls with these numbers.
+std::vector<HalfSpace> half_spaces_of(const FaceSet& set, std::size_t cell,
+                                      const std::vector<std::size_t>& walls) {
+  std::vector<HalfSpace> result;
+  for (const std::size_t wall : walls)
+    result.push_back(set.half_spaces()[kWallCount * cell + wall]);
+  return result;
+}
+
+}  // namespace
+
+FacesRenderer::FacesRenderer() : kinds_{{{3, {}, {}}, {6, {}, {}}, {kCutBounds, {}, {}}}} {
+  if (!GLEW_VERSION_3_3) {
+    throw NoOpenGl(
+        "the renderer faces needs OpenGL 3.3; --renderer opencsg does with 2.1, and `tripus view "
+        "INPUT -o page.html` writes a page that a browser shows");
+  }
+  corners_ = new_buffer();
+  triangles_ = new_buffer();
+}
+
+void FacesRenderer::set_scene(const Scene& scene, Model model, const Ball& ball) {
+  scene_ = scene;
+  ball_ = ball;
+  set_ = FaceSet(model, scene, ball.radius);
+  discs_.set(scene.discs);
+  colours_.reset();
+  places_written_ = false;
+}
+
+void FacesRenderer::write_records(const PictureOptions& options) {
+  const bool same_colours = colours_ == options.colour_by;
+  if (same_colours && cut_ == options.cut_away) return;
+  if (!same_colours) {
+    texels_.clear();
+    first_texel_.clear();
+    std::array<std::vector<std::size_t>, kWallCount> bounds;
+    for (std::size_t wall = 0; wall < kWallCount; ++wall) bounds[wall] = bounds_of_wall(wall);
+    for (std::size_t i = 0; i < set_.faces().size(); ++i) {
+      const SceneFace& face = set_.faces()[i];
+      const SceneCell& cell = scene_.cells[face.cell];
+      first_texel_.push_back(static_cast<float>(texels_.size() / 4));
+      FaceLook look{face.cell, face.wall, face.shared, -1,
+                    wall_colour(options.colour_by, cell, face.wall)};
+      if (!discs_.empty() && is_truncation(face.wall))
+        look.first_disc = discs_.first_texel(cell.tetrahedron, face.wall - 4U);
+      append_record(texels_, set_.cell_balls()[face.cell], set_.half_spaces()[i],
+                    half_spaces_of(set_, face.cell, bounds[face.wall]), look);
+    }
+    fixed_texels_ = texels_.size();
+  }
+  texels_.resize(fixed_texels_);
+  colours_ = options.colour_by;
+  cut_ = options.cut_away;
+  write_cuts();
+  records_ = number_texture(texels_);
+}
+
+void FacesRenderer::write_cuts() {
+  cuts_.clear();
+  if (!cut_) return;
+  const HalfSpace cut{0, {1, 0, 0}, -*cut_};
+  std::vector<std::size_t> all(kWallCount);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  cuts_.resize(scene_.cells.size());
+  for (std::size_t cell = 0; cell < scene_.cells.size(); ++cell) {
+    const Ball& ball = set_.cell_balls()[cell];
+    const double beyond = cut(ball.centre);
+    if (std::abs(beyond) >= ball.radius) continue;
+    cuts_[cell] = {
+        static_cast<float>(texels_.size() / 4),
+        {ball.centre - beyond * cut.b, std::sqrt(ball.radius * ball.radius - beyond * beyond)}};
+    append_record(texels_, ball, cut, half_spaces_of(set_, cell, all),
+                  {static_cast<std::uint32_t>(cell), static_cast<std::uint8_t>(kWallCount), false,
+                   -1, wall_colour(*colours_, scene_.cells[cell], 4)});
+  }
+}
+
+void FacesRenderer::write_places() {
+  std::vector<float> numbers;
+  for (std::size_t cell = 0; cell < scene_.cells.size(); ++cell) {
+    const ToTetrahedron columns =
+        to_tetrahedron(set_.model(), scene_.cells[cell], set_.cell_balls()[cell]);
+    for (Eigen::Index i = 0; i < columns.size(); ++i)
+      numbers.push_back(static_cast<float>(columns.data()[i]));
+  }
+  places_ = number_texture(std::move(numbers));
+  places_written_ = true;
+}
+
+std::size_t FacesRenderer::draw(const PictureOptions& options, const Frame& frame) {
+  const View view = view_of(options.camera, ball_, frame.width, frame.height);
+  write_records(options);
+  if (options.discs && !discs_.empty() && !places_written_) write_places();
+  glPushAttrib(GL_ALL_ATTRIB_BITS);
+  composer_.begin(frame);
+  const std::size_t left = draw_cells(options, frame, view);
+  composer_.finish(options, frame, view, ball_);
+  glPopAttrib();
+  require_no_error();
+  return left;
+}
+
+std::size_t FacesRenderer::draw_cells(const PictureOptions& options, const Frame& frame,
+                                      const View& view) {
+  const Projector projector(view, frame.width * frame.samples, frame.height * frame.samples);
+  const auto& balls = set_.cell_balls();
+  // Nearest first, so that a stop leaves the best ones.
+  std::vector<std::size_t> order(balls.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<double> distance(balls.size());
+  for (std::size_t i = 0; i < balls.size(); ++i)
+    distance[i] = (balls[i].centre - view.eye).norm() - balls[i].radius;
+  std::ranges::sort(order, {}, [&](std::size_t i) { return distance[i]; });
+  for (std::size_t done = 0; done < order.size();) {
+    if (options.stop_requested != nullptr && done > 0) glFinish();
+    if (is_stopped(options)) return order.size() - done;
+    const std::size_t end = std::min(done + kCellsBetweenWaits, order.size());
+    for (; done < end; ++done) add_cell(order[done], options, view, projector, frame.samples);
+    draw_meshes(options, frame, view);
+  }
+  return 0;
+}
+
+void FacesRenderer::add_cell(std::size_t cell, const PictureOptions& options, const View& view,
+                             const Projector& projector, int samples) {
+  const Ball& cell_ball = set_.cell_balls()[cell];
+  const double cell_pixels = projector.pixels(cell_ball);
+  if (cell_pixels < kSmallestCell * samples) return;
+  if (cut_ && cell_ball.centre.x() - *cut_ > cell_ball.radius) return;
+  const bool solid = is_solid(options);
+  for (std::size_t i = kWallCount * cell; i < kWallCount * (cell + 1); ++i) {
+    const SceneFace& face = set_.faces()[i];
+    if (is_truncation(face.wall) ? !options.truncations : !options.faces) continue;
+    if (solid && face.shared) continue;
+    const std::span points(set_.points().data() + face.first_point, face.point_count);
+    if (solid && !may_face(set_.half_spaces()[i], points, face.margin, view.eye)) continue;
+    ProxyMesh& mesh = kinds_[is_truncation(face.wall) ? kTruncations : kFaces].mesh;
+    // Where cells are small, so are their faces.
+    if (cell_pixels < kSmallFace * samples || projector.pixels(face.ball) < kSmallFace)
+      projector.add(face.ball, first_texel_[i], mesh);
+    else
+      projector.add(points, face.margin, first_texel_[i], mesh);
+  }
+  if (solid && cut_ && cuts_[cell].first_texel >= 0)
+    projector.add(cuts_[cell].ball, cuts_[cell].first_texel, kinds_[kCuts].mesh);
+}
+
+GLuint FacesRenderer::program_of(Kind& kind, const PictureOptions& options) {
+  std::string defined = "#version 330\n";
+  const auto define = [&](const char* name, std::size_t value) {
+    defined += std::string("#define ") + name + " " + std::to_string(value) + "\n";
+  };
+  define("kBounds", kind.bounds);
+  define("kSides", is_solid(options) ? 1 : 2);
+  define("kModel", static_cast<std::size_t>(options.model));
+  define("kCut", options.cut_away && kind.bounds != kCutBounds ? 1 : 0);
+  define("kDiscs", kind.bounds == 3 && options.discs && !discs_.empty() ? 1 : 0);
+  GlProgram& program = kind.programs[defined];
+  if (program.name() == 0) {
+    using detail::web_asset;
+    std::string vertex = defined, fragment = defined;
+    for (const char* part : {"desktop.glsl", "faces.vert.glsl"}) vertex += web_asset(part);
+    for (const char* part : {"desktop.glsl", "discs.glsl", "faces.glsl", "desktop.frag.glsl"})
+      fragment += web_asset(part);
+    program = make_program(vertex, fragment);
+  }
+  return program.name();
+}
+
+void FacesRenderer::draw_meshes(const PictureOptions& options, const Frame& frame,
+                                const View& view) {
+  const auto f = [](double x) { return static_cast<GLfloat>(x); };
+  const auto bind = [](int unit, const GlTexture& texture) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+  };
+  bind(0, records_);
+  bind(2, places_);
+  glActiveTexture(GL_TEXTURE1);
+  glBindTexture(GL_TEXTURE_2D, discs_.texture());
+  glActiveTexture(GL_TEXTURE0);
+  const double aspect = static_cast<double>(frame.width) / frame.height;
+  const Eigen::Matrix3d rows = view.model_view.topLeftCorner<3, 3>();
+  Eigen::Matrix3f axes = rows.transpose().cast<float>();
+  axes.col(2) = -axes.col(2);
+  // From above the viewer's left shoulder.
+  const Eigen::Vector3f light =
+      (rows.transpose() * Eigen::Vector3d(-0.45, 0.65, 0.75)).normalized().cast<float>();
+  const Eigen::Vector3f eye = view.eye.cast<float>();
+  const double widest = 1.5 * frame.samples * std::max(1.0, frame.height / 900.0);
+  for (Kind& kind : kinds_) {
+    if (kind.mesh.triangles.empty()) continue;
+    const Uniform uniform{program_of(kind, options)};
+    glUseProgram(uniform.program);
+    glUniform1i(uniform.at("uFaces"), 0);
+    glUniform1i(uniform.at("uDiscs"), 1);
+    glUniform1i(uniform.at("uPlaces"), 2);
+    const orthospectrum::LengthColour bare = kBareWall;
+    glUniform3f(uniform.at("uBareWall"), f(bare[0] / 255.0), f(bare[1] / 255.0),
+                f(bare[2] / 255.0));
+    glUniform3fv(uniform.at("uEye"), 1, eye.data());
+    glUniformMatrix3fv(uniform.at("uAxes"), 1, GL_FALSE, axes.data());
+    glUniform2f(uniform.at("uTangent"), f(view.height_at_one * aspect / 2),
+                f(view.height_at_one / 2));
+    glUniform2f(uniform.at("uShift"), f(options.camera.shift.x() / aspect),
+                f(options.camera.shift.y()));
+    glUniform2f(uniform.at("uSize"), f(frame.width * frame.samples),
+                f(frame.height * frame.samples));
+    glUniform2f(uniform.at("uDepth"), f(view.near), f(view.far));
+    glUniform1f(uniform.at("uPixel"), f(view.height_at_one / (frame.height * frame.samples)));
+    glUniform1f(uniform.at("uShrink"), 1);
+    glUniform1f(uniform.at("uCut"), f(options.cut_away.value_or(0)));
+    glUniform2f(uniform.at("uLine"), f(widest), f(widest / 2));
+    glUniform1i(uniform.at("uIdentities"), frame.identities ? 1 : 0);
+    glUniform3fv(uniform.at("uKeyLight"), 1, light.data());
+    fill(GL_ARRAY_BUFFER, corners_, kind.mesh.corners);
+    fill(GL_ELEMENT_ARRAY_BUFFER, triangles_, kind.mesh.triangles);
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(kind.mesh.triangles.size()), GL_UNSIGNED_INT,
+                   nullptr);
+    glDisableVertexAttribArray(0);
+    kind.mesh.clear();
+  }
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  glUseProgram(0);
+}
+
+}  // namespace tripus::viewer

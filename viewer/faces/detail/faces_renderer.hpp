@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/detail/compose.hpp"
+#include "viewer/detail/drawn_discs.hpp"
+#include "viewer/detail/gl.hpp"
+#include "viewer/faces/face_set.hpp"
+#include "viewer/faces/proxies.hpp"
+#include "viewer/picture.hpp"
+
+namespace tripus::viewer {
+
+/// Draws each visible face once, where the rays of its pixels meet it, in the OpenGL context that
+/// is current when it is made, and must be at every call and when it ends.
+class FacesRenderer {
+ public:
+  /// Throws NoOpenGl.
+  FacesRenderer();
+
+  /// Takes the scene to draw from now on, in a model; it is copied.
+  ///   ball  around it
+  void set_scene(const Scene& scene, Model model, const Ball& ball);
+
+  /// Draws into the framebuffer that is bound. `options.model` is that of the scene.
+  /// Returns the number of cells left out because a stop was requested.
+  /// Throws NoOpenGl if OpenGL reports an error.
+  std::size_t draw(const PictureOptions& options, const Frame& frame);
+
+ private:
+  /// Faces with so many bounds: programs, and what is drawn in this frame.
+  struct Kind {
+    std::size_t bounds;
+    std::map<std::string, GlProgram> programs = {};  ///< by what is defined in front of them
+    ProxyMesh mesh = {};
+  };
+  enum KindName : std::size_t { kTruncations, kFaces, kCuts };
+
+  /// The cut through a cell.
+  struct Cut {
+    float first_texel = -1;  ///< of its record; negative: it has none
+    Ball ball = {};
+  };
+
+  void write_records(const PictureOptions& options);
+  void write_cuts();
+  void write_places();
+  std::size_t draw_cells(const PictureOptions& options, const Frame& frame, const View& view);
+  void add_cell(std::size_t cell, const PictureOptions& options, const View& view,
+                const Projector& projector, int samples);
+  void draw_meshes(const PictureOptions& options, const Frame& frame, const View& view);
+  GLuint program_of(Kind& kind, const PictureOptions& options);
+
+  Composer composer_;
+  std::array<Kind, 3> kinds_;
+  GlBuffer corners_, triangles_;
+  GlTexture records_, places_;
+
+  Scene scene_;
+  FaceSet set_;
+  Ball ball_;
+  DrawnDiscs discs_;
+  std::vector<float> texels_;        // four numbers each: the records of faces, then of cuts
+  std::size_t fixed_texels_ = 0;     // numbers of faces in it
+  std::vector<float> first_texel_;   // [faces]
+  std::vector<Cut> cuts_;            // [cells], or none
+  std::optional<ColourBy> colours_;  // of the records; nothing: there are none yet
+  std::optional<double> cut_;
+  bool places_written_ = false;
+};
+
+}  // namespace tripus::viewer

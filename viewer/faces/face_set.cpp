@@ -1,0 +1,99 @@
+#include "viewer/faces/face_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "viewer/faces/wall_outline.hpp"
+
+namespace tripus::viewer {
+namespace {
+
+/// Length that nobody sees, in radii of the scene: some tenth of a pixel.
+constexpr double kDetail = 5e-4;
+/// Two faces are one if their middles are nearer than this, in radii of the face.
+constexpr double kSamePlace = 1e-6;
+
+}  // namespace
+
+FaceSet::FaceSet(Model model, const Scene& scene, double scene_radius) : model_(model) {
+  const std::size_t count = kWallCount * scene.cells.size();
+  faces_.reserve(count);
+  half_spaces_.reserve(count);
+  balls_.reserve(scene.cells.size());
+  for (std::size_t number = 0; number < scene.cells.size(); ++number) {
+    const SceneCell& cell = scene.cells[number];
+    balls_.push_back(bounding_ball(model, cell));
+    for (std::size_t wall = 0; wall < kWallCount; ++wall) {
+      const WallOutline outline = wall_outline(model, cell, wall, kDetail * scene_radius);
+      SceneFace& face = faces_.emplace_back();
+      face.cell = static_cast<std::uint32_t>(number);
+      face.wall = static_cast<std::uint8_t>(wall);
+      face.first_point = static_cast<std::uint32_t>(points_.size());
+      face.point_count = static_cast<std::uint32_t>(outline.points.size());
+      face.margin = static_cast<float>(outline.margin);
+      face.ball = {outline.middle, outline.radius};
+      for (const Vector3& p : outline.points) points_.emplace_back(p.cast<float>());
+      half_spaces_.push_back(half_space(model, cell.walls[wall]));
+    }
+  }
+  find_shared();
+}
+
+void FaceSet::find_shared() {
+  // Along a line that no symmetry knows, the two sides of a face are neighbours.
+  const Vector3 line(1, 0.6180339887, 0.3247179572);
+  std::vector<std::pair<double, std::size_t>> order;
+  double largest = 0;
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    if (is_truncation(faces_[i].wall)) continue;
+    order.emplace_back(faces_[i].ball.centre.dot(line), i);
+    largest = std::max(largest, faces_[i].ball.radius);
+  }
+  std::ranges::sort(order);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    SceneFace& face = faces_[order[i].second];
+    const double reach = 2 * kSamePlace * face.ball.radius;
+    for (std::size_t j = i + 1; j < order.size() && order[j].first - order[i].first <= reach; ++j) {
+      SceneFace& other = faces_[order[j].second];
+      if ((face.ball.centre - other.ball.centre).norm() > kSamePlace * face.ball.radius) continue;
+      face.shared = other.shared = true;
+      break;
+    }
+  }
+}
+
+std::vector<std::size_t> bounds_of_wall(std::size_t wall) {
+  std::vector<std::size_t> bounds;
+  for (std::size_t i = 0; i < 4; ++i)
+    if (i != wall % 4) bounds.push_back(i);
+  if (!is_truncation(wall))
+    for (std::size_t i = 0; i < 3; ++i) bounds.push_back(4 + bounds[i]);
+  return bounds;
+}
+
+void append_record(std::vector<float>& texels, const Ball& cell_ball, const HalfSpace& own,
+                   const std::vector<HalfSpace>& bounds, const FaceLook& look) {
+  const auto append = [&](double x) { texels.push_back(static_cast<float>(x)); };
+  const auto append_slope = [&](const HalfSpace& local) {
+    for (int k = 0; k < 3; ++k) append(local.b[k]);
+    append(local.a);
+  };
+  const auto local = [&](const HalfSpace& h) {
+    return in_local_frame(h, cell_ball.centre, cell_ball.radius);
+  };
+  append_slope(local(own));
+  append(local(own).c);
+  append(look.wall);
+  append(look.shared ? 1 : 0);
+  append(look.first_disc);
+  for (int k = 0; k < 3; ++k) append(cell_ball.centre[k]);
+  append(cell_ball.radius);
+  for (const float part : look.colour) append(part);
+  append(look.cell);
+  for (const HalfSpace& h : bounds) append_slope(local(h));
+  for (const HalfSpace& h : bounds) append(local(h).c);
+  while (texels.size() % 4 != 0) append(0);
+}
+
+}  // namespace tripus::viewer

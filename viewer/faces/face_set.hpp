@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "viewer/scene.hpp"
+
+namespace tripus::viewer {
+
+/// One wall of one cell, as the faces renderer draws it.
+struct SceneFace {
+  std::uint32_t cell = 0;
+  std::uint8_t wall = 0;
+  /// Whether another cell of the scene has this face too, on its other side. Of solid cells it is
+  /// never seen.
+  bool shared = false;
+  std::uint32_t first_point = 0, point_count = 0;  ///< of its outline
+  float margin = 0;                                ///< it lies within this of the points' hull
+  Ball ball;
+};
+
+/// The walls of all cells of a scene in a model.
+class FaceSet {
+ public:
+  FaceSet() = default;
+  ///   scene_radius  of the ball around the scene
+  FaceSet(Model model, const Scene& scene, double scene_radius);
+
+  Model model() const { return model_; }
+  const std::vector<SceneFace>& faces() const { return faces_; }  ///< [8 cells], cell by cell
+  const std::vector<Ball>& cell_balls() const { return balls_; }
+  /// Of the faces' walls, in the model.
+  const std::vector<HalfSpace>& half_spaces() const { return half_spaces_; }
+  const std::vector<Eigen::Vector3f>& points() const { return points_; }
+
+ private:
+  void find_shared();
+
+  Model model_ = Model::kUpperHalfSpace;
+  std::vector<SceneFace> faces_;
+  std::vector<HalfSpace> half_spaces_;
+  std::vector<Ball> balls_;
+  std::vector<Eigen::Vector3f> points_;
+};
+
+/// The walls that bound a wall: of a face the other faces, then the truncations at its corners; of
+/// a truncation the faces that it cuts.
+std::vector<std::size_t> bounds_of_wall(std::size_t wall);
+
+/// Half-spaces that bound a cut: all walls of the cell.
+inline constexpr std::size_t kCutBounds = 8;
+
+/// Texels of four numbers in the record of a face with so many bounds.
+constexpr std::size_t record_texels(std::size_t bounds) { return 4 + bounds + (bounds + 3) / 4; }
+
+/// What a record says beside the geometry.
+struct FaceLook {
+  std::uint32_t cell = 0;
+  std::uint8_t wall = 0;  ///< kWallCount: a cut
+  bool shared = false;
+  float first_disc = -1;  ///< texel; negative: none
+  Colour colour{};
+};
+
+/// Appends the record of a face, as faces.vert.glsl reads it: all half-spaces in units of the
+/// cell's ball, where floats suffice for any cell.
+void append_record(std::vector<float>& texels, const Ball& cell_ball, const HalfSpace& own,
+                   const std::vector<HalfSpace>& bounds, const FaceLook& look);
+
+}  // namespace tripus::viewer

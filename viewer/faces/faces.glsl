@@ -1,0 +1,127 @@
+// Where the ray of a pixel meets a face: faces.vert.glsl has its numbers. After a camera, which
+// has uEye, uAxes (right, up, forward) and uPixel (the angle of a pixel), and before a main() that
+// gives the colour. Defined in front of it, and no uniforms, as renderers in software compute
+// branches that are not taken: kBounds; kSides, 1 for the outer side of faces alone, 2 for both;
+// kModel, 0 upper half-space, 1 Poincare ball, 2 Klein ball; kCut, whether uCut is heeded.
+uniform float uShrink;       // of cells towards their middles; 1: not at all
+uniform float uCut;          // what lies beyond x = uCut in the model is not drawn
+uniform vec2 uLine;          // half the width of edges and of other borders, in pixels
+
+flat in vec4 vOwn;
+flat in vec4 vAbout;
+flat in vec4 vEye;
+flat in vec4 vCentre;
+flat in vec4 vColour;
+flat in vec4 vBound[kBounds];
+flat in vec4 vBoundConstant[(kBounds + 3) / 4];
+
+/// A face reaches beyond its borders by this part of a pixel, and this length, so that rays do not
+/// slip between two faces by rounding.
+const float kOverlapPixels = 0.01, kOverlap = 1e-5;
+
+struct Meeting {
+  vec3 u;        // in the frame of the cell
+  float along;   // from the eye, in radii of the cell
+  vec3 normal;   // outward, of length 1
+  vec3 right, up;  // what a step of one pixel moves u by
+  float border;  // 1 on a border of the face, and less across a pixel beside it
+};
+
+int wallNumber() { return int(vAbout.y); }
+bool onTruncation() { return vAbout.y > 3.5 && vAbout.y < 7.5; }
+
+/// How dark a line is, so many pixels beyond its rim.
+float lineAt(float beyond) { return 1.0 - smoothstep(-0.6, 0.6, beyond); }
+
+/// Beyond f <= 0 at a point the face ends. Updates whether the point is `inside`, and how many
+/// pixels it is from the nearest such border.
+///   square, right, up  |u|^2, and what a step of one pixel changes it by
+void bounded(vec4 bound, float constant, Meeting met, float square, float right, float up,
+             inout bool inside, inout float pixels) {
+  float f = bound.w * square + dot(bound.xyz, met.u) + constant;
+  vec2 slope = vec2(bound.w * right + dot(bound.xyz, met.right),
+                    bound.w * up + dot(bound.xyz, met.up));
+  float away = -f * inversesqrt(max(dot(slope, slope), 1e-30));
+  // Written so that what is no number is outside.
+  inside = inside && (away >= -kOverlapPixels || f <= kOverlap);
+  pixels = min(pixels, away);
+}
+
+/// Whether the point at `along` on the ray, where it meets the sphere, lies in the face.
+///   towards  the product of the ray and the normal there
+bool holds(vec3 ray, vec3 u, float along, float towards, out Meeting met) {
+  met.u = u;
+  met.along = along;
+  met.normal = 2.0 * vOwn.w * u + vOwn.xyz;
+  vec3 p = vCentre.xyz + vEye.w / uShrink * u;
+  bool inside = along > 0.0;
+#if kCut
+  inside = inside && p.x <= uCut;
+#endif
+  // Spheres go on beyond the model's boundary, where everything has a mirror image.
+#if kModel == 0
+  inside = inside && p.z >= 0.0;
+#elif kModel == 1
+  inside = inside && dot(p, p) <= 1.0;
+#endif
+
+  float size = uPixel * along * dot(ray, uAxes[2]);
+  float slant = towards < 0.0 ? min(towards, -0.004) : max(towards, 0.004);
+  met.right = size * (uAxes[0] - ray * (dot(met.normal, uAxes[0]) / slant));
+  met.up = size * (uAxes[1] - ray * (dot(met.normal, uAxes[1]) / slant));
+  float square = dot(u, u), right = 2.0 * dot(u, met.right), up = 2.0 * dot(u, met.up);
+  float faces = 1e9, others = 1e9;  // pixels to them
+  bounded(vBound[0], vBoundConstant[0].x, met, square, right, up, inside, faces);
+  bounded(vBound[1], vBoundConstant[0].y, met, square, right, up, inside, faces);
+  bounded(vBound[2], vBoundConstant[0].z, met, square, right, up, inside, faces);
+#if kBounds > 3
+  bounded(vBound[3], vBoundConstant[0].w, met, square, right, up, inside, others);
+  bounded(vBound[4], vBoundConstant[1].x, met, square, right, up, inside, others);
+  bounded(vBound[5], vBoundConstant[1].y, met, square, right, up, inside, others);
+#endif
+#if kBounds > 6
+  bounded(vBound[6], vBoundConstant[1].z, met, square, right, up, inside, others);
+  bounded(vBound[7], vBoundConstant[1].w, met, square, right, up, inside, others);
+#endif
+#if kCut
+  others = min(others, (uCut - p.x) / max(vEye.w * length(vec2(met.right.x, met.up.x)), 1e-12));
+#endif
+  // Where two faces meet is an edge of the triangulation. Small cells have thin lines, or they
+  // would be nothing but lines.
+  vec2 widths = min(uLine, vec2(0.03, 0.015) * vCentre.w);
+#if kBounds == 6
+  met.border = max(0.85 * lineAt(faces - widths.x), 0.55 * lineAt(others - widths.y));
+#else
+  met.border = 0.55 * lineAt(min(faces, others) - widths.y);
+#endif
+  return inside;
+}
+
+/// Whether the ray meets the face, and where first.
+bool meet(vec3 ray, out Meeting met) {
+  float nearest = -dot(vEye.xyz, ray);
+  vec3 o = vEye.xyz + nearest * ray;  // the point of the ray nearest to the cell's middle
+  float a = vOwn.w, b = dot(vOwn.xyz, ray);
+  float c = a * dot(o, o) + dot(vOwn.xyz, o) + vAbout.x;
+  float discriminant = b * b - 4.0 * a * c;
+  bool meets = discriminant >= 0.0;
+  float root = sqrt(max(discriminant, 0.0));
+  const float never = -1e9;
+  float slope = abs(a) > 1e-9 ? 0.5 / a : 0.0;
+  // The ray goes into the half-space where f falls, and out where it rises.
+  float into = b < 0.0 ? 2.0 * c / (root - b) : slope != 0.0 ? -(b + root) * slope : never;
+#if kSides == 1
+  return holds(ray, o + into * ray, nearest + into, -root, met) && meets;
+#else
+  float away = b > 0.0 ? -2.0 * c / (b + root) : slope != 0.0 ? (root - b) * slope : never;
+  // A face of two cells shows the one that is seen into.
+  bool only = vAbout.z > 0.5;
+  bool first = !only && into <= away;
+  float near = first ? into : away, far = first ? away : into, sign = first ? -1.0 : 1.0;
+  bool held = holds(ray, o + near * ray, nearest + near, sign * root, met);
+  Meeting other;
+  bool held_behind = holds(ray, o + far * ray, nearest + far, -sign * root, other);
+  if (!held) met = other;
+  return meets && (held || (held_behind && !only));
+#endif
+}

@@ -1,0 +1,37 @@
+// One corner of the polygon around the place of a face on the picture, and the record of the face
+// for its pixels; face_set.cpp and faces.js write records. All half-spaces are
+//   f(u) = a |u|^2 + b.u + c <= 0
+// in the frame of the cell, where its ball is the unit ball, and |grad f| = 1 where f = 0.
+// kBounds, the number of half-spaces that bound the face, is defined in front of this text, and a
+// camera stands there, which has uEye and uPixel.
+uniform sampler2D uFaces;
+uniform float uShrink;       // of cells towards their middles; 1: not at all
+layout(location = 0) in vec3 aCorner;  // x, y in [-1, 1]; the texel where the record begins
+
+flat out vec4 vOwn;          // half-space of the face: b, a
+flat out vec4 vAbout;        // its c; number of the wall; 1 if another cell has it too; first disc
+flat out vec4 vEye;          // the eye in the cell's frame; the cell's radius in the model
+flat out vec4 vCentre;       // of the cell, in the model; its radius in pixels
+flat out vec4 vColour;       // colour; number of the cell
+flat out vec4 vBound[kBounds];                 // half-spaces that bound the face: b, a
+flat out vec4 vBoundConstant[(kBounds + 3) / 4];  // their c
+
+const int kRecordTexelsPerRow = 2048;
+vec4 record(int i) {
+  int at = int(aCorner.z) + i;
+  return texelFetch(uFaces, ivec2(at % kRecordTexelsPerRow, at / kRecordTexelsPerRow), 0);
+}
+
+void main() {
+  vOwn = record(0);
+  vAbout = record(1);
+  vec4 ball = record(2);
+  ball.w *= uShrink;
+  vec3 eye = uEye - ball.xyz;
+  vEye = vec4(eye / ball.w, ball.w);
+  vCentre = vec4(ball.xyz, ball.w / (max(length(eye), ball.w) * uPixel));
+  vColour = record(3);
+  for (int i = 0; i < kBounds; ++i) vBound[i] = record(4 + i);
+  for (int i = 0; i < (kBounds + 3) / 4; ++i) vBoundConstant[i] = record(4 + kBounds + i);
+  gl_Position = vec4(aCorner.xy, 0.0, 1.0);
+}

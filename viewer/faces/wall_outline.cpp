@@ -1,0 +1,105 @@
+#include "viewer/faces/wall_outline.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace tripus::viewer {
+namespace {
+
+/// The margin may be this part of the wall's radius.
+constexpr double kTightness = 0.03;
+/// Triangles are halved so often at most.
+constexpr int kMostHalvings = 8;
+
+/// A surface that leaves each side of a small triangle by d, as a parabola, leaves the triangle by
+/// less than 4/3 d; and a quarter for what is no parabola.
+constexpr double kSafety = 1.7;
+
+/// A point on the hyperboloid and in the model.
+struct Corner {
+  Vector4 x;
+  Vector3 p;
+};
+
+/// Cuts the triangles of a wall until their sides are nearly straight in the model.
+class Cutter {
+ public:
+  Cutter(Model model, double error) : model_(model), error_(error) {}
+
+  Corner corner(const Vector4& sum) const {  // sums of points of the hyperboloid are timelike
+    const Vector4 x = sum / std::sqrt(std::max(-geometry::lorentz_product(sum, sum), 1e-300));
+    return {x, geometry::to_model(model_, x)};
+  }
+  void add(const Corner& corner) { outline.points.push_back(corner.p); }
+
+  /// The corners of the triangle are added already.
+  void cut(const Corner& a, const Corner& b, const Corner& c, int halvings = 0) {
+    // Across the side that leaves its chord most.
+    const std::array<const Corner*, 3> corners{&a, &b, &c};
+    std::size_t worst = 0;
+    double most = -1;
+    Corner middle;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Corner &one = *corners[k], &other = *corners[(k + 1) % 3];
+      const Corner between = corner(one.x + other.x);
+      const double leaves = (between.p - (one.p + other.p) / 2).norm();
+      if (leaves > most) {
+        most = leaves;
+        worst = k;
+        middle = between;
+      }
+    }
+    if (most <= error_ || halvings == kMostHalvings) {
+      outline.margin = std::max(outline.margin, kSafety * most);
+      return;
+    }
+    add(middle);
+    const Corner &one = *corners[worst], &other = *corners[(worst + 1) % 3],
+                 &opposite = *corners[(worst + 2) % 3];
+    cut(one, middle, opposite, halvings + 1);
+    cut(middle, other, opposite, halvings + 1);
+  }
+
+  WallOutline outline;
+
+ private:
+  Model model_;
+  double error_;
+};
+
+}  // namespace
+
+WallOutline wall_outline(Model model, const SceneCell& cell, std::size_t wall, double detail) {
+  const std::vector<std::size_t> around = corners_of_wall(wall);
+  Vector4 sum = Vector4::Zero();
+  double radius = 0;
+  const Vector3 first = geometry::to_model(model, cell.corners[around[0]]);
+  for (const std::size_t corner : around) {
+    sum += cell.corners[corner];
+    radius = std::max(radius, (geometry::to_model(model, cell.corners[corner]) - first).norm());
+  }
+  Cutter cutter(model, std::max(detail, kTightness * radius) / kSafety);
+  const Corner middle = cutter.corner(sum);
+  std::vector<Corner> corners;
+  for (const std::size_t corner : around) {
+    corners.push_back(cutter.corner(cell.corners[corner]));
+    cutter.add(corners.back());
+  }
+  if (is_truncation(wall)) {
+    cutter.cut(corners[0], corners[1], corners[2]);
+  } else {
+    cutter.add(middle);
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      cutter.cut(middle, corners[k], corners[(k + 1) % corners.size()]);
+  }
+  WallOutline& outline = cutter.outline;
+  outline.middle = middle.p;
+  for (const Vector3& p : outline.points)
+    outline.radius = std::max(outline.radius, (p - outline.middle).norm());
+  outline.radius += outline.margin;
+  return std::move(outline);
+}
+
+}  // namespace tripus::viewer

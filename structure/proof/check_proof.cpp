@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include <arb.h>
 #include <fmt/format.h>
@@ -42,14 +43,18 @@ constexpr double kBoxShare = 0x1p-36;
 /// A decimal or binary number, exactly or, for a decimal one, within Arb's rounding.
 Arb number_of(const std::string& text) {
   Arb result;
-  if (text.starts_with("0x")) {
+  const bool negative = text.starts_with("-0x");
+  if (negative || text.starts_with("0x")) {
+    const std::size_t begin = negative ? 3 : 2;
     double value = 0;
-    const auto [end, code] =
-        std::from_chars(text.data() + 2, text.data() + text.size(), value, std::chars_format::hex);
-    // More than 14 hexadecimal digits would have been rounded.
+    const auto [end, code] = std::from_chars(text.data() + begin, text.data() + text.size(), value,
+                                             std::chars_format::hex);
+    // More than 14 hexadecimal digits would have been rounded; a sign has been read.
     const std::size_t mantissa = std::min(text.find('p'), text.size());
-    if (code != std::errc() || end != text.data() + text.size() || mantissa > 17) unreadable(text);
-    return Arb(value);
+    if (code != std::errc() || end != text.data() + text.size() || mantissa > begin + 15 ||
+        std::signbit(value))
+      unreadable(text);
+    return Arb(negative ? -value : value);
   }
   const std::size_t exponent = text.find('e');
   const std::string digits = text.substr(0, exponent);
@@ -303,7 +308,8 @@ struct Checker {
   /// With finite vertices: docs/theory.md 9.8.
   bool run_finite() {
     if (!read()) return false;
-    if (!proof.flat.empty()) return refuse("flat tetrahedra beside finite vertices are not checked");
+    if (!proof.flat.empty())
+      return refuse("flat tetrahedra beside finite vertices are not checked");
     detail::FiniteClaim claim{triangulation, cone_angles, links, {}, {}, {}, K, box, radius};
     for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t) {
       if (context.stop_requested() || context.expired())
@@ -312,8 +318,9 @@ struct Checker {
       claim.around.push_back(gram_of(t, &box));
       claim.within.push_back(gram_of(t, &radius));
       if (!claim.around[t].is_true() || !claim.within[t].is_true())
-        return refuse(fmt::format("tetrahedron {}: det G < 0 or a minor < 0 fails, det G is near {}",
-                                  t, shown(gram.det)));
+        return refuse(
+            fmt::format("tetrahedron {}: det G < 0 or a minor < 0 fails, det G is near {}", t,
+                        shown(gram.det)));
       const auto theta = checked_angles(gram), around = checked_angles(claim.within[t]);
       for (std::size_t e = 0; e < 6; ++e) {
         const std::size_t edge = triangulation.edge_class(t, static_cast<int>(e));
@@ -323,7 +330,8 @@ struct Checker {
       if (proof.volume) volume = volume + checked_volume(gram, theta);
     }
     claim.K = K;
-    if (std::string why = detail::finite_refusal(claim); !why.empty()) return refuse(std::move(why));
+    if (std::string why = detail::finite_refusal(claim); !why.empty())
+      return refuse(std::move(why));
     if (!proof.volume) return angles();
     // Theory (110).
     for (std::size_t e = 0; e < x.size(); ++e)

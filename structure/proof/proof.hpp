@@ -33,7 +33,7 @@ struct Proof {
   std::vector<topology::ConeAngle> cone_angles;  ///< [E]; empty for 2 pi
   std::vector<double> lengths;                   ///< [E] exact centres
   std::vector<double> radii;                     ///< [E] upper bounds
-  std::vector<double> weights;    ///< [E] d_e: Hess H >= diag(d) on the box; 0 if a vertex is finite
+  std::vector<double> weights;    ///< [E] d_e: Hess H >= diag(d) on the box; 0: vertices are finite
   std::vector<double> box;        ///< [E] half the sides of that box; radii are smaller
   Interval volume;                ///< of the manifold; not set for kFlat
   std::vector<std::size_t> flat;  ///< tetrahedra proved flat at the minimiser
@@ -56,7 +56,7 @@ struct ProveOptions {
 ///                 structure::solve finds them; any others are refused by `reason`
 /// Throws InvalidInput for a triangulation outside the domain (topology::require_solvable) and for
 /// a wrong number of lengths. Flat tetrahedra beside parabolic edges or finite vertices, and more
-/// than 400 edge classes with the latter, are refused by `reason`. Source: docs/theory.md section 9.
+/// than 400 edge classes with the latter, are refused by `reason`. Source: docs/theory.md 9.
 Proof prove(const topology::Triangulation& triangulation, std::span<const double> lengths,
             const ProveOptions& options = {}, const Context& context = {});
 

@@ -1,4 +1,4 @@
-// Numbers in a number field, and metrics that are known exactly: what is guessed wrongly is refused.
+// Numbers in a number field, and metrics that are known exactly: wrong guesses are refused.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -105,8 +105,9 @@ TEST(ExactMetric, OfWrongLengthsIsNone) {
     EXPECT_FALSE(ExactMetric::find(metric, {length}, 4)) << cosh;
   }
   const Solved tripus = solved("cPcbbbihq");
-  for (const auto& angle : {topology::ConeAngle::rational(2, 3), topology::ConeAngle::rational(1, 1),
-                            topology::ConeAngle::rational(3, 1), topology::ConeAngle(6.28)}) {
+  using topology::ConeAngle;
+  for (const auto& angle : {ConeAngle::rational(2, 3), ConeAngle::rational(1, 1),
+                            ConeAngle::rational(3, 1), ConeAngle(6.28)}) {
     const ConeMetric other(m, {angle});
     EXPECT_FALSE(ExactMetric::find(other, tripus.lengths, 4)) << angle.radians();
   }

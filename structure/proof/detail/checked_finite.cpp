@@ -195,8 +195,9 @@ struct FiniteChecker {
       const Arb most = absolute(reach);
       const std::size_t e = free[k];
       if (!arb_le(most.get(), claim.radius[e].get()) || !(claim.box[e] - most).positive())
-        return fmt::format("edge class {}: its length is only shown to be within {:.6g}, not {:.6g}",
-                           e, most.upper(), claim.radius[e].mid());
+        return fmt::format(
+            "edge class {}: its length is only shown to be within {:.6g}, not {:.6g}", e,
+            most.upper(), claim.radius[e].mid());
     }
     return {};
   }

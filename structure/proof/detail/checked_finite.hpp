@@ -21,7 +21,7 @@ struct FiniteClaim {
   std::vector<CheckedGram> within;                    // [T] over the radii that are claimed
   std::vector<Arb> K;                                 // [E] at the lengths
   std::vector<Arb> K_within;                          // [E] over the radii
-  const std::vector<Arb>& box;                        // [E] larger than the radii where these are > 0
+  const std::vector<Arb>& box;                        // [E] larger than radii that are > 0
   const std::vector<Arb>& radius;                     // [E] 0: the length is held
 };
 

@@ -20,6 +20,8 @@ using geometry::packed_index;
 
 constexpr int kBits = 192;
 constexpr double kFirstRadius = 0x1p-34;
+/// Nothing less is claimed: other code should be able to follow with fewer bits.
+constexpr double kLeastRadius = 0x1p-60;
 /// A column of the matrix of gauges is no pivot below this share of the largest entry.
 constexpr double kLeastPivot = 1e-6;
 constexpr std::size_t kMostEdges = 400;
@@ -81,7 +83,7 @@ struct IntervalNewton {
     return result;
   }
 
-  // ---- which equations are left out --------------------------------------------------------------
+  // ---- which equations are left out -------------------------------------------------------------
 
   /// The equations at all finite vertices and cusps.
   std::optional<std::vector<Gauge>> gauges(const Angles& angles) {
@@ -208,7 +210,7 @@ struct IntervalNewton {
     return true;
   }
 
-  // ---- Krawczyk's test ---------------------------------------------------------------------------
+  // ---- Krawczyk's test --------------------------------------------------------------------------
 
   std::vector<Arb> widened(const std::vector<Arb>& radius) const {
     std::vector<Arb> result = x;
@@ -277,7 +279,7 @@ struct IntervalNewton {
     return true;
   }
 
-  // ---- the equations that were left out ----------------------------------------------------------
+  // ---- the equations that were left out ---------------------------------------------------------
 
   /// The curvatures of the held edges are so small that they must be 0.
   bool rest_vanishes(const Angles& angles) {
@@ -350,7 +352,10 @@ struct IntervalNewton {
     std::vector<Arb> radius = box;
     for (Arb& r : radius) r = (2.0 * r + Arb(0x1p-150)).upper_end();
     if (!krawczyk(at->K, radius)) return false;
-    for (Arb& b : box) b = (metric.margin() * b).upper_end();
+    for (const std::size_t e : chosen) {
+      box[e] = (metric.margin() * box[e]).upper_end();
+      if (!larger(box[e], Arb(kLeastRadius))) box[e] = Arb(kLeastRadius);
+    }
     auto around = angles_at(widened(box), false);
     if (!around) return false;
     if (options.volume) set_volume(*at, *around);

@@ -47,8 +47,9 @@ std::optional<std::array<Arb, 21>> precise_jacobian(const std::array<Arb, 6>& l,
 /// precision does not prove it. Source: docs/theory.md section 9.
 std::optional<std::array<double, 6>> precise_weights(const std::array<Arb, 6>& l);
 
-/// How a box of lengths, positive between hyperideal vertices, is flat, if -det G is proved < 0 on it: every member then has the
-/// angle pi at the same pair of opposite edges. Source: docs/theory.md (15).
+/// How a box of lengths, positive between hyperideal vertices, is flat, if -det G is proved < 0 on
+/// it: every member then has the angle pi at the same pair of opposite edges. Source: docs/theory.md
+/// (15) and 10.3.
 std::optional<geometry::TetrahedronKind> proved_flat(const std::array<Arb, 6>& l,
                                                      const Diagonal& diagonal = kHyperideal);
 

@@ -151,8 +151,10 @@ int make(CensusCommand& command) {
   if (list.empty()) {
     throw InvalidInput(inputs.refused == 0
                            ? "the list is empty: there is nothing to make a census of"
-                           : fmt::format("none of the {} could be read: no census was made",
-                                         counted(inputs.refused, "line", "lines")));
+                           : fmt::format("none of its {} could be read: no census was made",
+                                         inputs.refused == 1
+                                             ? "lines"
+                                             : std::to_string(inputs.refused) + " lines"));
   }
   std::optional<Journal> journal;
   if (!path.empty()) journal.emplace(path, work_of(command, list));

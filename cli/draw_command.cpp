@@ -76,13 +76,15 @@ void add_draw(CLI::App& program, Command& chosen) {
       ->option_text("X")
       ->check(positive_number());
   verb->add_flag("--black", command->black, "all strands black");
-  auto* arcs =
-      verb->add_flag("--arcs", command->arcs,
-                     "with the numbers of the arcs, as --pd and Cone[ARC,ORDER] name them");
+  auto* arcs = verb->add_flag("--arcs", command->arcs,
+                              "with the numbers of the arcs, as --pd and Cone[ARC,ORDER] name them")
+                   ->option_text(" ");
   auto* polylines = verb->add_flag("--polylines", command->polylines,
                                    "not a picture but the drawing in space, for `tripus tube`")
+                        ->option_text(" ")
                         ->excludes(arcs);
   verb->add_flag("--pd", command->text, "not a picture but the diagram as PD text")
+      ->option_text(" ")
       ->excludes(polylines)
       ->excludes(arcs);
   verb->footer(kDrawHelp);

@@ -36,9 +36,10 @@ std::string as_json(const Subject& subject) {
 
 std::string as_text(const Subject& subject) {
   const topology::Triangulation& m = subject.triangulation;
-  std::string text =
-      fmt::format("{}{}\n", printable(subject.input),
-                  subject.name.empty() ? "" : fmt::format(" ({})", printable(subject.name)));
+  std::string text = fmt::format("{}{}\n", printable(subject.input),
+                                 subject.name.empty() || subject.name == subject.input
+                                     ? ""
+                                     : fmt::format(" ({})", printable(subject.name)));
   const auto line = [&](std::string_view label, const std::string& value) {
     text += fmt::format("  {:<14}{}\n", label, value);
   };

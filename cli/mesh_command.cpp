@@ -82,8 +82,7 @@ void write_outputs(const MeshCommand& command, const meshing::Manifold& manifold
                       ": the tetrahedra that fill this surface are too thin for doubles, so that "
                       "--save-mesh cannot write them; leave it out, or remesh the surface more "
                       "evenly");
-  if (!command.output.empty())
-    write_triangulation_file(command.output, {{}, manifold.gluings}, subject.best_signature());
+  if (!command.output.empty()) write_triangulation_file(command.output, subject);
   if (ends_with(command.mesh_output, ".vtk"))
     write_file(command.mesh_output, meshing::write_vtk(manifold.mesh));
   if (ends_with(command.mesh_output, ".mesh"))
@@ -203,8 +202,9 @@ void add_mesh(CLI::App& program, Command& chosen) {
   auto command = std::make_shared<MeshCommand>();
   add_common_options(*verb, command->common);
   auto* output = verb->add_option("-o,--output", command->output,
-                                  "write the triangulation: x.json (gluing table) or x.sig\n"
-                                  "(signature); either is an INPUT again")
+                                  "write the triangulation: x.json (gluing table), x.sig\n"
+                                  "(signature), x.rga (Regina) or x.tri (SnapPea); each is\n"
+                                  "an INPUT again")
                      ->option_text("FILE")
                      ->check(problem_of_name);
   auto* mesh_output = verb->add_option("--save-mesh", command->mesh_output,

@@ -141,7 +141,7 @@ void add_bounds(CLI::App& verb, OrthospectrumCommand& command) {
                      ->option_text("L")
                      ->check(positive_number());
   verb.add_option("--count", command.spectrum.count,
-                  fmt::format("the N shortest arcs, and those as long as the last of them "
+                  fmt::format("the N shortest arcs, and those as long as the last of them\n"
                               "(default: {})",
                               kDefaultCount))
       ->option_text("N")
@@ -157,10 +157,11 @@ void add_outputs(CLI::App& verb, OrthospectrumCommand& command) {
                       ->option_text(" ");
   verb.add_flag("--words", command.words,
                 "each arc by itself: its feet, and the faces that it crosses")
+      ->option_text(" ")
       ->excludes(summary);
   verb.add_flag("--prove", command.prove,
-                "prove the metric and the length of each arc, every rounding accounted for, but\n"
-                "not that there are no others")
+                "prove the metric and the length of each arc, every rounding\n"
+                "accounted for, but not that there are no others")
       ->option_text(" ")
       ->excludes(summary);
   auto* canonical =

@@ -28,7 +28,8 @@ namespace {
 
 constexpr const char* kDescription =
     "Tripus finds the hyperbolic metric with totally geodesic boundary on a compact 3-manifold,\n"
-    "given by an ideal triangulation, or says with evidence why this one carries none. Cusps, cone\n"
+    "given by an ideal triangulation, or says with evidence why this one carries none. Cusps, "
+    "cone\n"
     "angles and finite vertices are known to the verbs that say so.";
 
 constexpr const char* kExamples = R"(
@@ -60,7 +61,12 @@ void report_failure(bool json, std::string_view kind, std::string_view message) 
 std::string usage_message(const CLI::App& program, const CLI::ParseError& error) {
   const auto chosen = program.get_subcommands();
   if (!chosen.empty()) {
-    return fmt::format("{}; `tripus {} --help` tells what there is", error.what(),
+    // "--batch: 1 required TEXT missing", with the parser's name of a type
+    std::string what = error.what();
+    const std::size_t missing = what.find(": 1 required ");
+    if (missing != std::string::npos && what.ends_with(" missing"))
+      what = what.substr(0, missing) + ": its value is missing";
+    return fmt::format("{}; `tripus {} --help` tells what there is", what,
                        chosen.front()->get_name());
   }
   std::vector<std::string> verbs;

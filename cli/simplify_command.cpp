@@ -158,11 +158,8 @@ Outcome simplify_one(const SimplifyCommand& command, const std::string& input) {
   stages.emplace_back("simplified", result.tetrahedron_count());
 
   loaded.gluings = std::move(result.gluings);
-  const std::string name = loaded.name;
   const Subject subject = make_subject(input, std::move(loaded));
-  if (!command.output.empty())
-    write_triangulation_file(command.output, {name, subject.triangulation.gluings()},
-                             subject.best_signature());
+  if (!command.output.empty()) write_triangulation_file(command.output, subject);
   return {command.common.json ? as_json(result, stages, subject) : as_text(result, stages, subject),
           result.stopped ? kNoAnswer : kSuccess};
 }
@@ -199,7 +196,8 @@ void add_simplify(CLI::App& program, Command& chosen) {
       ->delimiter(',')
       ->allow_extra_args(false);
   verb->add_option("-o,--output", command->output,
-                   "write the triangulation, to a file .json or .sig")
+                   "write the triangulation: .json (gluing table), .sig (signature),\n"
+                   ".rga (Regina) or .tri (SnapPea)")
       ->option_text("FILE")
       ->check(problem_of_name)
       ->excludes(verb->get_option("--batch"));

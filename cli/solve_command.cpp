@@ -55,11 +55,7 @@ void write_solved(const SolveCommandOptions& command, const Solved& solved) {
                     tripus::quoted(command.output)));
     return;
   }
-  write_triangulation_file(command.output,
-                           {.name = subject.name,
-                            .gluings = subject.triangulation.gluings(),
-                            .cone_angles = subject.cone_angles},
-                           subject.best_signature());
+  write_triangulation_file(command.output, subject);
 }
 
 /// The answer, with its proof if one is asked for.
@@ -116,7 +112,7 @@ Subject without_finite_vertices(Subject subject) {
   make_ideal(loaded, topology::FiniteVertices::kRemove, &stop_flag());
   if (loaded.notes.size() == subject.notes.size()) return subject;
   write_message(
-      fmt::format("tripus: note: {}: {}\n", printable(subject.input), loaded.notes.back()));
+      fmt::format("tripus: note: {}: {}\n", tripus::quoted(subject.input), loaded.notes.back()));
   return make_subject(subject.input, std::move(loaded));
 }
 
@@ -272,7 +268,8 @@ void add_solve(CLI::App& program, Command& chosen) {
   verb->get_option("--cone-angle")->excludes(verb->get_option("--retriangulate"));
   verb->get_option("--cone-order")->excludes(verb->get_option("--retriangulate"));
   verb->add_option("-o,--output", command->output,
-                   "write the triangulation that carries the metric: .json or .sig")
+                   "write the triangulation that carries the metric: .json (gluing table),\n"
+                   ".sig (signature), .rga (Regina) or .tri (SnapPea)")
       ->option_text("FILE")
       ->check(problem_of_name)
       ->excludes(verb->get_option("--batch"));

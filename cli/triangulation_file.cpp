@@ -2,8 +2,11 @@
 
 #include <array>
 
+#include <fmt/format.h>
+
 #include "base/error.hpp"
 #include "base/output_file.hpp"
+#include "cli/output.hpp"
 #include "topology/formats/json.hpp"
 #include "topology/formats/regina.hpp"
 #include "topology/formats/snappea.hpp"
@@ -43,14 +46,22 @@ void require_format_for(const std::string& path, std::span<const topology::ConeA
                        ": this format keeps no cone angles; .json (gluing table) does");
 }
 
-void write_triangulation_file(const std::string& path, const topology::NamedGluings& triangulation,
-                              const std::optional<std::string>& isosig) {
+void write_triangulation_file(const std::string& path, const Subject& subject) {
   require_triangulation_name(path);
-  require_format_for(path, triangulation.cone_angles);
+  require_format_for(path, subject.cone_angles);
   const Ending& ending = *find_ending(path);
+  const auto& isosig = subject.best_signature();
   if (!ending.write && !isosig)
     throw InvalidInput("the signature would take too long to compute; write .json");
-  write_file(path, ending.write ? ending.write(triangulation) : *isosig + "\n");
+  write_file(path, ending.write ? ending.write({.name = subject.name,
+                                                .gluings = subject.triangulation.gluings(),
+                                                .cone_angles = subject.cone_angles})
+                                : *isosig + "\n");
+  if (ending.write || subject.orientation_known || !subject.triangulation.is_orientable()) return;
+  write_message(
+      fmt::format("tripus: note: {} tells no orientation, since INPUT tells none (a signature with "
+                  "+ or - does)\n",
+                  tripus::quoted(path)));
 }
 
 }  // namespace tripus::cli

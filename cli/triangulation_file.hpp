@@ -1,11 +1,10 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 
+#include "manifold/subject.hpp"
 #include "topology/cone_angle.hpp"
-#include "topology/formats/formats.hpp"
 
 namespace tripus::cli {
 
@@ -16,10 +15,9 @@ void require_triangulation_name(const std::string& path);
 /// Throws InvalidInput if there are cone angles and the format does not keep them: .json does.
 void require_format_for(const std::string& path, std::span<const topology::ConeAngle> cone_angles);
 
-/// Writes the triangulation in the format that the name tells; `isosig` is its signature, if known.
-/// Throws InvalidInput if the file cannot be written, or if the signature is wanted and not known,
-/// and as `require_format_for`.
-void write_triangulation_file(const std::string& path, const topology::NamedGluings& triangulation,
-                              const std::optional<std::string>& isosig);
+/// Writes the triangulation in the format that the name tells, with a note on standard error where
+/// it is a signature that tells no orientation. Throws InvalidInput if the file cannot be written,
+/// or if the signature is wanted and not known, and as `require_format_for`.
+void write_triangulation_file(const std::string& path, const Subject& subject);
 
 }  // namespace tripus::cli

@@ -19,6 +19,7 @@
 #include "manifold/load_diagram.hpp"
 #include "manifold/prepared.hpp"
 #include "meshing/formats/foreign_meshes.hpp"
+#include "meshing/formats/read_graph.hpp"
 #include "meshing/manifold.hpp"
 #include "topology/diagrams/read_diagram.hpp"
 #include "topology/diagrams/small_exterior.hpp"
@@ -103,6 +104,8 @@ std::optional<topology::NamedGluings> read_word(const std::string& text, const C
   if (auto named = find_in_census(text)) return named;
   if (auto named = find_in_tables(text, context)) return named;
   if (topology::looks_like_diagram(text)) return exterior_of(topology::read_diagram(text), context);
+  if (topology::find_diagram_or_mirror(text + ")"))
+    throw InvalidInput("the bracket in " + quoted(text) + " is not closed; add ) at the end");
   if (topology::is_diagram_name(text)) refuse_unknown_name(text);
   if (topology::looks_like_signature(text)) return read_signature(text);
   if (const auto foreign = topology::foreign_name(text)) throw InvalidInput(*foreign);
@@ -140,10 +143,10 @@ std::vector<topology::NamedGluings> read_all_of(const std::string& text, const C
     all.push_back(std::move(each));
     return all;
   };
+  refuse_foreign_mesh(text);
   if (topology::looks_like_diagram(text))
     return one(exterior_of(topology::read_diagram(text), context));
   const topology::TextFormat format = topology::detect_format(text);
-  refuse_foreign_mesh(text);
   if (format == topology::TextFormat::kJson && is_drawing(text)) refuse_drawing();
   if (format == topology::TextFormat::kUnknown || format == topology::TextFormat::kIsosig) {
     const auto lines = topology::read_batch(text);
@@ -180,6 +183,8 @@ std::string source_of(const std::string& input) {
 
 std::optional<meshing::MeshFile> read_as_mesh(const std::string& content,
                                               const std::string& input) {
+  if (!topology::looks_like_diagram(content) && meshing::is_drawn_graph(content))
+    blame(source_of(input), refuse_drawing);
   if (!meshing::detect_mesh_format(content, input)) return std::nullopt;
   return blame(source_of(input), [&] { return meshing::read_mesh(content, input, read_file); });
 }

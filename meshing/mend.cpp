@@ -6,11 +6,14 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/tolerances.hpp"
+#include "meshing/detail/connectivity.hpp"
 #include "meshing/detail/diagonals.hpp"
 #include "meshing/detail/faces.hpp"
 #include "meshing/detail/open_edges.hpp"
 #include "meshing/detail/point_hash.hpp"
+#include "meshing/detail/touching_sheets.hpp"
 #include "meshing/predicates.hpp"
 
 // Mending is by trial: a trial changes a copy, and is kept only if every edge is then in exactly
@@ -276,6 +279,35 @@ detail::SameFace same_face(const Patch& patch, const std::vector<std::uint32_t>&
   };
 }
 
+bool is_closed_manifold(const SurfaceMesh& mesh) {
+  const SourceLines no_lines;
+  try {
+    (void)detail::require_closed_manifold(
+        mesh.triangles, mesh.points.size(), [](std::size_t) { return std::string(); },
+        detail::Places(no_lines, "triangle"));
+    return true;
+  } catch (const InvalidInput&) {
+    return false;
+  }
+}
+
+/// Where merging points made sheets meet in edges or points, the surface as it was given, with the
+/// sheets apart. Whether it was so, and could be.
+bool part_sheets(Patch& given, Patch& patch, std::vector<std::string>& notes) {
+  if (is_closed_manifold(patch.mesh)) return false;
+  drop_unused(given.mesh.points, given.mesh.triangles, given.point_of);
+  auto apart = detail::sheets_apart(given.mesh);
+  if (!apart) return false;
+  patch = std::move(given);
+  patch.mesh = std::move(apart->mesh);
+  char distance[32];
+  std::snprintf(distance, sizeof distance, "%.2g", apart->distance);
+  notes = {counted(apart->moved, "point", "points") +
+           " in one place with others, where sheets of the surface touch, moved apart by at most " +
+           distance};
+  return true;
+}
+
 void note(std::vector<std::string>& notes, std::size_t count, const char* one, const char* many) {
   if (count > 0) notes.push_back(counted(count, one, many));
 }
@@ -289,8 +321,11 @@ SurfaceFile mend(SurfaceFile file) {
   patch.point_of = numbers_up_to(patch.mesh.points.size());
   patch.cell_of = numbers_up_to(patch.mesh.triangles.size());
   const std::size_t unused = count_unused(patch.mesh.points.size(), patch.mesh.triangles);
-  renumber(patch.mesh.triangles, first_equal(patch.mesh.points, merged));
-  const std::size_t flat = drop_repeated_corners(patch);
+  const auto first = first_equal(patch.mesh.points, merged);
+  Patch given;
+  if (merged > 0) given = patch;
+  renumber(patch.mesh.triangles, first);
+  std::size_t flat = drop_repeated_corners(patch);
   std::vector<std::string> notes;
   const std::vector<std::uint32_t> faces = file.lines.cell_numbers;
   std::size_t turned = 0;
@@ -299,6 +334,7 @@ SurfaceFile mend(SurfaceFile file) {
   if (!faces.empty() && is_good(patch.mesh))
     turned += detail::uncross_diagonals(patch.mesh, same_face(patch, faces));
   drop_unused(patch.mesh.points, patch.mesh.triangles, patch.point_of);
+  if (merged > 0 && part_sheets(given, patch, notes)) merged = flat = turned = 0;
   note(file.notes, merged, "point merged with another in the same place",
        "points merged with others in the same place");
   note(file.notes, flat, "triangle without area left out", "triangles without area left out");

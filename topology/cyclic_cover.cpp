@@ -33,11 +33,14 @@ void require_unbranched(const Gluings& gluings, std::span<const int> shifts, std
   const Triangulation triangulation(gluings);
   for (std::size_t t = 0; t < count; ++t)
     for (int f = 0; f < 4; ++f)
-      if (shift_at(shifts, gluings.neighbour(t, f), gluings.gluing(t, f)(f)) !=
-          -shift_at(shifts, t, f))
-        throw InvalidInput("cyclic cover: the shift through face " + std::to_string(f) +
-                           " of tetrahedron " + std::to_string(t) +
-                           " is not the opposite of the shift on its other side");
+      if ((shift_at(shifts, gluings.neighbour(t, f), gluings.gluing(t, f)(f)) +
+           shift_at(shifts, t, f)) %
+              static_cast<std::int64_t>(degree) !=
+          0)
+        throw InvalidInput(
+            "cyclic cover: the shift through face " + std::to_string(f) + " of tetrahedron " +
+            std::to_string(t) +
+            " is not the opposite, modulo the degree, of the shift on its other side");
   for (std::size_t e = 0; e < triangulation.edge_count(); ++e) {
     std::int64_t sum = 0;
     detail::walk_around_edge(triangulation, e, [&](std::size_t slot) { sum += shifts[slot]; });

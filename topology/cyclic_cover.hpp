@@ -11,7 +11,7 @@ namespace tripus::topology {
 
 /// The cyclic cover that a class in H^1 describes: tetrahedron t on sheet k has number k T + t, and
 /// crossing face f of t leads from sheet k to sheet k + shift_per_face[4 t + f] modulo the degree.
-///   shift_per_face  [T x 4]  opposite on the two sides of every glued pair
+///   shift_per_face  [T x 4]  opposite modulo the degree on the two sides of every glued pair
 ///   degree                   >= 1
 /// The cover is connected if some loop's shifts add up to a unit modulo the degree.
 /// Throws InvalidInput naming the face where the shifts do not match, or the edge class around

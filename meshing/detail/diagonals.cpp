@@ -6,6 +6,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "meshing/detail/quad_diagonals.hpp"
 #include "meshing/predicates.hpp"
 #include "meshing/self_intersection.hpp"
 
@@ -206,7 +207,7 @@ std::size_t uncrowd_diagonals(SurfaceMesh& mesh, const SameFace& same_face) {
 std::size_t uncross_diagonals(SurfaceMesh& mesh, const SameFace& same_face) {
   SurfaceMesh trial = mesh;
   const auto turned = Uncrossing(trial, same_face).run();
-  if (!turned) return 0;
+  if (!turned) return choose_diagonals(mesh, same_face);
   if (*turned > 0) mesh = std::move(trial);
   return *turned;
 }

@@ -18,9 +18,10 @@ using SameFace = std::function<bool(std::size_t, std::size_t)>;
 std::size_t uncrowd_diagonals(SurfaceMesh& mesh, const SameFace& same_face);
 
 /// Turns diagonals of triangles that cross others, as long as that leaves fewer crossings; if some
-/// are left in the end, nothing is changed. The surface is closed, its triangles are proper
-/// and different. Returns how many were turned. Quadratic at worst, in the number of crossings
-/// times triangles.
+/// are left in the end, those of quadrilaterals are chosen anew (quad_diagonals.hpp), and if that
+/// has no solution, nothing is changed. The surface is closed, its triangles are proper and
+/// different. Returns how many were turned. Quadratic at worst, in the number of crossings times
+/// triangles.
 std::size_t uncross_diagonals(SurfaceMesh& mesh, const SameFace& same_face);
 
 }  // namespace tripus::meshing::detail

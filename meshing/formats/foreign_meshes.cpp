@@ -87,6 +87,12 @@ bool is_binary_medit(std::string_view content) {
   return is("\x01\0\0\0"sv, 4) || is("\0\0\0\x01"sv, 7);
 }
 
+/// A section with a comment, as (1 "...") or (0 "...").
+bool is_ansys(std::string_view content) {
+  content = trimmed_left(content);
+  return content.starts_with("(1 \"") || content.starts_with("(0 \"");
+}
+
 bool is_abaqus(std::string_view content) {
   const std::string start = detail::lowered(trimmed_left(beginning(content)).substr(0, 8));
   return start.starts_with("*heading") || start.starts_with("*node");
@@ -116,6 +122,7 @@ constexpr std::array kForeign{
     Foreign{"a STEP file", begins<kStep>, Converter::kOriginal},
     Foreign{"a binary Medit mesh", is_binary_medit, Converter::kMeshio},
     Foreign{"an Abaqus mesh", is_abaqus, Converter::kMeshio},
+    Foreign{"an ANSYS (Fluent) mesh", is_ansys, Converter::kMeshio},
     Foreign{"an HDF5 file, as MED, CGNS and XDMF meshes are", begins<kHdf5>, Converter::kMeshio},
     Foreign{"a NetCDF file, as Exodus meshes are", begins<kNetCdf>, Converter::kMeshio},
     Foreign{"a Netgen mesh", has_first_word<kNetgen>, Converter::kMeshio},

@@ -87,7 +87,8 @@ class Numbers {
     return static_cast<std::uint64_t>(value);
   }
   /// Tags of entities may be negative; nobody needs them.
-  void skip_integer() { is_binary_ ? void(read<std::int32_t>()) : void(text_.number("a tag")); }
+  void skip_integer() { tag(); }
+  double tag() { return is_binary_ ? read<std::int32_t>() : text_.number("a tag"); }
   std::uint64_t size() {
     if (!is_binary_) return text_.natural("a whole number");
     return is_wide_ ? read<std::uint64_t>() : read<std::uint32_t>();
@@ -118,8 +119,9 @@ class Reader {
   explicit Reader(std::string_view text) : in_(text) {}
 
   MeshFile read() {
-    if (in_.text().word() != "$MeshFormat")
-      in_.text().fail("the file does not begin with \"$MeshFormat\"");
+    std::string_view head = in_.text().word();
+    for (; head == "$Comments"; head = in_.text().word()) skip_section("Comments");
+    if (head != "$MeshFormat") in_.text().fail("the file does not begin with \"$MeshFormat\"");
     read_format();
     for (std::string_view name = in_.text().word(); !name.empty(); name = in_.text().word()) {
       if (name == "$Nodes") {
@@ -153,7 +155,8 @@ class Reader {
   }
 
   void skip_section(std::string_view name) {
-    has_data_ |= name != "Entities" && name != "Periodic" && name != "PartitionedEntities";
+    has_data_ |= name != "Entities" && name != "Periodic" && name != "PartitionedEntities" &&
+                 name != "Comments";
     const std::string end = "$End" + std::string(name.substr(0, 64));
     const std::size_t place = in_.text().rest().find(end);
     if (place == std::string_view::npos) in_.text().fail("the file ends before " + quoted(end));
@@ -239,6 +242,14 @@ class Reader {
     }
   }
 
+  /// The first tag of an element is its physical group.
+  void note_group(const Element& element, double group) {
+    if (element.use == Element::kLeaveOut) return;
+    auto& first = element.use == Element::kFace ? group_of_faces_ : group_of_tetrahedra_;
+    if (!first) first = group;
+    has_data_ |= group != *first;
+  }
+
   void read_elements_2() {
     const std::uint32_t count = in_.text().natural("the number of elements");
     in_.require_room(count, 8);
@@ -253,7 +264,8 @@ class Reader {
                         std::to_string(count));
       for (std::uint64_t k = 0; k < follow; ++k, ++i) {
         if (in_.is_binary()) in_.integer();
-        for (std::uint64_t tag = 0; tag < tags; ++tag) in_.skip_integer();
+        for (std::uint64_t tag = 0; tag < tags; ++tag)
+          tag == 0 ? note_group(element, in_.tag()) : in_.skip_integer();
         read_element(element, [&] { return in_.integer(); });
       }
     }
@@ -278,6 +290,7 @@ class Reader {
 
   Numbers in_;
   bool is_new_ = false, has_data_ = false;
+  std::optional<double> group_of_faces_, group_of_tetrahedra_;
   std::vector<Point> points_;
   SourceLines lines_;
   std::unordered_map<std::uint64_t, std::uint32_t> number_;

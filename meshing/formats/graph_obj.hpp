@@ -10,4 +10,7 @@ namespace tripus::meshing {
 /// Throws InvalidInput with the line; for a file that has faces or no lines.
 SpatialGraph read_obj_lines(std::string_view text);
 
+/// Whether a Wavefront OBJ has lines and no faces.
+bool has_only_lines(std::string_view text);
+
 }  // namespace tripus::meshing

@@ -1,5 +1,6 @@
 #include "meshing/formats/graph_vect.hpp"
 
+#include "meshing/detail/oogl.hpp"
 #include "meshing/detail/polylines.hpp"
 #include "meshing/detail/scanner.hpp"
 
@@ -7,8 +8,8 @@ namespace tripus::meshing {
 
 SpatialGraph read_vect(std::string_view text) {
   detail::Scanner in("VECT", text, '#');
-  std::string_view head = in.word();
-  if (head == "{") head = in.word();
+  detail::skip_oogl_wrapping(in);
+  const std::string_view head = in.word();
   if (head != "VECT" && head != "4VECT") in.fail("the file does not begin with VECT");
   const bool homogeneous = head == "4VECT";
   const std::uint32_t count = in.count("the number of polylines", 2);

@@ -1,6 +1,7 @@
 #include "meshing/formats/medit.hpp"
 
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "meshing/detail/cells.hpp"
@@ -25,8 +26,14 @@ struct Sections {
   std::vector<Point> points;
   SourceLines lines;
   detail::Cells cells;
-  double reference = 0;  ///< of the first cell
-  bool has_cell = false, has_references = false;
+  bool has_references = false;  ///< that differ among the points, or among the cells
+  struct References {
+    std::optional<double> first = {};
+    bool differ(double each) {
+      if (!first) first = each;
+      return each != *first;
+    }
+  } of_points, of_cells;
 };
 
 template <std::size_t Corners>
@@ -46,10 +53,7 @@ void read_cells(Scanner& in, Sections& found, std::string_view what) {
     } else {
       found.cells.add_face(cell, line);
     }
-    const double reference = in.number("a reference number");
-    if (!found.has_cell) found.reference = reference;
-    found.has_cell = true;
-    found.has_references |= reference != found.reference;
+    found.has_references |= found.of_cells.differ(in.number("a reference number"));
   }
 }
 
@@ -59,7 +63,7 @@ void read_points(Scanner& in, Sections& found) {
   for (std::uint32_t i = 0; i < count; ++i) {
     found.points.push_back(in.point());
     found.lines.points.push_back(in.line());
-    in.number("a reference number");
+    found.has_references |= found.of_points.differ(in.number("a reference number"));
   }
 }
 

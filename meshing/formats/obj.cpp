@@ -4,12 +4,14 @@
 #include <array>
 
 #include "meshing/detail/faces.hpp"
+#include "meshing/detail/obj_line.hpp"
 #include "meshing/detail/scanner.hpp"
 #include "meshing/detail/text.hpp"
 
 namespace tripus::meshing {
 namespace {
 
+using detail::ObjLine;
 using detail::Scanner;
 
 /// Lines that say nothing about the surface, and may come first.
@@ -26,31 +28,6 @@ template <class Words>
 bool is_in(const Words& words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
-
-/// The words of an OBJ line, which goes on behind a "\" at its end.
-class Line {
- public:
-  explicit Line(Scanner& in) : in_(in) {}
-
-  std::string_view word() {
-    std::string_view found = in_.word_of_line();
-    while (found == "\\" && in_.next_line()) found = in_.word_of_line();
-    if (found.size() > 1 && found.ends_with('\\')) {
-      in_.put_back(1);
-      found.remove_suffix(1);
-    }
-    return found;
-  }
-  /// To its end.
-  void skip() {
-    while (in_.rest_of_line().ends_with('\\') && in_.next_line()) {
-    }
-    in_.skip_line();
-  }
-
- private:
-  Scanner& in_;
-};
 
 /// The point of a corner "7", "7/1", "7//3" or "-1/2/3", counted from 0. It may come later in the
 /// file, so only its sign is checked here.
@@ -73,7 +50,7 @@ class Reader {
 
   SurfaceFile read() {
     do {
-      const std::string_view key = Line(in_).word();
+      const std::string_view key = ObjLine(in_).word();
       if (key.empty()) continue;
       read_line(key);
     } while (in_.next_line());
@@ -86,6 +63,7 @@ class Reader {
                                           " points, numbered from 1");
     faces_.finish(file_);
     if (colours_) file_.notes.push_back("colours or weights of the points not read");
+    if (looks_) file_.notes.push_back("normals, textures and materials not read");
     if (lines_ > 0)
       file_.notes.push_back(detail::counted(lines_, "line or point", "lines and points") +
                             " left out");
@@ -100,7 +78,8 @@ class Reader {
       read_face();
     } else if (is_in(kSkipped, key)) {
       if (key == "l" || key == "p") ++lines_;
-      Line(in_).skip();
+      if (key == "vn" || key == "vt" || key == "usemtl") looks_ = true;
+      ObjLine(in_).skip();
     } else {
       in_.fail(quoted(std::string(key.substr(0, 32))) + " is not supported" +
                (is_in(kCurved, key) ? " (a curved surface)" : "") +
@@ -109,7 +88,7 @@ class Reader {
   }
 
   void read_point() {
-    Line line(in_);
+    ObjLine line(in_);
     Point point;
     for (double& x : point) x = in_.number(line.word(), "a coordinate");
     file_.mesh.points.push_back(point);
@@ -121,7 +100,7 @@ class Reader {
 
   void read_face() {
     const std::uint32_t number = in_.line();
-    Line line(in_);
+    ObjLine line(in_);
     corners_.clear();
     for (std::string_view word = line.word(); !word.empty(); word = line.word())
       corners_.push_back(read_corner(in_, word, file_.mesh.points.size()));
@@ -133,7 +112,7 @@ class Reader {
   detail::Faces faces_;
   std::vector<std::uint32_t> corners_;
   std::size_t lines_ = 0;
-  bool colours_ = false;
+  bool colours_ = false, looks_ = false;
 };
 
 /// A corner begins with a digit or a sign.
@@ -147,7 +126,7 @@ bool is_number(std::string_view word) {
 bool starts_obj(std::string_view content) {
   Scanner in("", content.substr(0, 1 << 16), '#');
   do {
-    Line line(in);
+    ObjLine line(in);
     const std::string_view key = line.word();
     if (key.empty()) continue;
     if (key == "v" || key == "vn" || key == "vt" || key == "f") return is_number(line.word());

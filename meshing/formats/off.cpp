@@ -1,10 +1,11 @@
 #include "meshing/formats/off.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <optional>
 
 #include "meshing/detail/bytes.hpp"
 #include "meshing/detail/faces.hpp"
+#include "meshing/detail/oogl.hpp"
 #include "meshing/detail/scanner.hpp"
 #include "meshing/detail/text.hpp"
 
@@ -29,7 +30,13 @@ struct Header {
     return dimension + (homogeneous ? 1 : 0) + (normal ? dimension : 0) + (colour ? 4 : 0) +
            (texture ? 2 : 0);
   }
+  bool has_more_than_places() const { return normal || colour || texture; }
 };
+
+void note_left_out(SurfaceFile& file, bool of_points, bool of_faces) {
+  if (of_points) file.notes.push_back("normals, colours and textures of the points not read");
+  if (of_faces) file.notes.push_back("colours of the faces not read");
+}
 
 /// The letters in front of OFF, in Geomview's order; nothing if it is no header.
 std::optional<Header> parse_keyword(std::string_view prefix) {
@@ -51,43 +58,53 @@ std::optional<Header> parse_keyword(std::string_view prefix) {
   return header;
 }
 
-/// What stands within the braces that Geomview's tools write around the whole.
-std::string_view without_braces(std::string_view text) {
-  text.remove_prefix(text.find('{') + 1);
-  return text.substr(0, text.rfind('}'));
-}
-
-/// The head of a text: the keyword, with what touches it left in place.
+/// The head of a text: the keyword is read, and what touched it is left in place.
 struct Start {
   Header header;
   Scanner rest;
+  std::string_view behind = {};  ///< behind the brace that closes it
 };
+
+bool is_count(std::string_view word) {
+  return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos;
+}
 
 std::optional<Start> find_start(std::string_view text) {
   Scanner in("OFF", text, '#');
-  std::string_view head = in.word();
-  if (head.starts_with('{')) {
-    in = Scanner("OFF", without_braces(text), '#');
-    head = in.word();
-    if (head == "=") head = in.word();
-  }
-  const std::size_t end = head.find("OFF");
+  const bool in_braces = detail::skip_oogl_wrapping(in);
+  const std::string_view head = in.word();
+  const std::size_t end = head == "off" ? 0 : head.find("OFF");
   if (end == std::string_view::npos || end > 6) return std::nullopt;
   auto header = parse_keyword(head.substr(0, end));
   if (!header) return std::nullopt;
   const std::string_view glued = head.substr(end + 3);
-  for (const char c : glued)
-    if (c < '0' || c > '9') return std::nullopt;
+  if (!glued.empty() && !is_count(glued)) return std::nullopt;
   in.put_back(glued.size());
   Scanner ahead = in;
   const std::string_view next = ahead.word();
   if (next == "BINARY") {
     header->binary = true;
-    in = ahead;
-  } else if (next.empty() || next.front() < '0' || next.front() > '9') {
-    return std::nullopt;
+    return Start{*header, ahead};
   }
-  return Start{*header, in};
+  if (next.empty() || next.front() < '0' || next.front() > '9') return std::nullopt;
+  if (!in_braces) return Start{*header, in};
+  // The same once more, of the text that ends with the brace.
+  const auto place = static_cast<std::size_t>(in.rest().data() - text.data());
+  const std::size_t close = std::min(text.find('}', place), text.size());
+  in = Scanner("OFF", text.substr(0, close), '#');
+  detail::skip_oogl_wrapping(in);
+  in.word();
+  in.put_back(glued.size());
+  return Start{*header, in, text.substr(close)};
+}
+
+/// The keyword may be left out where the file's name says what it is.
+std::optional<Start> find_start_without_keyword(std::string_view text) {
+  const Scanner in("OFF", text, '#');
+  Scanner ahead = in;
+  for (int k = 0; k < 2; ++k)
+    if (!is_count(ahead.word())) return std::nullopt;
+  return Start{{}, in};
 }
 
 Point as_point(const Header& header, const std::vector<double>& numbers) {
@@ -129,9 +146,7 @@ class TextReader {
     for (std::uint32_t i = 0; i < faces; ++i) read_face(file, collected, i, faces);
     read_end(faces);
     collected.finish(file);
-    if (extras_ > 0 || header_.columns() > header_.dimension + (header_.homogeneous ? 1 : 0))
-      file.notes.push_back("normals, colours and textures of the points not read");
-    if (colours_ > 0) file.notes.push_back("colours of the faces not read");
+    note_left_out(file, extras_ > 0 || header_.has_more_than_places(), colours_ > 0);
     return file;
   }
 
@@ -249,6 +264,7 @@ SurfaceFile read_binary(Header header, const Scanner& in, BinaryLayout layout) {
   bytes.require_room(faces, 8, "faces");
   Faces collected;
   std::vector<std::uint32_t> corners;
+  bool has_face_colours = false;
   for (std::uint32_t i = 0; i < faces; ++i) {
     const std::uint32_t sides = natural("the number of corners of a face");
     bytes.require_room(sides, 4, "corners");
@@ -260,8 +276,10 @@ SurfaceFile read_binary(Header header, const Scanner& in, BinaryLayout layout) {
     const std::uint32_t colours = natural("the number of components of a colour");
     bytes.require_room(colours, 4, "components of a colour");
     bytes.skip(4 * std::size_t{colours});
+    has_face_colours |= colours > 0;
   }
   collected.finish(file);
+  note_left_out(file, header.has_more_than_places(), has_face_colours);
   return file;
 }
 
@@ -280,13 +298,17 @@ SurfaceFile read_binary(const Header& header, const Scanner& in) {
 
 }  // namespace
 
-bool starts_off(std::string_view content) {
-  return find_start(content.substr(0, 4096)).has_value();
+bool starts_off(std::string_view content, bool by_name) {
+  content = content.substr(0, 1 << 16);
+  return find_start(content) || (by_name && find_start_without_keyword(content));
 }
 
 SurfaceFile read_off(std::string_view text) {
-  const auto start = find_start(text);
+  auto start = find_start(text);
+  if (!start) start = find_start_without_keyword(text);
   if (!start) Scanner("OFF", text, '#').fail("the file does not begin with OFF and its counts");
+  if (start->behind.find("OFF") != std::string_view::npos)
+    start->rest.fail("there are several surfaces in it; write them as one, or each to a file");
   return start->header.binary ? read_binary(start->header, start->rest)
                               : read_text(start->header, start->rest);
 }

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "base/error.hpp"
+#include "meshing/detail/oogl.hpp"
 #include "meshing/detail/scanner.hpp"
 #include "meshing/formats/graph_obj.hpp"
 #include "meshing/formats/graph_points.hpp"
@@ -18,14 +19,19 @@ struct GraphFormat {
   SpatialGraph (*read)(std::string_view content);
 };
 
+std::string_view without_mark(std::string_view content) {
+  content.remove_prefix(content.starts_with("\xef\xbb\xbf") ? 3 : 0);
+  return content;
+}
+
 std::string_view first_word(std::string_view content) {
   return detail::Scanner("", content.substr(0, 4096), '#').word();
 }
 
 bool starts_vect(std::string_view content) {
   detail::Scanner in("", content.substr(0, 4096), '#');
-  std::string_view word = in.word();
-  if (word == "{") word = in.word();
+  detail::skip_oogl_wrapping(in);
+  const std::string_view word = in.word();
   return word == "VECT" || word == "4VECT";
 }
 bool starts_json_graph(std::string_view content) {
@@ -55,8 +61,20 @@ std::string graph_format_names() {
   return names;
 }
 
+bool is_drawn_graph(std::string_view content) {
+  content = without_mark(content);
+  if (starts_vect(content)) return true;
+  if (starts_obj(content)) return has_only_lines(content);
+  if (!starts_points(content)) return false;
+  try {
+    return !read_point_lists(content).edges.empty();
+  } catch (const InvalidInput&) {
+    return false;
+  }
+}
+
 SpatialGraph read_graph(std::string_view content) {
-  content.remove_prefix(content.starts_with("\xef\xbb\xbf") ? 3 : 0);
+  content = without_mark(content);
   for (const GraphFormat& format : kGraphFormats)
     if (format.matches(content)) return format.read(content);
   throw InvalidInput("its content has no format of graphs that is known; looked for: " +

@@ -15,6 +15,10 @@ namespace tripus::meshing {
 /// Throws InvalidInput with the line; what read_spatial_graph throws for JSON.
 SpatialGraph read_graph(std::string_view content);
 
+/// Whether the content is such a graph in a format of drawings alone: VECT, an OBJ with lines and no
+/// faces, or a list of points that can be read as one. JSON has to be told by its keys.
+bool is_drawn_graph(std::string_view content);
+
 /// The names of the formats, for messages.
 std::string graph_format_names();
 

@@ -1,8 +1,10 @@
 #include "meshing/formats/read_mesh.hpp"
 
 #include <array>
+#include <optional>
 
 #include "base/error.hpp"
+#include "base/system_error.hpp"
 #include "meshing/detail/scanner.hpp"
 #include "meshing/detail/text.hpp"
 #include "meshing/formats/gmsh.hpp"
@@ -41,7 +43,11 @@ bool starts_ply(std::string_view content) { return first_word(content) == "ply";
 bool starts_medit(std::string_view content) {
   return first_word(content) == "MeshVersionFormatted";
 }
-bool starts_gmsh(std::string_view content) { return first_word(content) == "$MeshFormat"; }
+bool starts_gmsh(std::string_view content) {
+  const std::string_view word = first_word(content);
+  return word == "$MeshFormat" ||
+         (word == "$Comments" && content.find("$MeshFormat") != std::string_view::npos);
+}
 
 bool ends_with(std::string_view name, std::string_view ending) {
   return name.size() >= ending.size() &&
@@ -61,7 +67,11 @@ bool by_content(std::string_view content, std::string_view) {
 constexpr std::array kFormats{
     Format{"VTK legacy", by_content<starts_vtk>, read_vtk},
     Format{"VTK XML", by_content<starts_vtk_xml>, read_vtk_xml},
-    Format{"OFF", by_content<starts_off>, surface<read_off>},
+    Format{"OFF",
+           [](std::string_view content, std::string_view name) {
+             return starts_off(content, ends_with(name, ".off"));
+           },
+           surface<read_off>},
     Format{"PLY", by_content<starts_ply>, surface<read_ply>},
     Format{"Medit mesh", by_content<starts_medit>, read_medit},
     Format{"Gmsh mesh", by_content<starts_gmsh>, read_gmsh},
@@ -85,15 +95,33 @@ const Format* find_format(std::string_view content, std::string_view name) {
   return nullptr;
 }
 
-/// The other file of the pair, in the same case of the letters: .Node and .Ele.
-std::string companion_of(std::string_view name) {
+/// Names for the other file of the pair: in the same case of the letters, .Node and .Ele, then in
+/// any other.
+std::array<std::string, 4> companions_of(std::string_view name) {
   const std::size_t first = name.rfind('.') + 1;
   const auto is_upper = [&](std::size_t i) { return name[i] >= 'A' && name[i] <= 'Z'; };
-  std::string other = ends_with(name, ".node") ? "ele" : "node";
-  for (std::size_t i = 0; i < other.size(); ++i)
-    if (is_upper(std::min(first + i, name.size() - 1)))
-      other[i] = static_cast<char>(other[i] - 'a' + 'A');
-  return std::string(name.substr(0, first)) + other;
+  const std::string_view low = ends_with(name, ".node") ? "ele" : "node";
+  const std::string before(name.substr(0, first));
+  std::string same(low), upper(low), capital(low);
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    upper[i] = static_cast<char>(low[i] - 'a' + 'A');
+    if (is_upper(std::min(first + i, name.size() - 1))) same[i] = upper[i];
+  }
+  capital[0] = upper[0];
+  return {before + same, before + std::string(low), before + upper, before + capital};
+}
+
+/// The first of them that can be read. Throws as for the first name if there is none.
+std::string read_companion(std::string_view name, const ReadFile& read_file) {
+  std::optional<UnusableFile> problem;
+  for (const std::string& companion : companions_of(name)) {
+    try {
+      return read_file(companion);
+    } catch (const UnusableFile& error) {
+      if (!problem) problem = error;
+    }
+  }
+  throw *problem;
 }
 
 std::string_view without_mark(std::string_view content) {
@@ -117,7 +145,7 @@ MeshFile read_mesh(std::string_view content, std::string_view name, const ReadFi
   if (!is_tetgen_name(name))
     throw InvalidInput("no mesh format is recognised; there are " + mesh_format_names());
   const bool is_node = ends_with(name, ".node");
-  const std::string companion = read_file(companion_of(name));
+  const std::string companion = read_companion(name, read_file);
   return is_node ? read_tetgen(content, companion) : read_tetgen(companion, content);
 }
 

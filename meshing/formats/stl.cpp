@@ -58,9 +58,9 @@ void read_facet(Scanner& in, Welder& welder, SurfaceFile& file) {
   // Nobody needs the normal, some leave it out, and programs write nan for that of a thin triangle.
   std::string word = low(in.word());
   if (word == "normal") {
-    for (int k = 0; k < 3; ++k)
-      if (in.word_of_line().empty()) in.fail("a normal needs three numbers");
-    word = low(in.word());
+    int numbers = 0;
+    for (word = low(in.word()); numbers < 3 && word != "outer"; ++numbers) word = low(in.word());
+    if (numbers < 3) in.fail("a normal needs three numbers");
   }
   if (word != "outer") in.fail(quoted(word) + " where \"outer loop\" was expected");
   expect(in, "loop");
@@ -89,14 +89,15 @@ SurfaceFile read_text(std::string_view text) {
     } else if ((key == "solid" && !within) || (key == "endsolid" && within)) {
       within = key == "solid";
       in.skip_line();  // the name
-    } else if (key.find_first_not_of('\0') == std::string::npos || key == "\x1a") {
-      return file;  // zeros and the end mark of old systems, where the text has ended
+    } else if (key.find_first_not_of(std::string_view("\0\x1a", 2)) == std::string::npos) {
+      break;  // zeros and the end mark of old systems, where the text has ended
     } else {
       in.fail(quoted(std::string(word.substr(0, 32))) + " where " +
               (within ? "\"facet\" or \"endsolid\"" : "\"solid\"") + " was expected");
     }
   }
-  if (within) in.fail("the file ends before \"endsolid\"");
+  if (within && file.mesh.triangles.empty()) in.fail("the file ends before \"endsolid\"");
+  if (within) file.notes.push_back("the file ends without \"endsolid\": is all of it there?");
   return file;
 }
 
@@ -147,11 +148,14 @@ SurfaceFile read_binary(std::string_view data) {
   return file;
 }
 
-/// "solid", and no byte that text does not have near by: binary files may begin so as well.
+/// "solid", and no byte that text does not have before the first vertex: binary files may begin so as
+/// well.
 bool is_text(std::string_view data) {
   if (low(Scanner("", data, '\0').word()) != "solid") return false;
   const std::string_view begin = data.substr(0, 1024);
-  return begin.find('\0') == std::string_view::npos || data.size() < kBegin;
+  const std::size_t zero = begin.find('\0');
+  return zero == std::string_view::npos || data.size() < kBegin ||
+         detail::lowered(begin.substr(0, zero)).find("vertex") != std::string::npos;
 }
 
 /// The first triangle has numbers of a size that happens, and is no point.

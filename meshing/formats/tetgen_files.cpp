@@ -15,6 +15,14 @@ void skip_line(Scanner& in) {
   }
 }
 
+/// The rest of a first line, numbers of attributes and markers: whether there are any.
+bool has_attributes(Scanner& in) {
+  bool any = false;
+  for (auto word = in.word_of_line(); !word.empty(); word = in.word_of_line())
+    any |= word.find_first_not_of('0') != std::string_view::npos;
+  return any;
+}
+
 /// The number in front of entry i must be first + i.
 void expect_number(Scanner& in, std::uint32_t i, std::uint32_t first, std::string_view what) {
   const std::uint32_t number = in.natural("the number of a " + std::string(what));
@@ -27,7 +35,7 @@ std::uint32_t read_points(std::string_view text, TetrahedralFile& file) {
   Scanner in("TetGen .node file", text, '#');
   const std::uint32_t count = in.count("the number of points", 8);
   if (in.natural("the dimension") != 3) in.fail("only meshes in three dimensions are read");
-  skip_line(in);
+  if (has_attributes(in)) file.notes.push_back("attributes and markers of the points not read");
   file.mesh.points.reserve(count);
   std::uint32_t first = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -53,7 +61,7 @@ void read_tetrahedra(std::string_view text, std::uint32_t first, TetrahedralFile
   const std::uint32_t corners = in.natural("the number of points of a tetrahedron");
   if (corners != 4 && corners != 10)
     in.fail("cells of " + std::to_string(corners) + " points; expected 4 (tetrahedra)");
-  skip_line(in);
+  if (has_attributes(in)) file.notes.push_back("attributes of the tetrahedra not read");
   file.mesh.tetrahedra.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     if (i == 0) {

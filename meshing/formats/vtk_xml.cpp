@@ -105,7 +105,7 @@ std::vector<double> numbers_of(const pugi::xml_node& array, const Coding& coding
                                  [&](const Type& each) { return each.name == name; });
   if (type == kTypes.end()) fail("an array of type " + quoted(std::string(name.substr(0, 32))));
   std::vector<double> numbers;
-  if (format == "ascii") {
+  if (format == "ascii" || format.empty()) {  // as VTK takes it
     detail::Scanner in(kName, array.child_value(), '\0');
     for (auto word = in.word(); !word.empty(); word = in.word())
       numbers.push_back(in.number(word, "a number of an array"));
@@ -248,6 +248,7 @@ MeshFile read_vtk_xml(std::string_view text) {
   }
   std::vector<std::string> notes;
   if (has_data) notes.push_back("data of the points and the cells not read");
+  if (set.child("FieldData").first_child()) notes.push_back("data of the whole not read");
   return cells.finish(std::move(points), {}, std::move(notes), kName, 0);
 }
 

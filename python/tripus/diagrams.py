@@ -115,7 +115,7 @@ class Diagram(Value):
 
         >>> D = Diagram("4_1").with_cone_orders({1: 4})
         >>> D.exterior().volume(), D.with_cone_orders().exterior().volume()
-        (0.507470803205, 2.029883212819)
+        (0.5074708032048, 2.029883212819)
         """
         name, nodes, _, orientation_known = self._core.parts()
         orders = {

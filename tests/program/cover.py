@@ -111,6 +111,19 @@ class Limits(ProgramTest):
             with self.subTest(arguments):
                 self.assert_refused("cover", *arguments, says=says)
 
+    def test_orientable_double_cover_is_the_remedy_that_is_named(self):
+        for base, volume in (("cMcabbidt", 2 * TRIPUS_VOLUME), ("cMcabbijr", 2 * TRIPUS_VOLUME),
+                             ("cPcbbbchw", 2 * TRIPUS_VOLUME)):
+            with self.subTest(base):
+                self.assert_refused("embed", base, says="tripus cover INPUT --orientable")
+                line = self.run_program("cover", base, "--orientable").text
+                answer = self.json_answer("solve", line.split()[0])
+                self.assertEqual((answer["orientable"], answer["tetrahedron_count"]), (True, 4))
+                self.assertAlmostEqual(answer["volume"], volume, delta=1e-11)
+        gieseking = self.run_program("cover", "bkaaid", "--orientable").text
+        self.assertTrue(gieseking.startswith("cPcbbbiht"))  # the figure-eight knot's exterior
+        self.assert_refused("cover", TRIPUS, "--orientable", says="orientable already")
+
     def test_no_cover(self):
         for arguments, says in [((LENS, "--degree", "3"), "no connected cover of degree 3"),
                                 ((LENS, "--cyclic", "3"), "H1 is Z_8, which has no map onto Z/3")]:

@@ -98,6 +98,7 @@ class Diagrams(ProgramTest):
                 ('{"diagram": [["V",[1,1]]], "cone_order": {"1": 3}}', "is no key of a diagram"),
                 ('{"diagram": [["V",[1,1]]], "clockwise": "yes"}', "write true or false"),
                 ("PD: X[4,2,5,1 X[8,6,1,5]", "add ] before"),
+                ("m(8_19", "is not closed; add ) at the end"),
                 ("hk5_9m", "the nearest names there are hk5_"),
                 ("K4a1", "the nearest names there are 4_1"),
                 ("4^2_1", "the nearest names there are L4a1"),

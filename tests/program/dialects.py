@@ -169,6 +169,7 @@ class Dialects(ProgramTest):
         (b"\x01\0\0\0\x02\0\0\0", "a binary Medit mesh", "meshio convert"),
         (b"\0\0\0\x01\0\0\0\x03", "a binary Medit mesh", "meshio convert"),
         (b"*Heading\n model\n*NODE\n", "an Abaqus mesh", "meshio convert"),
+        (b'(1 "meshio 5.3.5")\n(2 3)\n', "an ANSYS (Fluent) mesh", "meshio convert"),
         (b"\x89HDF\r\n\x1a\n", "an HDF5 file", "meshio convert"),
         (b"CDF\x02\0\0\0\0", "a NetCDF file", "meshio convert"),
         (b"# by NETGEN\n\nmesh3d\ndimension\n3\n", "a Netgen mesh", "meshio convert"),
@@ -212,6 +213,23 @@ class Triangulations(ProgramTest):
     def test_files_that_are_not_there_are_no_signatures(self):
         for name in ("graph.json", "surface.v2.off"):
             self.assert_refused("solve", name, says="there is no file")
+
+    def test_line_ends_of_old_macintoshes(self):
+        for name in ("snappea-free-form.tri", "regina-two-plain.rga"):
+            old = self.write(name, (DIALECTS / name).read_bytes().replace(b"\n", b"\r"))
+            self.assertEqual(self.json_answer("info", f"{old}#1")["isosig"], TRIPUS)
+        self.write("list", f"{TRIPUS}\r# a comment\rcPcbbbiht\r")
+        answers = [read_json(line)["isosig"]
+                   for line in self.run_program("info", "--batch", "list", "--json").lines]
+        self.assertEqual(answers, [TRIPUS, "cPcbbbiht"])
+
+    def test_snappea_without_a_name(self):
+        lines = (DIALECTS / "snappea-free-form.tri").read_text().splitlines(keepends=True)
+        for second in ("", "\n"):
+            name = self.write("x.tri", "".join(lines[:1] + [second] + lines[2:]))
+            answer = self.json_answer("info", name)
+            self.assertEqual(answer["isosig"], TRIPUS)
+            self.assertNotIn("name", answer)
 
     def test_free_form_snappea(self):
         name = self.write("free.tri", (DIALECTS / "snappea-free-form.tri").read_bytes())
@@ -269,11 +287,30 @@ class Graphs(ProgramTest):
             count += len(edge)
         wanted = self.mesh_of("y.json", (ROOT / "examples/graphs/knotted-theta.json").read_bytes())
         for name, content in (("y.xyz", lists), ("y.vect", vect), ("y.obj", obj + pieces),
-                              ("brace.vect", "{ " + vect + "}")):
+                              ("before.obj", pieces + obj),
+                              ("continued.obj", "vn 0 0 1\n" + obj + pieces.replace(" ", " \\\n")),
+                              ("brace.vect", "{ " + vect + "}"), ("glued.vect", "{" + vect + "}"),
+                              ("named.vect", "{ appearance { linewidth 4 }\n= " + vect + "}")):
             with self.subTest(name):
                 answer = self.mesh_of(name, content)
                 self.assertEqual(answer["boundary_genera"], wanted["boundary_genera"])
                 self.assertEqual(answer["isosig"], wanted["isosig"])
+
+    def test_drawings_are_told_from_triangulations_by_every_verb(self):
+        line = "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3 1\n"
+        for name, content in (("g.json", (ROOT / "examples/graphs/trefoil.json").read_text()),
+                              ("g.vect", "VECT 1 3 0 -3 0\n0 0 0 1 0 0 0 1 0\n"),
+                              ("b.vect", "{ = VECT 1 3 0 -3 0\n0 0 0 1 0 0 0 1 0\n}"),
+                              ("g.obj", "# Blender\no knot\n" + line),
+                              ("g.xyz", "0 0 0\n1 0 0\n0, 1, 0\n")):
+            self.write(name, content)
+            for verb in ("info", "solve", "mesh", "canonize", "embed"):
+                with self.subTest(name, verb=verb):
+                    self.assert_refused(verb, name, says="it is a drawing of a graph in space")
+                    self.assertIn("tripus tube", self.run_program(verb, name).err)
+        self.assert_refused("mesh", self.write("s.obj", line + "f 1 2 3\n"), says="is open")
+        result = self.run_program("info", self.write("dt.txt", "[4, 6, 2]\n"), "--json")
+        self.assertEqual(read_json(result.text)["H1"], "Z")
 
     def test_a_knot_closes_up(self):
         triangle = "0 0 0\n1 0 0\n0 1 0\n"

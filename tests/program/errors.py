@@ -226,6 +226,12 @@ class Options(ProgramTest):
         self.assertEqual(result.status, 2)
         self.assertIn("--initial", result.err)
 
+    def test_a_value_that_is_missing_is_called_so(self):
+        for option in ("--batch", "--initial", "--cone-order"):
+            result = self.run_program("solve", TRIPUS, option)
+            self.assertEqual(result.status, 2)
+            self.assertIn(f"{option}: its value is missing", result.err)
+
     def test_that_a_verb_does_not_have(self):
         self.assert_refused("info", TRIPUS, "--method", "newton", says="--method")
         self.assert_refused("methods", TRIPUS, says=TRIPUS)

@@ -3,7 +3,8 @@
 from support import ProgramTest
 
 VERBS = ["info", "solve", "simplify", "mesh", "cover", "canonize", "compare", "identify", "census",
-         "prove", "hyperbolic", "check", "study", "embed", "view", "tube", "methods"]
+         "prove", "hyperbolic", "check", "study", "embed", "orthospectrum", "view", "tube", "draw",
+         "table", "methods"]
 
 
 class Help(ProgramTest):

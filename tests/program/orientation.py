@@ -62,6 +62,12 @@ class Signed(ProgramTest):
                     self.assertEqual(self.compared(name, signed)[:2], (True, False))
             self.assertEqual((self.folder / "x.sig").read_text(), TRIPUS + "+\n"
                              if sign == "+" else TRIPUS + "-\n")
+        for verb in ("simplify", "solve"):
+            result = self.run_program(verb, TRIPUS, "-o", "plain.sig")
+            self.assertIn('note: "plain.sig" tells no orientation', result.err)
+            self.assertEqual(self.run_program(verb, TRIPUS, "-o", "plain.json").err, "")
+            self.assertEqual(self.run_program(verb, TRIPUS + "-", "-o", "plain.sig").err, "")
+        self.assertEqual(self.run_program("simplify", AMPHICHEIRAL, "-o", "plain.sig").err, "")
         self.run_program("simplify", TRIPUS, "-o", "plain.sig")
         self.assertEqual((self.folder / "plain.sig").read_text(), TRIPUS + "\n")
 

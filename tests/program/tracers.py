@@ -35,11 +35,11 @@ def defect(m):
 
 
 class OutsideTracer:
-    """Straight rays against cells in the ball or the upper half-space."""
+    """Straight rays against cells in the two balls or the upper half-space."""
 
     def __init__(self, data, picture):
         facts = picture.facts
-        self.upper = facts["model"] == "upper"
+        self.upper, self.klein = facts["model"] == "upper", facts["model"] == "klein"
         self.camera = facts["camera"]
         self.size = (picture.width, picture.height)
         self.cells = []
@@ -69,6 +69,9 @@ class OutsideTracer:
             return [p[0] / p[2], p[1] / p[2], (square - 1) / (2 * p[2]), (square + 1) / (2 * p[2])]
         if square >= 1:
             return None
+        if self.klein:
+            time = 1 / math.sqrt(1 - square)
+            return [c * time for c in p] + [time]
         return [2 * c / (1 - square) for c in p] + [(1 + square) / (1 - square)]
 
     def crossings(self, n, o, d):
@@ -76,6 +79,8 @@ class OutsideTracer:
         positive factor."""
         if self.upper:
             A, b, C = n[2] - n[3], (n[0], n[1], 0), -n[2] - n[3]
+        elif self.klein:
+            A, b, C = 0, [x / 2 for x in n[:3]], -n[3]
         else:
             A, b, C = -n[3], n[:3], -n[3]
         od = sum(x * y for x, y in zip(o, d))

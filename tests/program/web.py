@@ -29,6 +29,14 @@ class Pictures(ProgramTest):
             "upper": "size=200x150&model=upper&cells=12&yaw=2&pitch=0.6",
             "many": "size=40x30&model=ball&cells=300",
             "dragged": "size=40x30&model=ball&drag=30:15",
+            "klein": "size=200x150&model=klein&cells=20",
+            "reference": "size=200x150&model=ball&cells=20&renderer=cells",
+            "paced": "size=400x300&model=ball&motion=4&paces=300:20,40:20,5:60",
+            "wheeled": "size=120x90&model=ball&wheel=-100:10:10",
+            "pinched": "size=40x30&model=ball&pinch=2",
+            "cycled": "size=40x30&model=ball&cells=1&keys=m:0,c:0,i:0",
+            "edges said": "size=40x30&view=inside&tube=0.12&hover=" +
+                          ",".join(f"{x / 20}:{y / 20}" for x in range(20) for y in range(20)),
             "nearer": "size=40x30&model=ball&keys=%2B:1",
             "centre": "size=200x150&view=inside&tube=0.05",
             "wall": "size=200x150&view=inside&tube=0.05&place=wall",
@@ -105,6 +113,63 @@ class Pictures(ProgramTest):
         self.assertGreater(len(set(self.check_outside(TRIPUS, "ball", 0.2, 0.6))), 15)
         self.check_outside(TRIPUS, "upper", 0.05, 0.6)
         self.check_outside(ASYMMETRIC, "one", 0.02, 0.6)
+        self.check_outside(TRIPUS, "klein", 0.2, 0.7)
+
+    def test_faces_and_whole_cells_make_the_same_picture(self):
+        faces, cells = self.pictures["ball"], self.pictures["reference"]
+        different = alone = 0
+        for y in range(1, faces.height - 1):
+            for x in range(1, faces.width - 1):
+                around = {faces.at(faces.identities, x + dx, y + dy)
+                          for dx in (-1, 0, 1) for dy in (-1, 0, 1)}
+                if len(around) > 1:
+                    continue
+                alone += 1
+                different += faces.at(faces.identities, x, y) != cells.at(cells.identities, x, y)
+        self.assertGreater(alone, faces.width * faces.height / 3)
+        self.assertLessEqual(1000 * different, alone)
+
+    def test_wheel_and_fingers_move_the_cells(self):
+        still, wheeled, pinched = (self.facts(name) for name in ("ball", "wheeled", "pinched"))
+        self.assertLess(wheeled["distance"], still["distance"])
+        # Towards the pointer, which is left of the middle and above it.
+        right, up = wheeled["camera"]["axes"][:3], wheeled["camera"]["axes"][3:6]
+        self.assertLess(sum(a * b for a, b in zip(right, wheeled["target"])), -0.01)
+        self.assertGreater(sum(a * b for a, b in zip(up, wheeled["target"])), 0.01)
+        self.assertAlmostEqual(pinched["distance"], still["distance"] / 2, delta=1e-9)
+
+    def test_keys_change_what_is_shown(self):
+        self.assertEqual((self.facts("cycled")["model"], self.facts("cycled")["view"]),
+                         ("upper", "inside"))
+
+    def test_edges_have_lengths_and_angles_under_the_pointer(self):
+        said = "\n".join(self.facts("edges said")["hover"])
+        self.assertIn("length 0.59613389, angle 30\u00b0", said)
+
+    def test_a_link_shows_the_very_view(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = Path(folder) / "page.html"
+            subprocess.run([os.environ["TRIPUS_PROGRAM"], "view", ASYMMETRIC, "-o", page],
+                           check=True, stdout=subprocess.DEVNULL, timeout=100)
+            wishes = ("model=klein&cells=7&yaw=1.1&wheel=-200:9:9",
+                      "view=inside&walk=forward:0.9,up:1")
+            first = draw(page, *(f"size=40x30&{wish}" for wish in wishes))
+            second = draw(page, *(f"size=40x30&{picture.facts['fragment']}" for picture in first))
+            for one, other in zip(first, second):
+                places = [[each.facts["yaw"], each.facts["distance"], *each.facts["target"],
+                           *each.facts["frame"]] for each in (one, other)]
+                self.assertLess(max(abs(x - y) for x, y in zip(*places)), 1e-7)
+                self.assertEqual(one.identities, other.identities)
+                self.assertGreater(len(set(one.colours)), 20)
+
+    def test_get_coarser_while_they_move_slowly(self):
+        facts = self.facts("paced")
+        self.assertEqual(len(facts["motion"]), 4)
+        self.assertEqual(facts["motion"][0]["quality"], 1)
+        coarse, steady, fine = facts["paces"]
+        self.assertEqual(coarse, 0.15)  # the coarsest, and no coarser
+        self.assertEqual(steady, coarse)
+        self.assertEqual(fine, 1)
 
     def check_inside(self, signature, name):
         picture = self.pictures[name]

@@ -31,10 +31,14 @@ TEST(OffDialects, AreReadByTokens) {
   const std::string points = "0.5 0 0\n1 0 0\n0 1 0\n0 0 1\n";
   const std::string faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
   for (const std::string& text :
-       {"OFF\n4 4 6\n" + points + faces, "OFF\n4\n4\n6\n" + points + faces,
-        "OFF4 4 6\n" + points + faces, "OFF 4 4 6 0.5 0 0 1 0 0 0 1 0 0 0 1\n" + faces,
-        "OFF\n4 4\n" + points + faces, "{ OFF\n4 4 6\n" + points + faces + "}\n",
-        "{ = OFF\n4 4 6\n" + points + faces + "}\n", "# c\nOFF # d\n4 4 6 # e\n" + points + faces,
+       {"OFF\n4 4 6\n" + points + faces,
+        "OFF\n4\n4\n6\n" + points + faces,
+        "OFF4 4 6\n" + points + faces,
+        "OFF 4 4 6 0.5 0 0 1 0 0 0 1 0 0 0 1\n" + faces,
+        "OFF\n4 4\n" + points + faces,
+        "{ OFF\n4 4 6\n" + points + faces + "}\n",
+        "{ = OFF\n4 4 6\n" + points + faces + "}\n",
+        "# c\nOFF # d\n4 4 6 # e\n" + points + faces,
         "OFF\n4 4 6\n" + points + "3 0 2 1 3 0 1 3\n3\n1\n2 3 3 0 3 2",
         "OFF\n4 4 6\n" + points + "3 0 2 1 255 0 0\n3 0 1 3 7\n3 1 2 3\n3 0 3 2 0.5 0.5 0.5 1\n",
         "COFF\n4 4 6\n0.5 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n0 0 1 1 0 0 1\n" + faces,
@@ -43,6 +47,11 @@ TEST(OffDialects, AreReadByTokens) {
         "NOFF\n4 4 6\n0.5 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n0 0 1 0 0 1\n" + faces,
         "4OFF\n4 4 6\n1 0 0 2\n1 0 0 1\n0 1 0 1\n0 0 1 1\n" + faces,
         "nOFF 3\n4 4 6\n" + points + faces,
+        "off\n4 4 6\n" + points + faces,
+        "{appearance { +edge material { diffuse 1 0 0 } }\nOFF 4 4 6\n" + points + faces + "}\n",
+        "appearance {+edge}\nOFF\n4 4 6\n" + points + faces,
+        "{ define tetrahedron OFF\n4 4 6\n" + points + faces + "}\n",
+        "LIST { = OFF4 4 6\n" + points + faces + "}\n",
         "4nOFF 3 4 4 6\n1 0 0 2\n1 0 0 1\n0 1 0 1\n0 0 1 1\n" + faces,
         "OFF\n4 5 6\n" + points + "2 0 1\n" + faces}) {
     SCOPED_TRACE(text);
@@ -51,6 +60,66 @@ TEST(OffDialects, AreReadByTokens) {
     for (char& c : old)
       if (c == '\n') c = '\r';
     EXPECT_EQ(read(old).mesh, kTetrahedron);
+  }
+}
+
+TEST(OffDialects, TheKeywordMayBeMissingWhereTheNameTells) {
+  const std::string text =
+      "4 4 6\n0.5 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+  EXPECT_EQ(read(text, "a.OFF").mesh, kTetrahedron);
+  EXPECT_FALSE(detect_mesh_format(text, "a.txt"));
+}
+
+TEST(OffDialects, SeveralSurfacesAreRefused) {
+  const std::string one =
+      "{ OFF 4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n}";
+  EXPECT_EQ(read("LIST " + one).mesh.triangles.size(), 4u);
+  try {
+    read("LIST " + one + " " + one);
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(std::string(error.what()).find("several surfaces"), std::string::npos);
+  }
+}
+
+/// As Geomview writes it; `counts` follow the corners of each face.
+std::string binary_off(const std::string& head, std::size_t extra, std::int32_t colours) {
+  std::string text = head + " BINARY\n";
+  const auto append = [&](auto x) {
+    char bytes[sizeof x];
+    std::memcpy(bytes, &x, sizeof x);
+    text.append(std::reverse_iterator(bytes + sizeof x), std::reverse_iterator(bytes));
+  };
+  for (const std::int32_t count : {4, 4, 6}) append(count);
+  for (const Point& p : kTetrahedron.points) {
+    for (const double x : p) append(static_cast<float>(x));
+    for (std::size_t k = 0; k < extra; ++k) append(0.5f);
+  }
+  for (const Triangle& t : kTetrahedron.triangles) {
+    append(std::int32_t{3});
+    for (const std::uint32_t corner : t) append(static_cast<std::int32_t>(corner));
+    append(colours);
+    for (std::int32_t k = 0; k < colours; ++k) append(0.5f);
+  }
+  return text;
+}
+
+TEST(OffDialects, WhatIsNotReadOfBinaryOnesIsSaid) {
+  using Notes = std::vector<std::string>;
+  const std::string points = "normals, colours and textures of the points not read";
+  const std::string faces = "colours of the faces not read";
+  struct Case {
+    const char* head;
+    std::size_t extra;
+    std::int32_t colours;
+    Notes notes;
+  };
+  for (const Case& each :
+       {Case{"OFF", 0, 0, {}}, Case{"COFF", 4, 0, {points}}, Case{"NOFF", 3, 1, {points, faces}},
+        Case{"OFF", 0, 3, {faces}}, Case{"STOFF", 2, 4, {points, faces}}}) {
+    const SurfaceFile file = read(binary_off(each.head, each.extra, each.colours));
+    EXPECT_EQ(file.mesh, kTetrahedron) << each.head;
+    EXPECT_EQ(file.notes, each.notes) << each.head;
   }
 }
 
@@ -72,6 +141,10 @@ TEST(ObjDialects, AreRead) {
         "v 0.5 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nv 0 0 1 1 0 0\n" + faces,
         points + "l 1 2\np 1\n" + faces})
     EXPECT_EQ(read(text).mesh, kTetrahedron) << text;
+  for (const char* looks : {"vn 0 0 1\n", "vt 0 0\n", "usemtl red\n"})
+    EXPECT_EQ(read(points + looks + faces).notes,
+              std::vector<std::string>{"normals, textures and materials not read"});
+  EXPECT_TRUE(read("o x\ng y\ns 1\n" + points + faces).notes.empty());
 }
 
 TEST(StlDialects, AreRead) {
@@ -95,6 +168,16 @@ TEST(StlDialects, AreRead) {
   const SurfaceMesh wanted = read(binary).mesh;
   EXPECT_EQ(wanted.triangles.size(), 4u);
   EXPECT_EQ(wanted.points.size(), 4u);
+  std::string broken_normals = text;
+  for (std::size_t at = 0; (at = broken_normals.find("NORMAL 0", at)) != std::string::npos; ++at)
+    broken_normals.replace(at, 8, "NORMAL\n0");
+  EXPECT_EQ(read(text).notes.size(), 1u);  // without "endsolid"
+  EXPECT_TRUE(read(text + "ENDSOLID\n").notes.empty());
+  for (const std::string& each :
+       {text, text + std::string("\0\0\x1a", 3), broken_normals + "endsolid",
+        text + "ENDSOLID\n" + std::string("\0\x1a", 2), text + "ENDSOLID\n\x1a"})
+    EXPECT_EQ(read(each).mesh, wanted);
+  EXPECT_THROW(read(text + "FACET NORMAL 0 0"), InvalidInput);
   for (const std::string& each : {text + "ENDSOLID\n", apart + "end solid\n", binary + "!",
                                   binary + std::string(50, '\0'), no_count, solid, solid + "x"})
     EXPECT_EQ(read(each).mesh, wanted);
@@ -151,11 +234,40 @@ TEST(PlyDialects, StripsAndFacesBeforePoints) {
 
 TEST(GmshDialects, VersionFour) {
   const SurfaceFile file = read(
-      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 1 0\n1 0 0 0 1 1 1 0 0\n$EndEntities\n"
+      "$Comments\nnot $Nodes\n$EndComments\n$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 1 "
+      "0\n1 0 0 0 1 1 1 0 0\n$EndEntities\n"
       "$Nodes\n2 4 3 9\n2 1 0 3\n3\n5\n9\n0.5 0 0\n1 0 0\n0 1 0\n2 1 1 1\n7\n0 0 1 0.5 0.5\n"
       "$EndNodes\n$Elements\n2 5 1 5\n2 1 2 4\n1 3 9 5\n2 3 5 7\n3 5 9 7\n4 3 7 9\n0 1 15 1\n5 3\n"
       "$EndElements\n");
   EXPECT_EQ(file.mesh, kTetrahedron);
+}
+
+TEST(GmshDialects, GroupsThatDifferAreSaid) {
+  const std::vector<std::string> note{"physical groups and data not read"};
+  for (const int other : {1, 2}) {
+    const std::string group = std::to_string(other);
+    const SurfaceFile file = read(
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0.5 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"
+        "$EndNodes\n$Elements\n4\n1 2 2 1 1 1 3 2\n2 2 2 " +
+        group +
+        " 1 1 2 4\n"
+        "3 2 2 1 1 2 3 4\n4 2 2 1 7 1 4 3\n$EndElements\n");
+    EXPECT_EQ(file.mesh, kTetrahedron);
+    EXPECT_EQ(file.notes, other == 1 ? std::vector<std::string>{} : note);
+  }
+}
+
+TEST(MeditDialects, ReferencesThatDifferAreSaid) {
+  const std::vector<std::string> note{"reference numbers, which differ, not read"};
+  for (const char* references : {"0 0 0", "5 5 0", "0 1 0", "1 1 1", "1 0 2"}) {
+    const std::string a(1, references[0]), b(1, references[2]), c(1, references[4]);
+    const SurfaceFile file =
+        read("MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0.5 0 0 " + a + "\n1 0 0 " + a +
+             "\n0 1 0 " + b + "\n0 0 1 " + a + "\nTriangles\n4\n1 3 2 " + c + "\n1 2 4 " + c +
+             "\n2 3 4 " + c + "\n1 4 3 " + c + "\nEnd\n");
+    EXPECT_EQ(file.mesh, kTetrahedron);
+    EXPECT_EQ(file.notes, a == b ? std::vector<std::string>{} : note) << references;
+  }
 }
 
 TEST(VtkXmlDialects, TextAndCompressedBase64) {
@@ -169,6 +281,14 @@ TEST(VtkXmlDialects, TextAndCompressedBase64) {
       "</DataArray><DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">3 6 9 12</DataArray>"
       "</Polys></Piece></PolyData></VTKFile>";
   EXPECT_EQ(read(text).mesh, kTetrahedron);
+  EXPECT_TRUE(read(text).notes.empty());
+  std::string bare = text;
+  for (std::size_t at = 0; (at = bare.find(" format=\"ascii\"")) != std::string::npos;)
+    bare.erase(at, 15);
+  EXPECT_EQ(read(bare).mesh, kTetrahedron);
+  bare.insert(bare.find("<Piece>"),
+              "<FieldData><DataArray type=\"Int8\">1</DataArray></FieldData>");
+  EXPECT_EQ(read(bare).notes, std::vector<std::string>{"data of the whole not read"});
   // Lengths and numbers in one piece of base64, or each in its own.
   const std::string numbers("\x03\0\0\0\x06\0\0\0\x09\0\0\0\x0c\0\0\0", 16);
   const std::string length("\x10\0\0\0", 4);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "base/system_error.hpp"
 #include "meshing/formats/medit.hpp"
 #include "meshing/formats/off.hpp"
 #include "meshing/formats/read_mesh.hpp"
@@ -27,7 +28,7 @@ void append(std::string& out, Number x, bool big_endian = false) {
   out.append(bytes, sizeof x);
 }
 
-std::string no_file(const std::string& name) { throw InvalidInput("no " + name); }
+std::string no_file(const std::string& name) { throw UnusableFile("no " + name); }
 
 SurfaceMesh surface(const std::string& text, const std::string& format) {
   EXPECT_EQ(detect_mesh_format(text, "surface"), format);
@@ -166,9 +167,21 @@ TEST(MeshingFormats, TetgenFromEitherFile) {
     for (const bool by_node : {true, false}) {
       const std::string name = by_node ? "folder.x/a.1.node" : "folder.x/a.1.ele";
       EXPECT_EQ(detect_mesh_format(by_node ? node : ele, name), "TetGen .node and .ele");
-      EXPECT_EQ(std::get<TetrahedralFile>(read_mesh(by_node ? node : ele, name, files)).mesh,
-                kSolid);
+      const auto file = std::get<TetrahedralFile>(read_mesh(by_node ? node : ele, name, files));
+      EXPECT_EQ(file.mesh, kSolid);
+      EXPECT_EQ(file.notes,
+                std::vector<std::string>{"attributes and markers of the points not read"});
     }
+    // The two in any case of the letters; where there are two of them, in the same.
+    for (const char* const given : {"node", "NODE", "Node"})
+      for (const char* const other : {"ele", "ELE", "Ele"}) {
+        const ReadFile mixed = [&](const std::string& name) {
+          return name == std::string("a.") + other ? ele : no_file(name);
+        };
+        EXPECT_EQ(std::get<TetrahedralFile>(read_mesh(node, std::string("a.") + given, mixed)).mesh,
+                  kSolid);
+      }
+    EXPECT_THROW((void)read_mesh(node, "a.node", no_file), UnusableFile);
   }
 }
 

@@ -200,6 +200,44 @@ TEST(CyclicClasses, RefuseWrongValues) {
             isosig(cyclic_cover_of_class(tripus, 3, std::vector<std::int64_t>{1, 0}).gluings));
 }
 
+// In the orientable double cover everything is there twice, and it is the one orientable cover with
+// two sheets. Gieseking's manifold, and others with one vertex and two tetrahedra.
+TEST(Covers, OrientableDoubleCovers) {
+  for (const char* signature : {"bkaaid", "cMcabbidt", "cMcabbijr", "cMcabbick", "cMcabbifw",
+                                "cPcbbbchw", "cPcbbbcjt", "cMcabbjdw"}) {
+    const Triangulation base = triangulation(signature);
+    if (base.is_orientable()) {
+      EXPECT_THROW((void)orientable_double_cover(base), InvalidInput) << signature;
+      continue;
+    }
+    const Cover cover = orientable_double_cover(base);
+    const Triangulation above(cover.gluings);
+    EXPECT_EQ(cover.degree, 2u);
+    EXPECT_TRUE(above.is_orientable()) << signature;
+    EXPECT_TRUE(above.is_connected()) << signature;
+    EXPECT_EQ(above.tetrahedron_count(), 2 * base.tetrahedron_count());
+    ASSERT_EQ(above.edge_count(), 2 * base.edge_count()) << signature;
+    long below_sum = 0, above_sum = 0;
+    for (std::size_t v = 0; v < base.vertex_count(); ++v)
+      below_sum += base.link(v).euler_characteristic;
+    for (std::size_t v = 0; v < above.vertex_count(); ++v) {
+      EXPECT_TRUE(above.link(v).orientable);
+      above_sum += above.link(v).euler_characteristic;
+    }
+    EXPECT_EQ(above_sum, 2 * below_sum) << signature;
+    // It is one of all the covers with two sheets.
+    std::size_t orientable = 0;
+    for_each_cover(base, 2, [&](const Cover& each) {
+      if (Triangulation(each.gluings).is_orientable()) {
+        ++orientable;
+        EXPECT_EQ(isosig(each.gluings), isosig(cover.gluings)) << signature;
+      }
+      return true;
+    });
+    EXPECT_EQ(orientable, 1u) << signature;
+  }
+}
+
 TEST(Covers, LabelsAreSheets) {
   const Triangulation base = triangulation("cPcbbbihq");
   std::size_t visits = 0;

@@ -11,6 +11,7 @@
 #include "viewer/faces/face_set.hpp"
 #include "viewer/faces/proxies.hpp"
 #include "viewer/faces/wall_outline.hpp"
+#include "viewer/window/pace.hpp"
 
 namespace tripus::viewer {
 namespace {
@@ -118,6 +119,18 @@ TEST(ViewerFaceSet, KnowsSharedFaces) {
       EXPECT_GE(shared, 2 * 79);  // every cell but the first was reached across a face
     }
   }
+}
+
+TEST(ViewerPace, FollowsTheTimeOfFrames) {
+  double quality = 1;
+  // A machine that needs 400 ms for all pixels settles where frames take what they should.
+  for (int i = 0; i < 20; ++i) quality = next_quality(quality, 400 * quality * quality);
+  EXPECT_NEAR(400 * quality * quality, kMovingFrame, 1e-6);
+  for (int i = 0; i < 50; ++i) quality = next_quality(quality, 5);
+  EXPECT_EQ(quality, 1);
+  for (int i = 0; i < 50; ++i) quality = next_quality(quality, 1e6);
+  EXPECT_EQ(quality, kCoarsest);
+  EXPECT_GT(next_quality(0.5, 0), 0.5);
 }
 
 TEST(ViewerFaceSet, BoundsWallsByTheirNeighbours) {

@@ -29,12 +29,15 @@ constexpr std::string_view take_token(std::string_view& text) {
   return token;
 }
 
-/// Takes the next line off the front, without its end.
+/// Takes the next line off the front, without its end: \n, \r\n or, as on old Macintoshes, \r.
 constexpr std::string_view take_line(std::string_view& text) {
-  const std::size_t end = text.find('\n');
-  auto line = text.substr(0, end);
-  text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  const std::size_t end = text.find_first_of("\r\n");
+  const auto line = text.substr(0, end);
+  text.remove_prefix(end == std::string_view::npos ? text.size() : end);
+  if (text.starts_with("\r\n"))
+    text.remove_prefix(2);
+  else if (!text.empty())
+    text.remove_prefix(1);
   return line;
 }
 

@@ -74,7 +74,21 @@ void read_tetrahedron(const Line& first, const Tokens& neighbours, const Line& s
   }
 }
 
-/// Tokens with their lines, from the third line on.
+/// SnapPea's kinds of solutions, one of which stands behind the name.
+constexpr std::array<std::string_view, 8> kSolutions{
+    "not_attempted",       "geometric_solution", "nongeometric_solution", "flat_solution",
+    "degenerate_solution", "other_solution",     "no_solution",           "externally_computed"};
+
+/// The line of the kind of the solution: the third, or the second if the name is empty.
+std::size_t solution_line(const std::vector<Line>& lines) {
+  if (lines.size() < 2) return lines.size();
+  std::string_view second = lines[1].text;
+  const bool is_unnamed =
+      std::ranges::find(kSolutions, detail::take_token(second)) != kSolutions.end();
+  return is_unnamed ? 1 : 2;
+}
+
+/// Tokens with their lines, from the kind of the solution on.
 struct Token {
   std::string_view text;
   std::size_t line;
@@ -82,7 +96,7 @@ struct Token {
 
 std::vector<Token> tokens_of(const std::vector<Line>& lines) {
   std::vector<Token> tokens;
-  for (std::size_t i = 2; i < lines.size(); ++i)
+  for (std::size_t i = solution_line(lines); i < lines.size(); ++i)
     for (std::string_view rest = lines[i].text; !rest.empty();)
       if (const auto token = detail::take_token(rest); !token.empty())
         tokens.push_back({token, lines[i].number});
@@ -212,7 +226,7 @@ NamedGluings read_snappea(std::string_view text) {
                        quoted(lines.empty() ? "" : std::string(lines[0].text)) +
                        "; expected \"% Triangulation\"");
   NamedGluings result;
-  if (lines.size() > 1) result.name = lines[1].text;
+  if (lines.size() > 1 && solution_line(lines) > 1) result.name = lines[1].text;
   const std::vector<Token> tokens = tokens_of(lines);
   if (count_cusps(tokens) > 0)
     result.notes.push_back("peripheral curves and shapes of the SnapPea file not read");

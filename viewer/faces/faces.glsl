@@ -31,7 +31,10 @@ int wallNumber() { return int(vAbout.y); }
 bool onTruncation() { return vAbout.y > 3.5 && vAbout.y < 7.5; }
 
 /// How dark a line is, so many pixels beyond its rim.
-float lineAt(float beyond) { return 1.0 - smoothstep(-0.6, 0.6, beyond); }
+float lineAt(float beyond) {
+  float t = clamp(0.5 - 0.8333333 * beyond, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
 
 /// Beyond f <= 0 at a point the face ends. Updates whether the point is `inside`, and how many
 /// pixels it is from the nearest such border.
@@ -67,8 +70,9 @@ bool holds(vec3 ray, vec3 u, float along, float towards, out Meeting met) {
 
   float size = uPixel * along * dot(ray, uAxes[2]);
   float slant = towards < 0.0 ? min(towards, -0.004) : max(towards, 0.004);
-  met.right = size * (uAxes[0] - ray * (dot(met.normal, uAxes[0]) / slant));
-  met.up = size * (uAxes[1] - ray * (dot(met.normal, uAxes[1]) / slant));
+  vec3 away = ray * (size / slant);
+  met.right = size * uAxes[0] - away * dot(met.normal, uAxes[0]);
+  met.up = size * uAxes[1] - away * dot(met.normal, uAxes[1]);
   float square = dot(u, u), right = 2.0 * dot(u, met.right), up = 2.0 * dot(u, met.up);
   float faces = 1e9, others = 1e9;  // pixels to them
   bounded(vBound[0], vBoundConstant[0].x, met, square, right, up, inside, faces);
@@ -106,14 +110,13 @@ bool meet(vec3 ray, out Meeting met) {
   float discriminant = b * b - 4.0 * a * c;
   bool meets = discriminant >= 0.0;
   float root = sqrt(max(discriminant, 0.0));
-  const float never = -1e9;
-  float slope = abs(a) > 1e-9 ? 0.5 / a : 0.0;
   // The ray goes into the half-space where f falls, and out where it rises.
-  float into = b < 0.0 ? 2.0 * c / (root - b) : slope != 0.0 ? -(b + root) * slope : never;
+  float twice = abs(a) > 1e-9 ? 2.0 * a : 1e-9;
+  float into = (b < 0.0 ? 2.0 * c : -b - root) / (b < 0.0 ? root - b : twice);
 #if kSides == 1
   return holds(ray, o + into * ray, nearest + into, -root, met) && meets;
 #else
-  float away = b > 0.0 ? -2.0 * c / (b + root) : slope != 0.0 ? (root - b) * slope : never;
+  float away = (b > 0.0 ? -2.0 * c : root - b) / (b > 0.0 ? b + root : twice);
   // A face of two cells shows the one that is seen into.
   bool only = vAbout.z > 0.5;
   bool first = !only && into <= away;

@@ -11,19 +11,21 @@ namespace {
 
 /// What rounding in the shaders may move a pixel by.
 constexpr double kRounding = 0.06;
-/// Polygons smaller than this, in square pixels, are rectangles: corners cost more than pixels.
-constexpr double kSmallPolygon = 120;
+/// Polygons smaller than this, in square pixels, are rectangles, and larger than that have 16
+/// sides: corners cost some pixels each.
+constexpr double kSmallPolygon = 120, kLargePolygon = 2500;
 
-constexpr double kDiagonal = std::numbers::sqrt2 / 2;
-/// Eight directions of the picture, counter-clockwise.
-constexpr std::array<std::array<double, 2>, 8> kDirections{{{1, 0},
-                                                            {kDiagonal, kDiagonal},
-                                                            {0, 1},
-                                                            {-kDiagonal, kDiagonal},
-                                                            {-1, 0},
-                                                            {-kDiagonal, -kDiagonal},
-                                                            {0, -1},
-                                                            {kDiagonal, -kDiagonal}}};
+constexpr std::size_t kMostSides = 16;
+
+/// Directions of the picture, counter-clockwise.
+const std::array<Eigen::Vector2f, kMostSides> kDirections = [] {
+  std::array<Eigen::Vector2f, kMostSides> result;
+  for (std::size_t k = 0; k < kMostSides; ++k) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / kMostSides;
+    result[k] = {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
+  }
+  return result;
+}();
 
 }  // namespace
 
@@ -44,33 +46,49 @@ double Projector::pixels(const Ball& ball) const {
 void Projector::add(std::span<const Eigen::Vector3f> points, double margin, float record,
                     ProxyMesh& mesh) const {
   float nearest = std::numeric_limits<float>::infinity();
-  std::array<float, 4> low, high;
-  low.fill(std::numeric_limits<float>::infinity());
-  high.fill(-std::numeric_limits<float>::infinity());
-  for (const Eigen::Vector3f& p : points) {
+  // How far the polygon reaches in each direction, of which every other one is known at first.
+  std::array<float, kMostSides> reach;
+  reach.fill(-std::numeric_limits<float>::infinity());
+  const auto place = [&](const Eigen::Vector3f& p) {
     const Eigen::Vector3f q = to_picture_.leftCols<3>() * p + to_picture_.col(3);
     nearest = std::min(nearest, q[2]);
-    const float x = q[0] / q[2], y = q[1] / q[2];
-    const std::array<float, 4> along{x, x + y, y, y - x};
-    for (std::size_t k = 0; k < 4; ++k) {
-      low[k] = std::min(low[k], along[k]);
-      high[k] = std::max(high[k], along[k]);
-    }
+    return Eigen::Vector2f(q[0] / q[2], q[1] / q[2]);
+  };
+  const auto extend = [&](std::size_t k, const Eigen::Vector2f& at) {
+    const float along = kDirections[k].dot(at);
+    reach[k] = std::max(reach[k], along);
+    reach[k + kMostSides / 2] = std::max(reach[k + kMostSides / 2], -along);
+  };
+  for (const Eigen::Vector3f& p : points) {
+    const Eigen::Vector2f at = place(p);
+    for (std::size_t k = 0; k < kMostSides / 2; k += 2) extend(k, at);
   }
-  std::array<double, 8> reach{};
   if (nearest <= margin) {  // it may surround the eye
-    reach.fill(width_ + height_);
-  } else {
-    // Away from the middle of the picture lengths look longer.
-    const double tilt = std::hypot(1, std::hypot(width_, height_) / 2 / focal_);
-    const double more = margin / (nearest - margin) * focal_ * tilt * tilt + kRounding;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double length = k % 2 == 0 ? 1 : kDiagonal;
-      reach[k] = length * high[k] + more;
-      reach[k + 4] = -length * low[k] + more;
+    reach.fill(static_cast<float>(width_ + height_));
+    add_polygon(reach, 2, record, mesh);
+    return;
+  }
+  // Away from the middle of the picture lengths look longer.
+  const double tilt = std::hypot(1, std::hypot(width_, height_) / 2 / focal_);
+  const auto more =
+      static_cast<float>(margin / (nearest - margin) * focal_ * tilt * tilt + kRounding);
+  const float straight = (reach[0] + reach[8] + 2 * more) * (reach[4] + reach[12] + 2 * more);
+  const float slanting = (reach[2] + reach[10] + 2 * more) * (reach[6] + reach[14] + 2 * more);
+  const float area = std::min(straight, slanting);
+  if (area > kLargePolygon) {
+    for (const Eigen::Vector3f& p : points) {
+      const Eigen::Vector2f at = place(p);
+      for (std::size_t k = 1; k < kMostSides / 2; k += 2) extend(k, at);
     }
   }
-  add_polygon(reach, record, mesh);
+  for (float& length : reach) length += more;
+  if (area < kSmallPolygon) {
+    // The smaller of the two rectangles.
+    if (slanting < straight) std::rotate(reach.begin(), reach.begin() + 2, reach.end());
+    add_polygon(reach, 4, record, mesh, slanting < straight ? 2 : 0);
+    return;
+  }
+  add_polygon(reach, area > kLargePolygon ? 1 : 2, record, mesh);
 }
 
 void Projector::add(const Ball& ball, float record, ProxyMesh& mesh) const {
@@ -78,25 +96,31 @@ void Projector::add(const Ball& ball, float record, ProxyMesh& mesh) const {
   add(std::span(&middle, 1), ball.radius, record, mesh);
 }
 
-void Projector::add_polygon(std::span<const double, 8> reach, float record, ProxyMesh& mesh) const {
-  if (reach[0] < -width_ / 2 || reach[4] < -width_ / 2 || reach[2] < -height_ / 2 ||
-      reach[6] < -height_ / 2)
-    return;
-  const double straight = (reach[0] + reach[4]) * (reach[2] + reach[6]);
-  const double slanting = (reach[1] + reach[5]) * (reach[3] + reach[7]);
-  const std::size_t step = std::min(straight, slanting) < kSmallPolygon ? 2 : 1;
-  const std::size_t start = step == 2 && slanting < straight ? 1 : 0;
+void Projector::add_polygon(std::span<const float> reach, std::size_t step, float record,
+                            ProxyMesh& mesh, std::size_t turn) const {
   const auto first = static_cast<std::uint32_t>(mesh.corners.size());
-  for (std::size_t k = start; k < 8 + start; k += step) {
+  float left = 0, right = 0, low = 0, high = 0;  // of the picture's middle
+  for (std::size_t k = 0; k < kMostSides; k += step) {
     // Where the lines of two directions next to each other meet.
-    const auto &d = kDirections[k % 8], &e = kDirections[(k + step) % 8];
-    const double h = reach[k % 8], g = reach[(k + step) % 8];
-    const double turn = d[0] * e[1] - d[1] * e[0];
-    const double x = (h * e[1] - g * d[1]) / turn, y = (g * d[0] - h * e[0]) / turn;
-    mesh.corners.emplace_back(static_cast<float>(2 * x / width_),
-                              static_cast<float>(2 * y / height_), record);
+    const Eigen::Vector2f &d = kDirections[(k + turn) % kMostSides],
+                          &e = kDirections[(k + step + turn) % kMostSides];
+    const float h = reach[k], g = reach[(k + step) % kMostSides];
+    const float sine = d[0] * e[1] - d[1] * e[0];
+    const float x = (h * e[1] - g * d[1]) / sine, y = (g * d[0] - h * e[0]) / sine;
+    mesh.corners.emplace_back(2 * x / static_cast<float>(width_),
+                              2 * y / static_cast<float>(height_), record);
+    left = k == 0 ? x : std::min(left, x);
+    right = k == 0 ? x : std::max(right, x);
+    low = k == 0 ? y : std::min(low, y);
+    high = k == 0 ? y : std::max(high, y);
   }
-  const auto corners = static_cast<std::uint32_t>(8 / step);
+  const auto half_width = static_cast<float>(width_ / 2),
+             half_height = static_cast<float>(height_ / 2);
+  if (left > half_width || right < -half_width || low > half_height || high < -half_height) {
+    mesh.corners.resize(first);
+    return;
+  }
+  const auto corners = static_cast<std::uint32_t>(kMostSides / step);
   for (std::uint32_t i = 1; i + 1 < corners; ++i)
     mesh.triangles.insert(mesh.triangles.end(), {first, first + i, first + i + 1});
 }

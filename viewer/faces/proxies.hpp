@@ -40,7 +40,10 @@ class Projector {
   double pixels(const Ball& ball) const;
 
  private:
-  void add_polygon(std::span<const double, 8> reach, float record, ProxyMesh& mesh) const;
+  /// The polygon that reaches so far from the middle in every `step`-th of 16 directions, all
+  /// turned by `turn` sixteenths.
+  void add_polygon(std::span<const float> reach, std::size_t step, float record, ProxyMesh& mesh,
+                   std::size_t turn = 0) const;
 
   Eigen::Matrix<float, 3, 4> to_picture_;  // x, y in pixels from the middle, times depth; depth
   Eigen::Vector3d eye_;

@@ -9,7 +9,7 @@ namespace tripus::viewer {
 namespace {
 
 /// The margin may be this part of the wall's radius.
-constexpr double kTightness = 0.03;
+constexpr double kTightness = 0.02;
 /// Triangles are halved so often at most.
 constexpr int kMostHalvings = 8;
 

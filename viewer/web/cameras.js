@@ -14,6 +14,15 @@ class OrbitCamera {
     this.pitch = Math.min(1.54, Math.max(this.lowest, this.pitch + dy));
   }
   zoom(factor) { this.distance = Math.min(40, Math.max(0.25, this.distance * factor)); }
+  /// The same, while what is at a place of the picture, at the target's depth, stays there; x to the
+  /// right and y upwards from -1 to 1.
+  zoomAt(factor, x, y, aspect) {
+    const before = this.distance;
+    this.zoom(factor);
+    const {tangent} = this.view(aspect), {right, up} = this.directions();
+    for (let i = 0; i < 3; ++i)
+      this.target[i] += (before - this.distance) * (x * tangent[0] * right[i] + y * tangent[1] * up[i]);
+  }
   pan(dx, dy) {
     const {right, up} = this.directions();
     for (let i = 0; i < 3; ++i)

@@ -8,11 +8,12 @@ const int kColours = 0;
 const int kIdentities = 1;
 uniform int uOutput;
 
-vec3 toDisplay(vec3 linear) { return pow(clamp(linear, 0.0, 1.0), vec3(1.0 / 2.2)); }
+/// About from light to sRGB; linearColour() of palette.js goes back.
+vec3 toDisplay(vec3 linear) { return sqrt(clamp(linear, 0.0, 1.0)); }
 
 /// The colour of a pixel; one that is not a number becomes magenta and half transparent, which
 /// nothing else is, so that it shows and that a test finds it.
 vec4 finite(vec3 colour) {
-  bool bad = any(isnan(colour)) || any(isinf(colour));
-  return bad ? vec4(1.0, 0.0, 1.0, 0.5) : vec4(colour, 1.0);
+  bool good = abs(colour.r) + abs(colour.g) + abs(colour.b) < 1e9;
+  return good ? vec4(colour, 1.0) : vec4(1.0, 0.0, 1.0, 0.5);
 }

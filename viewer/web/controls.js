@@ -93,7 +93,9 @@ class Controls {
     if (this.inside) {
       this.page.walker.walk([0, 0, -Math.sign(amount)], Math.abs(amount) * 0.4);
     } else {
-      this.page.orbit.zoom(Math.exp(amount));
+      const box = this.canvas.getBoundingClientRect();
+      this.page.orbit.zoomAt(Math.exp(amount), 2 * (e.clientX - box.left) / box.width - 1,
+                             1 - 2 * (e.clientY - box.top) / box.height, box.width / box.height);
     }
     this.page.redraw();
   }
@@ -101,7 +103,8 @@ class Controls {
   key(e) {
     if (e.ctrlKey || e.metaKey || e.altKey) return;
     const key = e.key.toLowerCase();
-    const acts = {i: 'change view', 0: 'reset', p: 'save', h: 'help', '?': 'help'};
+    const acts = {i: 'change view', m: 'change model', c: 'change colour', 0: 'reset', p: 'save',
+                  l: 'link', h: 'help', '?': 'help'};
     if (acts[key]) {
       this.page.act(acts[key]);
     } else if (kKeyWays[key] || kKeyTurns[key] || key === '+' || key === '-' || key === '=') {

@@ -8,7 +8,7 @@ function discScale(stops, share) {
   const part = (hex, at) => parseInt(hex.slice(at, at + 2), 16);
   return [1, 3, 5].map((at) => {
     const [from, to] = [part(stops[low], at), part(stops[low + 1], at)];
-    return Math.pow(Math.round(from + (place - low) * (to - from)) / 255, 2.2);
+    return (Math.round(from + (place - low) * (to - from)) / 255) ** 2;
   });
 }
 

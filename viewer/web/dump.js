@@ -19,6 +19,22 @@ function act(page) {
     for (let passed = 0; passed < Number(seconds); passed += 0.02) page.controls.advance(0.02);
     send('keyup', event);
   }
+  // wheel=100:20:30 turns the wheel over a place.
+  if (page.wishes.has('wheel')) {
+    const [deltaY, clientX, clientY] = page.wishes.get('wheel').split(':').map(Number);
+    send('wheel', (type) => new WheelEvent(type, {deltaY, clientX, clientY, cancelable: true}));
+  }
+  // pinch=1.5: two fingers move apart, or together.
+  if (page.wishes.has('pinch')) {
+    const finger = (pointerId, x, y) => (type) => new PointerEvent(
+        type, {pointerId, pointerType: 'touch', clientX: x, clientY: y, buttons: 1});
+    const spread = Number(page.wishes.get('pinch'));
+    send('pointerdown', finger(11, 100, 100));
+    send('pointerdown', finger(12, 200, 100));
+    send('pointermove', finger(12, 100 + 100 * spread, 100));
+    send('pointerup', finger(12, 100 + 100 * spread, 100));
+    send('pointerup', finger(11, 100, 100));
+  }
   if (!page.wishes.has('drag')) return;
   const [dx, dy] = page.wishes.get('drag').split(':').map(Number);
   const event = (x, y) => (type) =>
@@ -29,7 +45,7 @@ function act(page) {
 }
 
 function dump(page) {
-  const out = {problem: page.problem, view: page.state.view, model: page.state.model};
+  const out = {problem: page.problem};
   if (page.graphics) {
     const [width, height] = (page.wishes.get('size') ?? '200x150').split('x').map(Number);
     page.fixedSize = [width, height];
@@ -39,7 +55,7 @@ function dump(page) {
       const [way, distance] = part.split(':');
       out.touched = page.walker.walk(kDumpWays[way], Number(distance));
     }
-    Object.assign(out, {width, height, yaw: page.orbit.yaw, pitch: page.orbit.pitch,
+    Object.assign(out, {view: page.state.view, model: page.state.model, width, height, yaw: page.orbit.yaw, pitch: page.orbit.pitch,
                         distance: page.orbit.distance, frame: page.walker.frame,
                         tetrahedron: page.walker.tetrahedron,
                         camera: page.orbit.view(width / height),
@@ -61,6 +77,25 @@ function dump(page) {
       page.graphics.finish();
     }
     out.milliseconds = frames ? (performance.now() - begin) / frames : null;
+    // motion=10: what the share of pixels across becomes in so many frames while the camera turns;
+    // paces=200:10,5:10: what it would become in frames that take so many milliseconds, so many times.
+    out.motion = [];
+    for (let i = 0; i < Number(page.wishes.get('motion') ?? 0); ++i) {
+      const start = performance.now();
+      page.orbit.turn(0.02, 0);
+      page.draw(page.quality);
+      page.graphics.finish();
+      const milliseconds = performance.now() - start;
+      out.motion.push({quality: page.quality, milliseconds});
+      page.quality = nextQuality(page.quality, milliseconds);
+    }
+    out.paces = (page.wishes.get('paces') ?? '').split(',').filter(Boolean).map((pace) => {
+      const [milliseconds, times] = pace.split(':').map(Number);
+      for (let i = 0; i < times; ++i) page.quality = nextQuality(page.quality, milliseconds);
+      return page.quality;
+    });
+    out.fragment = page.fragment();
+    out.target = page.orbit.target;
     out.cells = page.views.outside.cover.cells.slice(0, page.state.cells)
         .map((cell) => ({...cell, centre: Lorentz.column(cell.isometry, 3)}));
     out.error = page.graphics?.gl.getError() ?? 0;

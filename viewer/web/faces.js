@@ -11,7 +11,7 @@ const kRecordTexelsPerRow = 2048;
 const recordTexels = (bounds) => 4 + bounds + Math.ceil(bounds / 4);
 
 // As in wall_outline.cpp.
-const kOutlineTightness = 0.03, kOutlineHalvings = 8, kOutlineSafety = 1.7, kOutlineDetail = 5e-4;
+const kOutlineTightness = 0.02, kOutlineHalvings = 8, kOutlineSafety = 1.7, kOutlineDetail = 5e-4;
 
 /// The corners of a wall of a tetrahedron, in cyclic order.
 function cornersOfWall({corners}, wall) {
@@ -144,7 +144,8 @@ class ProxyMesh {
   constructor() {
     this.corners = new Float32Array(3 * 4096);
     this.triangles = new Uint32Array(3 * 4096);
-    this.reach = new Float64Array(8);
+    this.reach = new Float64Array(16);
+    this.offset = new Float64Array(3);
     this.clear();
   }
 
@@ -153,65 +154,80 @@ class ProxyMesh {
   look(view, width, height) {
     Object.assign(this, {view, width, height});
     this.focal = [width / 2 / view.tangent[0], height / 2 / view.tangent[1]];
+    // Away from the middle of the picture lengths look longer.
+    this.widening = Math.max(...this.focal) * (1 + view.tangent[0] ** 2 + view.tangent[1] ** 2);
   }
 
   /// Adds the polygon around the points, moved towards `centre` by the factor `shrink`.
   add(points, margin, centre, shrink, record) {
-    const {eye, axes} = this.view, [fx, fy] = this.focal, {reach} = this;
+    const {reach} = this, {eye} = this.view;
+    const {offset} = this;
+    for (let k = 0; k < 3; ++k) offset[k] = centre[k] * (1 - shrink) - eye[k];
+    reach.fill(-Infinity);
+    const nearest = this.extend(points, offset, shrink, 0);
+    margin *= shrink;
+    if (nearest <= margin + 1e-6) {  // it may surround the eye
+      reach.fill(this.width + this.height);
+      this.addPolygon(2, 0, record);
+      return;
+    }
+    const more = margin / (nearest - margin) * this.widening + 0.06;
+    const straight = (reach[0] + reach[8] + 2 * more) * (reach[4] + reach[12] + 2 * more);
+    const slanting = (reach[2] + reach[10] + 2 * more) * (reach[6] + reach[14] + 2 * more);
+    const area = Math.min(straight, slanting), large = area > 2500;
+    if (large) this.extend(points, offset, shrink, 1);
+    for (let k = 0; k < 16; ++k) reach[k] += more;
+    if (area < 120) this.addPolygon(4, slanting < straight ? 2 : 0, record);
+    else this.addPolygon(large ? 1 : 2, 0, record);
+  }
+
+  /// Finds how far points reach in the even or odd ones of 16 directions; returns the least depth.
+  extend(points, offset, shrink, odd) {
+    const reach = this.reach, axes = this.view.axes, d = ProxyMesh.kDirections;
+    const fx = this.focal[0], fy = this.focal[1], ox = offset[0], oy = offset[1], oz = offset[2];
     let nearest = Infinity;
-    let [x0, x1, s0, s1, y0, y1, t0, t1] =
-        [Infinity, -Infinity, Infinity, -Infinity, Infinity, -Infinity, Infinity, -Infinity];
-    const [cx, cy, cz] = [0, 1, 2].map((k) => centre[k] * (1 - shrink) - eye[k]);
     for (let i = 0; i < points.length; i += 3) {
-      const px = points[i] * shrink + cx, py = points[i + 1] * shrink + cy,
-            pz = points[i + 2] * shrink + cz;
+      const px = points[i] * shrink + ox, py = points[i + 1] * shrink + oy,
+            pz = points[i + 2] * shrink + oz;
       const depth = axes[6] * px + axes[7] * py + axes[8] * pz;
       if (depth < nearest) nearest = depth;
       const x = fx * (axes[0] * px + axes[1] * py + axes[2] * pz) / depth;
       const y = fy * (axes[3] * px + axes[4] * py + axes[5] * pz) / depth;
-      const s = x + y, t = y - x;
-      if (x < x0) x0 = x;
-      if (x > x1) x1 = x;
-      if (s < s0) s0 = s;
-      if (s > s1) s1 = s;
-      if (y < y0) y0 = y;
-      if (y > y1) y1 = y;
-      if (t < t0) t0 = t;
-      if (t > t1) t1 = t;
+      for (let k = odd; k < 8; k += 2) {
+        const along = d[2 * k] * x + d[2 * k + 1] * y;
+        if (along > reach[k]) reach[k] = along;
+        if (-along > reach[k + 8]) reach[k + 8] = -along;
+      }
     }
-    margin *= shrink;
-    if (nearest <= margin + 1e-6) {  // it may surround the eye
-      reach.fill(this.width + this.height);
-    } else {
-      const focal = Math.max(fx, fy), tilt = Math.hypot(1, ...this.view.tangent);
-      const more = margin / (nearest - margin) * focal * tilt * tilt + 0.06;
-      const [h, diagonal] = [more, Math.SQRT1_2];
-      reach.set([x1 + h, diagonal * s1 + h, y1 + h, diagonal * t1 + h, h - x0, h - diagonal * s0,
-                 h - y0, h - diagonal * t0]);
-    }
-    this.addPolygon(record);
+    return nearest;
   }
 
-  addPolygon(record) {
-    const {reach, width, height} = this;
-    if (reach[0] < -width / 2 || reach[4] < -width / 2 || reach[2] < -height / 2 ||
-        reach[6] < -height / 2)
-      return;
-    const straight = (reach[0] + reach[4]) * (reach[2] + reach[6]);
-    const slanting = (reach[1] + reach[5]) * (reach[3] + reach[7]);
-    const step = Math.min(straight, slanting) < 120 ? 2 : 1;
-    const start = step === 2 && slanting < straight ? 1 : 0;
-    const count = 8 / step;
+  /// The polygon that reaches so far in every `step`-th direction, the first being `start`.
+  addPolygon(step, start, record) {
+    const reach = this.reach, width = this.width, height = this.height;
+    const directions = ProxyMesh.kDirections;
+    const count = 16 / step;
     this.reserve(count);
     const first = this.cornerCount;
+    let left = Infinity, right = -Infinity, low = Infinity, high = -Infinity;
     for (let n = 0; n < count; ++n) {
-      const k = (start + n * step) % 8, l = (k + step) % 8;
-      const d = ProxyMesh.kDirections[k], e = ProxyMesh.kDirections[l];
-      const turn = d[0] * e[1] - d[1] * e[0];
-      const at = 3 * this.cornerCount++;
-      this.corners[at] = 2 * (reach[k] * e[1] - reach[l] * d[1]) / turn / width;
-      this.corners[at + 1] = 2 * (reach[l] * d[0] - reach[k] * e[0]) / turn / height;
+      const k = (start + n * step) % 16, l = (k + step) % 16;
+      const dx = directions[2 * k], dy = directions[2 * k + 1], ex = directions[2 * l],
+            ey = directions[2 * l + 1];
+      const sine = dx * ey - dy * ex, at = 3 * this.cornerCount++;
+      const x = 2 * (reach[k] * ey - reach[l] * dy) / sine / width;
+      const y = 2 * (reach[l] * dx - reach[k] * ex) / sine / height;
+      this.corners[at] = x;
+      this.corners[at + 1] = y;
       this.corners[at + 2] = record;
+      left = Math.min(left, x);
+      right = Math.max(right, x);
+      low = Math.min(low, y);
+      high = Math.max(high, y);
+    }
+    if (left > 1 || right < -1 || low > 1 || high < -1) {
+      this.cornerCount = first;
+      return;
     }
     for (let i = 1; i + 1 < count; ++i) {
       const at = 3 * this.triangleCount++;
@@ -232,16 +248,20 @@ class ProxyMesh {
     this.triangles = grown(this.triangles, 3 * (this.triangleCount + more));
   }
 }
-ProxyMesh.kDirections = Array.from({length: 8}, (_, k) => [Math.cos(k * Math.PI / 4),
-                                                           Math.sin(k * Math.PI / 4)]);
+// Sixteen directions of the picture, counter-clockwise.
+ProxyMesh.kDirections = Float64Array.from({length: 32}, (_, i) => {
+  const angle = (i >> 1) * Math.PI / 8;
+  return i % 2 === 0 ? Math.cos(angle) : Math.sin(angle);
+});
 
 /// Whether some point of a face may turn its outer side to the eye; as in proxies.cpp.
 function mayFace({a, b, c}, points, margin, eye) {
-  const s = [0, 1, 2].map((k) => -b[k] - 2 * a * eye[k]);
-  let least = Infinity;
+  const x = -b[0] - 2 * a * eye[0], y = -b[1] - 2 * a * eye[1], z = -b[2] - 2 * a * eye[2];
+  const most = (margin + 1e-6) * Math.sqrt(x * x + y * y + z * z) + 2 * c + b[0] * eye[0] +
+      b[1] * eye[1] + b[2] * eye[2];
   for (let i = 0; i < points.length; i += 3)
-    least = Math.min(least, s[0] * points[i] + s[1] * points[i + 1] + s[2] * points[i + 2]);
-  return least - 2 * c - dot3(b, eye) <= (margin + 1e-6) * Math.hypot(...s);
+    if (x * points[i] + y * points[i + 1] + z * points[i + 2] <= most) return true;
+  return false;
 }
 
 /// Draws the faces of cells in a model.
@@ -319,19 +339,22 @@ class FaceDrawing {
       mesh.clear();
       mesh.look(view, width, height);
     }
-    const focal = height / 2 / view.tangent[1];
+    const focal = height / 2 / view.tangent[1], eye = new Float64Array(3);
     for (let cell = 0; cell < count; ++cell) {
-      const [x, y, z, radius] = set.balls[cell];
-      const away = [view.eye[0] - x, view.eye[1] - y, view.eye[2] - z];
-      const distance = Math.hypot(...away);
-      const pixels = distance > radius * shrink ? radius * shrink / distance * focal : Infinity;
-      if (pixels < 0.4) continue;
-      const centre = [x, y, z], eye = centre.map((p, k) => p + away[k] / shrink);
+      const ball = set.balls[cell], radius = ball[3] * shrink;
+      let square = 0;
+      for (let k = 0; k < 3; ++k) {
+        const away = view.eye[k] - ball[k];
+        square += away * away;
+        eye[k] = ball[k] + away / shrink;
+      }
+      if (square > radius * radius && radius * focal < 0.4 * Math.sqrt(square)) continue;
       for (let face = 8 * cell; face < 8 * cell + 8; ++face) {
         if (shrink === 1 && set.partner[face] < count) continue;
-        const {points, margin} = set.outlines[face];
-        if (!mayFace(set.halfSpaces[face], points, margin, eye)) continue;
-        this.kinds[face % 8 < 4 ? 1 : 0].mesh.add(points, margin, centre, shrink, this.first[face]);
+        const outline = set.outlines[face];
+        if (!mayFace(set.halfSpaces[face], outline.points, outline.margin, eye)) continue;
+        this.kinds[face % 8 < 4 ? 1 : 0].mesh.add(outline.points, outline.margin, ball, shrink,
+                                                  this.first[face]);
       }
     }
     return shrink;
@@ -342,6 +365,10 @@ class FaceDrawing {
     const gl = this.graphics.gl;
     this.upload(set, cells, state, state.model);
     const shrink = this.project(set, cells.length, state, view, width, height);
+    // Over the camera's shoulder, so that no view is dark, and from above.
+    const sum = [0, 1, 2].map((i) => -0.5 * view.axes[i] + 0.6 * view.axes[3 + i] -
+        0.75 * view.axes[6 + i] + (i === 2 ? 0.35 : 0));
+    const key = scaled3(sum, 1 / Math.hypot(...sum));
     gl.bindVertexArray(this.array);
     gl.enableVertexAttribArray(0);
     for (const kind of this.kinds) {
@@ -359,6 +386,7 @@ class FaceDrawing {
       bind(0, 'uFaces', this.records);
       bind(2, 'uPlaces', this.places ?? this.records);
       gl.uniform1f(program.at('uShrink'), shrink);
+      gl.uniform3fv(program.at('uKey'), key);
       const line = state.lines ? 1.2 * scale : -1e3;
       gl.uniform2f(program.at('uLine'), line, state.lines ? 0.6 * line : line);
       gl.bindBuffer(gl.ARRAY_BUFFER, corners);

@@ -66,8 +66,8 @@ class Hover {
 
   face(t, f) {
     const {manifold} = this.page;
-    const edges = kEdgeEnds.flatMap(
-        (ends, e) => (ends.includes(f) ? [] : [manifold.edgeClass[t][e]]));
+    const edges = kEdgeEnds.flatMap((ends, e) => (
+        ends.includes(f) ? [] : [`${manifold.edgeClass[t][e]} (${this.measures(t, e)})`]));
     return `tetrahedron ${t}, face ${f}, glued to face ${manifold.gluedFace[t][f]} of tetrahedron ` +
         `${manifold.neighbour[t][f]}; edges ${edges.join(', ')}`;
   }
@@ -81,7 +81,17 @@ class Hover {
 
   edge(t, e) {
     return `tetrahedron ${t}, edge ${kEdgeEnds[e].join('')} of class ` +
-        `${this.page.manifold.edgeClass[t][e]}`;
+        `${this.page.manifold.edgeClass[t][e]}, ${this.measures(t, e)}`;
+  }
+
+  /// The length of an edge and its dihedral angle in the tetrahedron.
+  measures(t, e) {
+    const {edgeClass, tetrahedra} = this.page.manifold;
+    const [k, l] = [0, 1, 2, 3].filter((v) => !kEdgeEnds[e].includes(v));
+    const cosine = -Lorentz.dot(tetrahedra[t].faces[k], tetrahedra[t].faces[l]);
+    const degrees = Math.acos(Math.min(1, Math.max(-1, cosine))) * 180 / Math.PI;
+    return `length ${Number(this.page.data.edge_lengths[edgeClass[t][e]].toPrecision(8))}, ` +
+        `angle ${Number(degrees.toPrecision(8))}\u00b0`;
   }
 
   /// a, b, ... and A, B, ... for inverses; x1, X1, ... where there are more than 26 generators.

@@ -6,8 +6,9 @@
 //
 // Texels of a tetrahedron (normals come with their time negated, so that dot() is the product):
 //   0-3 faces, 4-7 vertices, 8-23 rows of the four crossings, 24 neighbours, 25 entry faces,
-//   26-27 cosines <n_k, n_l> at the six edges, 28-29 edge classes, 30 boundary components,
-//   31 where the discs of the four truncations begin
+//   26-27 cosines g = <n_k, n_l> at the six edges, 28-29 edge classes, 30 boundary components,
+//   31 where the discs of the four truncations begin, 32-33 1 / (1 - g^2) at the edges
+const int kTexels = 34;
 uniform sampler2D uTetrahedra;
 uniform int uPerRow;
 uniform int uStart;       // the tetrahedron of the camera
@@ -30,7 +31,7 @@ const int kMaxMirrors = 4;
 
 ivec2 gFirst;
 vec4 texel(int i) { return texelFetch(uTetrahedra, gFirst + ivec2(i, 0), 0); }
-void stand(int t) { gFirst = ivec2((t % uPerRow) * 32, t / uPerRow); }
+void stand(int t) { gFirst = ivec2((t % uPerRow) * kTexels, t / uPerRow); }
 float product(vec4 a, vec4 b) { return dot(a.xyz, b.xyz) - a.w * b.w; }
 float arsinh(float x) { return sign(x) * log(abs(x) + sqrt(x * x + 1.0)); }
 
@@ -50,72 +51,86 @@ ivec2 facesAt(int e) {
 }
 float cosineAt(int e) { return texel(26 + e / 4)[e & 3]; }
 
-/// Where the geodesic meets the tube around edge e: tanh s, or 2. With a = <n_k, .>, b = <n_l, .>
-/// the distance d from the edge has sinh^2 d = (a^2 + b^2 - 2 g a b) / (1 - g^2).
-float meetTube(int e, vec4 fx, vec4 fu) {
-  ivec2 k = facesAt(e);
-  float g = cosineAt(e), scale = 1.0 / (1.0 - g * g);
-  vec2 x = vec2(fx[k.x], fx[k.y]), u = vec2(fu[k.x], fu[k.y]);
-  float xx = scale * (dot(x, x) - 2.0 * g * x.x * x.y) - uTube;
-  float xu = scale * (dot(x, u) - g * (x.x * u.y + x.y * u.x));
-  float uu = scale * (dot(u, u) - 2.0 * g * u.x * u.y) + uTube;
+/// Where the geodesic meets the tube around the edge of two faces: tanh s, or 2. With a = <n_k, .>,
+/// b = <n_l, .> the distance d from the edge has sinh^2 d = (a^2 + b^2 - 2 g a b) / (1 - g^2).
+///   x, u   <n_k, .> and <n_l, .> of the point and the direction
+///   scale  1 / (1 - g^2)
+float meetTube(vec2 x, vec2 u, float g, float scale) {
+  vec2 gu = u - g * u.yx;
+  float xx = scale * dot(x, x - g * x.yx) - uTube;
+  float xu = scale * dot(x, gu);
+  float uu = scale * dot(u, gu) + uTube;
   // uu t^2 + 2 xu t + xx = 0, entered where it falls
   float discriminant = xu * xu - uu * xx;
-  if (discriminant <= 0.0 || xx <= 0.0 || xu >= 0.0) return 2.0;
-  return xx / (-xu + sqrt(discriminant));
+  float t = xx / (sqrt(max(discriminant, 0.0)) - xu);
+  return discriminant > 0.0 && xx > 0.0 && xu < 0.0 ? t : 2.0;
 }
 
-/// Follows the geodesic until it meets something. `from`: the face that it came in by, or -1.
+/// Takes a thing that is met earlier than all before.
+void first(float t, int kind, int number, inout float reach, inout ivec2 met) {
+  if (t < reach) {
+    reach = t;
+    met = ivec2(kind, number);
+  }
+}
+
+/// Follows the geodesic until it meets something. `from`: the face that it came in by, or -1. There is
+/// no trigonometry on the way: the distance is half the logarithm of a product.
 void trace(inout Hit hit, inout int from) {
   hit.kind = kNothing;
+  float far = 1.0, sight = uOutput == kIdentities ? 6.0 : 2.6;
+  float farthest = exp(min(2.0 * sight / uFog, 80.0) - 2.0 * hit.along);  // e^2s of the way
+  ivec2 met = ivec2(kNothing, -1);
   for (; hit.crossings <= uMaxCrossings; ++hit.crossings) {
     stand(hit.tetrahedron);
-    vec4 fx, fu;
+    mat4 n = mat4(texel(0), texel(1), texel(2), texel(3));
+    vec4 fx = hit.x * n, fu = hit.u * n;
+    // Faces behind, and the one that it came in by, are met nowhere.
+    vec4 ahead = mix(vec4(2.0), max(-fx / max(fu, 1e-20), 0.0), greaterThan(fu, vec4(0.0)));
+    if (from >= 0) ahead[from] = 2.0;
     float reach = 1.0;
-    int face = -1;
-    for (int f = 0; f < 4; ++f) {
-      vec4 n = texel(f);
-      fx[f] = dot(n, hit.x);
-      fu[f] = dot(n, hit.u);
-      if (f == from || fu[f] <= 0.0) continue;
-      float t = max(-fx[f] / fu[f], 0.0);
-      if (t < reach) { reach = t; face = f; }
-    }
-    for (int v = 0; v < 4; ++v) {
-      vec4 n = texel(4 + v);
-      float towards = dot(n, hit.u);
-      if (towards <= 0.0) continue;
-      float t = max(-dot(n, hit.x) / towards, 0.0);
-      if (t < reach) { reach = t; hit.kind = kWall; hit.number = v; }
-    }
-    for (int e = 0; e < 6; ++e) {
-      float t = meetTube(e, fx, fu);
-      if (t < reach) { reach = t; hit.kind = kEdge; hit.number = e; }
-    }
-    if (face < 0 && hit.kind == kNothing) return;  // only by rounding
+    met = ivec2(kNothing, -1);
+    for (int f = 0; f < 4; ++f) first(ahead[f], kNothing, f, reach, met);
+    n = mat4(texel(4), texel(5), texel(6), texel(7));
+    vec4 vx = hit.x * n, vu = hit.u * n;
+    ahead = mix(vec4(2.0), max(-vx / max(vu, 1e-20), 0.0), greaterThan(vu, vec4(0.0)));
+    for (int v = 0; v < 4; ++v) first(ahead[v], kWall, v, reach, met);
+    vec4 g = texel(26), scale = texel(32);
+    first(meetTube(fx.zw, fu.zw, g.x, scale.x), kEdge, 0, reach, met);
+    first(meetTube(fx.yw, fu.yw, g.y, scale.y), kEdge, 1, reach, met);
+    first(meetTube(fx.yz, fu.yz, g.z, scale.z), kEdge, 2, reach, met);
+    first(meetTube(fx.xw, fu.xw, g.w, scale.w), kEdge, 3, reach, met);
+    g = texel(27);
+    scale = texel(33);
+    first(meetTube(fx.xz, fu.xz, g.x, scale.x), kEdge, 4, reach, met);
+    first(meetTube(fx.xy, fu.xy, g.y, scale.y), kEdge, 5, reach, met);
+    if (met.y < 0) break;  // only by rounding
     reach = min(reach, 0.99999);
     float c = inversesqrt(1.0 - reach * reach), s = reach * c;
     vec4 x = c * hit.x + s * hit.u, u = s * hit.x + c * hit.u;
-    hit.along += 0.5 * log((1.0 + reach) / (1.0 - reach));
-    if (hit.kind == kNothing) {
-      int row = 8 + 4 * face;
-      x = vec4(dot(texel(row), x), dot(texel(row + 1), x), dot(texel(row + 2), x),
-               dot(texel(row + 3), x));
-      u = vec4(dot(texel(row), u), dot(texel(row + 1), u), dot(texel(row + 2), u),
-               dot(texel(row + 3), u));
-      from = int(texel(25)[face]);
-      hit.tetrahedron = int(texel(24)[face]);
+    far *= (1.0 + reach) / (1.0 - reach);
+    if (met.x == kNothing) {
+      int row = 8 + 4 * met.y;
+      mat4 crossing = mat4(texel(row), texel(row + 1), texel(row + 2), texel(row + 3));
+      x = x * crossing;
+      u = u * crossing;
+      from = int(texel(25)[met.y]);
+      hit.tetrahedron = int(texel(24)[met.y]);
     }
     x *= inversesqrt(max(-product(x, x), 1e-12));
     u += product(u, x) * x;
     hit.x = x;
     hit.u = u * inversesqrt(max(product(u, u), 1e-12));
-    if (hit.kind != kNothing || hit.along * uFog > 6.0) return;
+    if (met.x != kNothing || far > farthest) break;
   }
+  hit.kind = met.x;
+  hit.number = max(met.y, 0);
+  hit.along += 0.5 * log(far);
 }
 
 vec3 paletteOf(int i) {
-  return uPalette[i % 12] * pow(0.72, float((i / 12) % 4));
+  int round = (i / 12) % 4;
+  return uPalette[i % 12] * (round < 2 ? round == 0 ? 1.0 : 0.72 : round == 2 ? 0.5184 : 0.3732);
 }
 
 /// The hyperbolic size of a pixel on the wall, where it is longest.
@@ -133,7 +148,8 @@ vec3 wallColour(Hit hit) {
   float pixel = pixelOnWall(hit);
   float side = 1e9;
   for (int f = 0; f < 4; ++f)
-    if (f != hit.number) side = min(side, arsinh(-dot(texel(f), hit.x)));
+    if (f != hit.number) side = min(side, -dot(texel(f), hit.x));
+  side = arsinh(side);
   int index = uColourBy == 0 ? 4 * hit.tetrahedron + hit.number
                              : int(texel(30)[hit.number]);
   vec3 base = mix(paletteOf(index), vec3(0.93, 0.91, 0.86), uColourBy == 0 ? 0.22 : 0.15);
@@ -149,6 +165,15 @@ vec3 wallColour(Hit hit) {
   }
   float line = 1.0 - smoothstep(0.008, 0.008 + 1.2 * pixel, side);
   return base * (1.0 - 0.62 * line * blur);
+}
+
+/// x^32
+float power(float x) {
+  x *= x;
+  x *= x;
+  x *= x;
+  x *= x;
+  return x * x;
 }
 
 vec3 edgeColour(Hit hit, out float facing) {
@@ -190,7 +215,8 @@ void main() {
                     255.0 - float(min(hit.crossings, 200))) / 255.0;
       return;
     }
-    float clear = hit.kind == kNothing ? 0.0 : exp(-pow(hit.along * uFog, 2.2));
+    float faded = hit.along * uFog;  // to the power 2 1/4
+    float clear = hit.kind == kNothing ? 0.0 : exp(-faded * faded * sqrt(sqrt(faded)));
     vec3 seen = vec3(0.0);
     float share = 1.0;
     if (hit.kind == kWall) {
@@ -202,7 +228,7 @@ void main() {
     } else if (hit.kind == kEdge) {
       float facing;
       stand(hit.tetrahedron);
-      seen = edgeColour(hit, facing) * (0.25 + 0.85 * facing) + 0.30 * pow(facing, 30.0);
+      seen = edgeColour(hit, facing) * (0.25 + 0.85 * facing) + 0.30 * power(facing);
     }
     sum += weight * (share * clear * seen + (1.0 - clear) * uFogColour);
     weight *= clear * (1.0 - share);

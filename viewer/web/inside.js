@@ -1,5 +1,5 @@
 // The inside view: what one sees along geodesics when standing in the manifold.
-const kTetrahedronTexels = 32;
+const kTetrahedronTexels = 34;
 const kTetrahedraPerRow = 32;
 
 class InsideView {
@@ -19,7 +19,7 @@ class InsideView {
     this.texture = this.graphics.dataTexture(numbers, kTetrahedronTexels, kTetrahedraPerRow);
   }
 
-  /// 32 x 4 numbers of a tetrahedron; their order is in inside.frag.glsl.
+  /// 34 x 4 numbers of a tetrahedron; their order is in inside.frag.glsl.
   record(t) {
     const m = this.manifold;
     const {faces, vertices} = m.tetrahedra[t];
@@ -30,7 +30,9 @@ class InsideView {
     numbers.set(m.gluedFace[t], 100);
     kEdgeEnds.forEach(([i, j], e) => {
       const [k, l] = [0, 1, 2, 3].filter((v) => v !== i && v !== j);
-      numbers[104 + e] = Lorentz.dot(faces[k], faces[l]);
+      const cosine = Lorentz.dot(faces[k], faces[l]);
+      numbers[104 + e] = cosine;
+      numbers[128 + e] = 1 / (1 - cosine * cosine);
       numbers[112 + e] = m.edgeClass[t][e] % 4096;
     });
     numbers.set(m.vertexClass[t].map((v) => v % 4096), 120);

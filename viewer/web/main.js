@@ -1,4 +1,17 @@
 // The page: its state, what draws it, and when.
+
+/// While things move, frames are drawn so coarsely that they take about so long, in milliseconds, but
+/// not with fewer than this share of the pixels across.
+const kMovingFrame = 40, kCoarsest = 0.15;
+
+/// How coarse the next frame should be, when one of `quality` took so long: pixels cost time in
+/// proportion to their number.
+function nextQuality(quality, milliseconds) {
+  const wanted = quality * Math.sqrt(kMovingFrame / Math.max(milliseconds, 1));
+  const slowly = Math.min(1.06 * quality, Math.max(0.4 * quality, wanted));
+  return Math.min(1, Math.max(kCoarsest, slowly));
+}
+
 class Page {
   /// `fragment`: what the address of the page wishes for, such as view=inside&place=wall.
   constructor(fragment) {
@@ -34,7 +47,8 @@ class Page {
     this.problem = '';
     this.quality = 1;
     this.waiting = false;
-    this.last = 0;
+    this.last = this.done = 0;
+    this.rested = true;
     this.fineTimer = 0;
   }
 
@@ -46,8 +60,9 @@ class Page {
     this.resetView();
     for (const name of ['yaw', 'pitch', 'distance'])
       this.orbit[name] = this.number(name, this.orbit[name], -100, 100);
+    this.restore();
     connectPanel(this.state, (name) => this.changed(name));
-    for (const id of ['reset', 'save']) element(id).addEventListener('click', () => this.act(id));
+    for (const id of ['reset', 'save', 'link']) element(id).addEventListener('click', () => this.act(id));
     this.controls = new Controls(this.canvas, this);
     this.hover = new Hover(this);
     this.canvas.addEventListener('webglcontextlost', (e) => {
@@ -97,10 +112,58 @@ class Page {
 
   act(name) {
     if (name === 'change view') this.state.view = this.state.view === 'inside' ? 'outside' : 'inside';
+    const after = (choices, one) => choices[(choices.indexOf(one) + 1) % choices.length];
+    if (name === 'change model') {
+      this.state.model = after(['ball', 'upper', 'klein'], this.state.model);
+      this.orbit.reset(this.state.model);
+    }
+    if (name === 'change colour')
+      this.state.colour = after(['tetrahedron', 'depth', 'face'], this.state.colour);
+    if (name === 'link') this.link();
     if (name === 'reset') this.resetView();
     if (name === 'save') this.savePicture();
     if (name === 'help') element('help-text').showModal();
     this.redraw();
+  }
+
+  /// What link() wrote of the cameras, beside what the constructor has read.
+  restore() {
+    const numbers = (name, count) => {
+      const list = (this.wishes.get(name) ?? '').split(',').map(Number);
+      return list.length === count && list.every((x) => Math.abs(x) < 1e6) ? list : null;
+    };
+    this.orbit.target = numbers('target', 3) ?? this.orbit.target;
+    const frame = numbers('frame', 16), t = Number(this.wishes.get('tetrahedron') ?? -1);
+    if (!frame || !this.manifold.tetrahedra[t]) return;
+    const stands = Lorentz.orthonormalise(frame), place = Lorentz.column(stands, 3);
+    const {faces, vertices} = this.manifold.tetrahedra[t];
+    if (![...faces, ...vertices].every((n) => Lorentz.dot(n, place) <= 1e-6)) return;
+    [this.walker.tetrahedron, this.walker.frame] = [t, stands];
+  }
+
+  /// The fragment of the address that shows this very view.
+  fragment() {
+    const {state, orbit, walker} = this;
+    const wishes = new URLSearchParams({theme: state.themeName});
+    for (const name of ['view', 'model', 'cells', 'explode', 'colour', 'wall', 'tube', 'sight'])
+      wishes.set(name, state[name]);
+    for (const name of ['mirror', 'lines', 'discs']) wishes.set(name, state[name] ? '1' : '0');
+    const short = (x) => Number(x.toPrecision(10));
+    if (state.view === 'outside') {
+      for (const name of ['yaw', 'pitch', 'distance']) wishes.set(name, short(orbit[name]));
+      wishes.set('target', orbit.target.map(short).join(','));
+    } else {
+      wishes.set('tetrahedron', walker.tetrahedron);
+      wishes.set('frame', walker.frame.map(short).join(','));
+    }
+    return wishes.toString().replaceAll('%2C', ',');
+  }
+
+  /// Makes the address of the page that of this view, and copies it where the browser lets us.
+  link() {
+    history.replaceState(null, '', '#' + this.fragment());
+    navigator.clipboard?.writeText(location.href).catch(() => {});
+    this.hover.show('the address of this page is now that of this view');
   }
 
   savePicture() {
@@ -118,6 +181,7 @@ class Page {
   redraw() {
     if (this.waiting || !this.graphics || this.wishes.has('dump')) return;
     this.waiting = true;
+    this.rested = performance.now() - this.done > 60;
     requestAnimationFrame((now) => this.frame(now));
   }
 
@@ -128,14 +192,12 @@ class Page {
     const passed = now - this.last;
     this.last = now;
     const moving = this.controls.advance(Math.min(passed, 100) / 1000);
-    if (passed < 400) {
-      if (passed > 45) this.quality = Math.max(0.3, this.quality * 0.85);
-      if (passed < 20) this.quality = Math.min(1, this.quality * 1.02);
-    }
+    if (!this.rested) this.quality = nextQuality(this.quality, passed);
     this.draw(this.quality);
     clearTimeout(this.fineTimer);
     if (moving) this.redraw();
     else this.fineTimer = setTimeout(() => this.graphics && this.fine(), 160);
+    this.done = performance.now();
   }
 
   /// The resting picture: four samples a pixel, unless that would take this machine too long.

@@ -109,7 +109,12 @@ vec3 lit(vec3 base, vec3 normal, vec3 view) {
   float diffuse = max(dot(normal, key), 0.0);
   vec3 ambient = mix(vec3(0.40, 0.37, 0.38), vec3(0.50, 0.54, 0.60), 0.5 + 0.5 * normal.z);
   vec3 halfway = normalize(key - view);
-  float gloss = pow(max(dot(normal, halfway), 0.0), 50.0) * 0.12;
+  float gloss = max(dot(normal, halfway), 0.0);
+  gloss *= gloss;
+  gloss *= gloss;
+  gloss *= gloss;
+  gloss *= gloss;
+  gloss *= 0.12 * gloss * gloss;  // to the 48th
   return base * (ambient + 0.62 * diffuse) + gloss;
 }
 
@@ -145,5 +150,5 @@ void main() {
   vec3 normal = normalize(slopeAt(surface, u));
   vec3 shade = lit(spotted ? spots : paint(surface, own), normal, ray);
   shade *= 1.0 - 0.82 * edgeLine(surface, u, normal, along);
-  colour = finite(toDisplay(shade));
+  colour = finite(throughGlass(toDisplay(shade), ray));
 }

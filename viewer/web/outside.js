@@ -119,12 +119,10 @@ class OutsideView {
 
   /// Makes what lives on the graphics card, at the start and after it was lost.
   connect() {
-    const shared = ['outside_camera.glsl'];
     this.cells = null;
     this.discs = this.manifold.discs.texture(this.graphics);
     this.faces = new FaceDrawing(this.graphics, this.manifold, this.discs);
-    this.ground =
-        this.graphics.program('fullscreen.vert.glsl', 'outside_ground.frag.glsl', shared);
+    this.grounds = {};
     this.shown = '';
   }
 
@@ -175,7 +173,6 @@ class OutsideView {
   /// Draws into the current target. `scale`: pixels of the picture for one of the screen.
   draw(state, camera, width, height, scale) {
     const gl = this.graphics.gl;
-    const model = kModels[state.model];
     const view = camera.view(width / height);
     const setCamera = (program) => {
       gl.useProgram(program.program);
@@ -186,30 +183,25 @@ class OutsideView {
       gl.uniform2fv(program.at('uDepth'), view.depth);
       gl.uniform1f(program.at('uPixel'), 2 * view.tangent[1] / height);
       gl.uniform1i(program.at('uOutput'), state.identities ? 1 : 0);
+      gl.uniform3fv(program.at('uInk'), linearColour(state.theme.outside.uInk));
+      gl.uniform1f(program.at('uGlass'), state.model === 'upper' ? 0 : 1);
+      gl.uniform1f(program.at('uSoft'), 1 / (3 * Math.sqrt(2 * view.tangent[1] / height)));
     };
-    setCamera(this.ground);
-    gl.uniform1i(this.ground.at('uModel'), state.model === 'upper' ? 0 : 1);
-    for (const [name, hex] of Object.entries(state.theme.outside))
-      gl.uniform3fv(this.ground.at(name), linearColour(hex));
-    gl.uniform1i(this.ground.at('uFront'), 0);
-    gl.depthFunc(gl.ALWAYS);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
     gl.depthFunc(gl.LEQUAL);
-
     if (state.renderer === 'cells' && state.model !== 'klein')
       this.drawCells(state, view, scale, setCamera);
     else
       this.drawFaces(state, view, width, height, scale, setCamera);
 
-    if (state.model === 'upper' || state.identities) return;
-    setCamera(this.ground);
-    gl.uniform1i(this.ground.at('uFront'), 1);
-    gl.enable(gl.BLEND);
-    gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ZERO, gl.ONE);
-    gl.depthFunc(gl.ALWAYS);
+    // Last, where there is nothing yet.
+    const upper = state.model === 'upper' ? 1 : 0;
+    const ground = this.grounds[upper] ??= this.graphics.program(
+        'fullscreen.vert.glsl', 'outside_ground.frag.glsl',
+        [`#define kUpper ${upper}`, 'outside_camera.glsl']);
+    setCamera(ground);
+    for (const name of ['uHigh', 'uLow'])
+      gl.uniform3fv(ground.at(name), linearColour(state.theme.outside[name]));
     gl.drawArrays(gl.TRIANGLES, 0, 3);
-    gl.disable(gl.BLEND);
-    gl.depthFunc(gl.LEQUAL);
   }
 
   drawFaces(state, view, width, height, scale, setCamera) {

@@ -1,5 +1,6 @@
 // The colours of faces in a page. kDiscs, whether discs are drawn, is defined in front of it.
 uniform sampler2D uPlaces;  // five texels for each cell: from its frame to that of its tetrahedron
+uniform vec3 uKey;          // unit, towards the light
 out vec4 colour;
 
 #if kDiscs
@@ -19,11 +20,15 @@ vec3 discsAt(Meeting met, vec3 ray, out int disc) {
 /// Soft light: a key over the camera's shoulder, so that no view is dark, the sky above and a little
 /// from the ground.
 vec3 lit(vec3 base, vec3 normal, vec3 view) {
-  vec3 key = normalize(uAxes * vec3(-0.5, 0.6, -0.75) + vec3(0.0, 0.0, 0.35));
-  float diffuse = max(dot(normal, key), 0.0);
-  vec3 ambient = mix(vec3(0.40, 0.37, 0.38), vec3(0.50, 0.54, 0.60), 0.5 + 0.5 * normal.z);
-  vec3 halfway = normalize(key - view);
-  float gloss = pow(max(dot(normal, halfway), 0.0), 50.0) * 0.12;
+  float diffuse = max(dot(normal, uKey), 0.0);
+  vec3 ambient = vec3(0.45, 0.455, 0.49) + vec3(0.05, 0.085, 0.11) * normal.z;
+  vec3 halfway = normalize(uKey - view);
+  float gloss = max(dot(normal, halfway), 0.0);
+  gloss *= gloss;
+  gloss *= gloss;
+  gloss *= gloss;
+  gloss *= gloss;
+  gloss *= 0.12 * gloss * gloss;  // to the 48th
   return base * (ambient + 0.62 * diffuse) + gloss;
 }
 
@@ -43,5 +48,6 @@ void main() {
                   float(wallNumber() + 1) + discIdentity(disc), 255.0) / 255.0;
     return;
   }
-  colour = finite(toDisplay(lit(base, met.normal, ray) * (1.0 - 0.96 * met.border)));
+  vec3 shade = lit(base, met.normal, ray) * (1.0 - 0.96 * met.border);
+  colour = finite(throughGlass(toDisplay(shade), ray));
 }

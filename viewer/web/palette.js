@@ -4,7 +4,7 @@ const kPalette = ['#56b4e9', '#e69f00', '#009e73', '#cc79a7', '#f0e442', '#0072b
                   '#8fd0c0', '#b9a3e3', '#c9b458', '#7f9fb5', '#e6a18a'];
 
 function linearColour(hex) {
-  return [1, 3, 5].map((at) => Math.pow(parseInt(hex.slice(at, at + 2), 16) / 255, 2.2));
+  return [1, 3, 5].map((at) => (parseInt(hex.slice(at, at + 2), 16) / 255) ** 2);
 }
 
 // Depth goes from the middle outwards, so its colours go one way too.

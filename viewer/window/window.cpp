@@ -19,6 +19,7 @@
 #include <GLFW/glfw3.h>
 
 #include "viewer/window/detail/text.hpp"
+#include "viewer/window/pace.hpp"
 
 namespace tripus::viewer {
 namespace {
@@ -28,17 +29,20 @@ constexpr const char* kHelp =
     "right drag       shift\n"
     "wheel            zoom\n"
     "+  -             more or fewer cells\n"
-    "M                upper half-space, ball\n"
+    "M                upper half-space, ball, Klein ball\n"
     "C                colour by tetrahedron, face, depth\n"
     "F  T             faces, truncations on and off\n"
     "D                discs of arcs on and off\n"
     "X  [  ]          cut away, move the cut\n"
-    "S                solid or hollow (faster)\n"
+    "S                solid or hollow\n"
     "O                dark nooks on and off\n"
     "R                first view again\n"
     "P                save a picture\n"
     "H                this help\n"
     "Esc              close";
+
+/// What rests is drawn with four samples a pixel, if one took no longer than this, in milliseconds.
+constexpr double kFineWithin = 250;
 
 /// GLFW and its window, closed in the right order whatever happens.
 class Glfw {
@@ -109,7 +113,7 @@ class Viewer {
     while (glfwWindowShouldClose(window_) == GLFW_FALSE) {
       if (stale_) {
         stale_ = false;
-        draw();
+        draw(moving_ ? quality_ : 1);
         ++frames;
       }
       if (options_.most_frames > 0 && frames >= options_.most_frames) break;
@@ -117,7 +121,15 @@ class Viewer {
         stale_ = true;
         glfwPollEvents();
       } else {
-        glfwWaitEventsTimeout(0.5);
+        // What rests for a while is drawn with all pixels.
+        glfwWaitEventsTimeout(moving_ ? 0.2 : 0.5);
+        if (stale_) {
+          fine_ = false;
+        } else if (moving_ || (!fine_ && last_took_ < kFineWithin)) {
+          fine_ = !moving_;
+          moving_ = false;
+          stale_ = true;
+        }
       }
       if (failure_) std::rethrow_exception(failure_);
       const std::atomic<bool>* const stop = options_.picture.stop_requested;
@@ -168,8 +180,7 @@ class Viewer {
         set_cells(cells_ - std::max<std::size_t>(cells_ > 1 ? 1 : 0, cells_ / 5));
         break;
       case GLFW_KEY_M:
-        shown_.model =
-            shown_.model == Model::kUpperHalfSpace ? Model::kPoincareBall : Model::kUpperHalfSpace;
+        shown_.model = static_cast<Model>((static_cast<int>(shown_.model) + 1) % 3);
         load();
         break;
       case GLFW_KEY_C:
@@ -213,15 +224,19 @@ class Viewer {
         break;
       case GLFW_KEY_LEFT:
         camera.azimuth -= 5;
+        moving_ = true;
         break;
       case GLFW_KEY_RIGHT:
         camera.azimuth += 5;
+        moving_ = true;
         break;
       case GLFW_KEY_UP:
         camera.elevation = std::min(camera.elevation + 5, 89.0);
+        moving_ = true;
         break;
       case GLFW_KEY_DOWN:
         camera.elevation = std::max(camera.elevation - 5, -89.0);
+        moving_ = true;
         break;
       default:
         break;
@@ -229,6 +244,7 @@ class Viewer {
   }
 
   void zoom(double up) {
+    moving_ = true;
     shown_.camera.zoom = std::clamp(shown_.camera.zoom * std::exp(0.12 * up), 0.2, 200.0);
     stale_ = true;
   }
@@ -240,23 +256,25 @@ class Viewer {
     if (glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) {
       camera.azimuth -= 0.35 * step.x();
       camera.elevation = std::clamp(camera.elevation + 0.35 * step.y(), -89.0, 89.0);
-      stale_ = true;
+      stale_ = moving_ = true;
     } else if (glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS) {
       int width = 1, height = 1;
       glfwGetWindowSize(window_, &width, &height);
       camera.shift += 2 * Eigen::Vector2d(step.x(), -step.y()) / std::max(height, 1);
-      stale_ = true;
+      stale_ = moving_ = true;
     }
   }
 
-  void draw() {
+  /// `quality`: the share of the pixels across.
+  void draw(double quality) {
     int width = 0, height = 0;
     glfwGetFramebufferSize(window_, &width, &height);
     if (width < 1 || height < 1) return;  // minimised
     const auto start = std::chrono::steady_clock::now();
-    draw_scene(width, height);
+    draw_scene(width, height, quality);
     glFinish();
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    if (moving_) quality_ = next_quality(quality, took.count());
     std::array<char, 160> line{};
     std::snprintf(line.data(), line.size(), "%zu cells, %.0f ms%s", scene_.cells.size(),
                   took.count(), help_ ? "" : "     H: help");
@@ -269,12 +287,29 @@ class Viewer {
     glfwSwapBuffers(window_);
   }
 
-  void draw_scene(int width, int height) {
+  void draw_scene(int width, int height, double quality) {
+    // In steps of 8 pixels, so that textures last for some frames.
+    const auto coarse = [&](int side) {
+      return quality < 1 ? std::clamp(8 * static_cast<int>(quality * side / 8), 8, side) : side;
+    };
     Frame frame;
-    frame.width = width;
-    frame.height = height;
-    frame.samples = shown_.samples > 0 ? shown_.samples : 1;
+    frame.width = coarse(width);
+    frame.height = coarse(height);
+    frame.samples = shown_.samples > 0 ? shown_.samples : fine_ ? 2 : 1;
+    if (quality >= 1) {
+      renderer_.draw(shown_, frame);
+      return;
+    }
+    if (coarse_.width != frame.width || coarse_.height != frame.height)
+      coarse_ = make_render_target(frame.width, frame.height);
+    glBindFramebuffer(GL_FRAMEBUFFER, coarse_.framebuffer.name());
     renderer_.draw(shown_, frame);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, coarse_.framebuffer.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, frame.width, frame.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+                      GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, width, height);
   }
 
   /// What the window shows, without the text.
@@ -282,7 +317,7 @@ class Viewer {
     int width = 0, height = 0;
     glfwGetFramebufferSize(window_, &width, &height);
     if (width < 1 || height < 1) return;
-    draw_scene(width, height);
+    draw_scene(width, height, 1);
     Image image = read_pixels(width, height);
     add_legend(scene_, shown_, image);
     namespace fs = std::filesystem;
@@ -310,6 +345,11 @@ class Viewer {
   Renderer renderer_;
   Scene scene_;
   Eigen::Vector2d mouse_ = Eigen::Vector2d::Zero();
+  RenderTarget coarse_;  // what is drawn into while things move
+  double quality_ = 1;   // of the next frame then
+  bool moving_ = false;
+  bool fine_ = false;     // four samples a pixel, while nothing changes
+  double last_took_ = 0;  // milliseconds
   bool stale_ = true;
   bool help_ = true;
   std::string message_;

@@ -365,7 +365,8 @@ ProofCheck check_proof(const Triangulation& triangulation, const ProofText& proo
   if (!proof.proved) return {false, "nothing is claimed"};
   const Precision precision(bits_for(proof));
   Checker checker{triangulation, proof, context};
-  checker.finite = has_kind(checker.links, topology::VertexKind::kFinite);
+  checker.finite =
+      proof.interval_newton || has_kind(checker.links, topology::VertexKind::kFinite);
   checker.together =
       has_kind(checker.links, topology::VertexKind::kIdeal) ||
       std::ranges::any_of(checker.cone_angles, [](const auto& k) { return k.is_parabolic(); });

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "structure/proof/digits.hpp"
 #include "structure/proof/proof.hpp"
+#include "structure/proof/proof_text.hpp"
 #include "structure/solve.hpp"
 #include "tests/support/data_files.hpp"
 #include "topology/isosig.hpp"
@@ -40,6 +42,22 @@ TEST(ProofsOfFive, EveryGeometricOneOfTheSampleIsProvedInDoubles) {
   EXPECT_EQ(all, 2004u);
   EXPECT_GT(geometric, 900u);
   EXPECT_GT(high, 600u);
+}
+
+// Two that are so nearly flat that convexity is not shown in a box that is large enough.
+TEST(ProofsOfFive, NearlyFlatOnesAreProvedByIntervalNewton) {
+  for (const char* isosig : {"fLLQcbcdeeepffeth", "fLLQcbcdeeepfkeuq"}) {
+    SCOPED_TRACE(isosig);
+    const topology::Triangulation m(topology::decode_isosig(isosig));
+    const Proof proof = prove(m, solve(m).edge_lengths);
+    EXPECT_TRUE(proof.proved) << proof.reason;
+    EXPECT_LT(proof.largest_radius(), 1e-13);
+    const ProofText text = parse_proof(to_json(proof_text(proof)));
+    EXPECT_TRUE(text.interval_newton);
+    const ProofCheck check = check_proof(m, text);
+    EXPECT_TRUE(check) << check.reason;
+    EXPECT_FALSE(prove_digits(m, proof, 20).proved);
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "base/registry.hpp"
 #include "solver/problem.hpp"
 #include "solver/run.hpp"
 
@@ -38,9 +39,11 @@ struct Flow {
   std::string_view name;         ///< as typed after --method flow:
   std::string_view description;  ///< one line for `tripus methods`
   std::unique_ptr<Field> (*make)(solver::Problem& problem) = nullptr;
+  int place = kAnyPlace;  ///< in lists, lowest first
 };
 
-/// Every flow, in the order in which `tripus methods` prints them.
+/// Every flow, one file in integrators/flows each, in the order in which `tripus methods` prints
+/// them.
 std::span<const Flow> flows();
 
 /// The flow of that name, or null.

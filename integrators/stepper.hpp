@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/registry.hpp"
+
 namespace tripus::integrators {
 
 using State = std::vector<double>;
@@ -32,9 +34,10 @@ struct Stepper {
   bool adaptive = false;         ///< estimates its error and chooses its steps by it
   double stability = 0;  ///< dx/dt = -a x is integrated stably for steps up to stability / a
   std::unique_ptr<StepMethod> (*make)(std::size_t n) = nullptr;
+  int place = kAnyPlace;  ///< in lists, lowest first
 };
 
-/// Every stepper.
+/// Every stepper; their files are in integrators/steppers.
 std::span<const Stepper> steppers();
 
 /// The stepper of that name, or null.

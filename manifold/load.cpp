@@ -146,9 +146,9 @@ std::vector<topology::NamedGluings> read_all_of(const std::string& text, const C
   refuse_foreign_mesh(text);
   if (topology::looks_like_diagram(text))
     return one(exterior_of(topology::read_diagram(text), context));
-  const topology::TextFormat format = topology::detect_format(text);
-  if (format == topology::TextFormat::kJson && is_drawing(text)) refuse_drawing();
-  if (format == topology::TextFormat::kUnknown || format == topology::TextFormat::kIsosig) {
+  const std::string_view format = topology::detect_format(text);
+  if (format == topology::kJson && is_drawing(text)) refuse_drawing();
+  if (format.empty() || format == topology::kIsomorphismSignature) {
     const auto lines = topology::read_batch(text);
     if (lines.size() == 1) {
       if (auto word = read_word(lines.front().text, context)) return one(*std::move(word));
@@ -157,7 +157,7 @@ std::vector<topology::NamedGluings> read_all_of(const std::string& text, const C
       throw InvalidInput("it holds " + std::to_string(lines.size()) +
                          " inputs; give it to --batch to run them all");
     }
-    if (!lines.empty() && format == topology::TextFormat::kUnknown) refuse_unknown();
+    if (!lines.empty() && format.empty()) refuse_unknown();
   }
   return topology::read_triangulations(text);
 }
@@ -320,7 +320,7 @@ std::string read_file(const std::string& path) {
 std::vector<topology::BatchLine> read_batch_file(const std::string& path) {
   const std::string content = read_file(path);
   blame(source_of(path), [&] { require_list(content, path); });
-  if (topology::detect_format(content) != topology::TextFormat::kReginaXml)
+  if (topology::detect_format(content) != topology::kReginaDataFile)
     return topology::read_batch(content);
   if (path == "-")
     throw InvalidInput("standard input holds a Regina data file; name the file after --batch");
@@ -402,11 +402,10 @@ meshing::MeshFile load_mesh(const std::string& input) {
   if (auto mesh = read_as_mesh(content, input)) return *std::move(mesh);
   return blame(source_of(input), [&]() -> meshing::MeshFile {
     refuse_foreign_mesh(content);
-    const topology::TextFormat format = topology::detect_format(content);
-    if (format == topology::TextFormat::kUnknown || format == topology::TextFormat::kJson)
+    const std::string_view format = topology::detect_format(content);
+    if (format.empty() || format == topology::kJson)
       (void)read_all_of(content, {});  // says what it is, if it is no triangulation either
-    throw InvalidInput("it is a triangulation (" + std::string(topology::format_name(format)) +
-                       ") and no mesh");
+    throw InvalidInput("it is a triangulation (" + std::string(format) + ") and no mesh");
   });
 }
 

@@ -7,8 +7,8 @@
 #include <ceres/gradient_problem.h>
 #include <ceres/gradient_problem_solver.h>
 
+#include "solver/detail/ceres_methods.hpp"
 #include "solver/detail/ceres_silence.hpp"
-#include "solver/detail/methods.hpp"
 #include "solver/run.hpp"
 
 // Ceres' line-search minimisers, to the full accuracy of the gradient.

@@ -6,8 +6,8 @@
 
 #include <ceres/ceres.h>
 
+#include "solver/detail/ceres_methods.hpp"
 #include "solver/detail/ceres_silence.hpp"
-#include "solver/detail/methods.hpp"
 #include "solver/run.hpp"
 
 // gradient(x) = 0 as a sparse nonlinear least-squares problem: residual e is g_e, its parameter

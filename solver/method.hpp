@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/registry.hpp"
 #include "solver/problem.hpp"
 
 namespace tripus::solver {
@@ -70,9 +71,11 @@ struct Method {
   std::string_view description;  ///< one line for `tripus methods`
   bool second_order = false;     ///< uses second derivatives and converges to full accuracy fast
   Minimise minimise = nullptr;
+  int place = kAnyPlace;  ///< in lists, lowest first
 };
 
-/// Every minimiser, in the order in which `tripus methods` prints them.
+/// Every minimiser, one file in solver/methods each, in the order in which `tripus methods` prints
+/// them.
 std::span<const Method> methods();
 
 /// The method of that name, or null.

@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <ranges>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "energies/co_volume.hpp"
-#include "energies/volume_in_angles.hpp"
-#include "integrators/integrate.hpp"
+#include "energies/energies.hpp"
 #include "structure/angle_structure.hpp"
 #include "structure/assess.hpp"
 #include "structure/closed_bigon.hpp"
@@ -44,6 +47,7 @@ double seconds_since(Clock::time_point start) {
 struct Run {
   std::vector<double> lengths;
   solver::Summary summary;
+  std::unique_ptr<energies::Functional> functional;  ///< what was minimised; null if nothing was
 };
 
 /// The history row of an iterate whose lengths are x; the energy must have been evaluated there.
@@ -63,10 +67,8 @@ HistoryRow history_row(const solver::Iterate& iterate, std::span<const double> x
   return row;
 }
 
-/// `lengths_of(x)` gives the edge lengths [E] of a point in the method's own variables.
-template <class LengthsOf>
 solver::Options solver_options(const topology::Triangulation& triangulation,
-                               const SolveOptions& options, LengthsOf lengths_of) {
+                               const SolveOptions& options, energies::Functional& functional) {
   solver::Options result;
   result.tolerance = options.tolerance;
   result.max_iterations = options.max_iterations;
@@ -76,32 +78,22 @@ solver::Options solver_options(const topology::Triangulation& triangulation,
   auto energy = options.history
                     ? std::make_shared<energies::CoVolume>(triangulation, options.cone_angles)
                     : nullptr;
-  result.observer = [&options, energy, lengths_of](const solver::Iterate& iterate) {
-    if (options.history) options.history(history_row(iterate, lengths_of(iterate.x), *energy));
+  result.observer = [&options, energy, &functional](const solver::Iterate& iterate) {
+    if (options.history) {
+      std::vector<double> lengths(iterate.x.begin(), iterate.x.end());
+      functional.to_lengths(lengths);
+      options.history(history_row(iterate, lengths, *energy));
+    }
     if (options.on_iteration) options.on_iteration(iterate.iteration, iterate.max_gradient);
     return options.stop_requested == nullptr || !*options.stop_requested;
   };
   return result;
 }
 
-Run run_in_lengths(const topology::Triangulation& triangulation, const SolveOptions& options,
-                   const SolveMethod& method, energies::CoVolume& energy) {
-  Run run;
-  run.lengths = starting_lengths(triangulation, options);
-  const auto as_they_are = [](std::span<const double> x) {
-    return std::vector<double>(x.begin(), x.end());
-  };
-  const solver::Options inner = solver_options(triangulation, options, as_they_are);
-  run.summary =
-      method.form == SolveMethod::Form::kFlow
-          ? integrators::integrate(energy, *method.flow, *method.stepper, run.lengths, inner)
-          : method.minimiser->minimise(energy, run.lengths, inner);
-  return run;
-}
-
-/// The volume in angles knows open polytopes only: no ideal vertices, no parabolic edges.
-void require_angles_form(const topology::Triangulation& triangulation, const SolveOptions& options,
-                         const SolveMethod& method) {
+/// Throws Unsupported where the energy of a method is not defined.
+void require_energy(const topology::Triangulation& triangulation, const SolveOptions& options,
+                    const SolveMethod& method) {
+  if (!method.energy->hyperideal_only) return;
   const auto links = topology::orbifold_links(triangulation, options.cone_angles);
   const bool hyperideal = std::ranges::all_of(
       links, [](const auto& link) { return link.kind == topology::VertexKind::kHyperideal; });
@@ -114,30 +106,31 @@ void require_angles_form(const topology::Triangulation& triangulation, const Sol
         method.name, hyperideal ? "parabolic edges" : "cusps and finite vertices"));
 }
 
-Run run_in_angles(const topology::Triangulation& triangulation, const SolveOptions& options,
-                  const SolveMethod& method) {
-  require_angles_form(triangulation, options, method);
+Run run_method(const topology::Triangulation& triangulation, const SolveOptions& options,
+               const SolveMethod& method) {
+  require_energy(triangulation, options, method);
   Run run;
   run.lengths = starting_lengths(triangulation, options);
-  const AngleStructure start = deepest_angle_structure(triangulation, options.cone_angles);
-  if (!(start.margin > tolerance::kAngleMargin)) {
+  double margin = 0;
+  const auto angles = [&]() -> std::optional<std::vector<double>> {
+    AngleStructure deepest = deepest_angle_structure(triangulation, options.cone_angles);
+    margin = deepest.margin;
+    if (!(margin > tolerance::kAngleMargin)) return std::nullopt;
+    return std::move(deepest.angles);
+  };
+  run.functional =
+      method.energy->begin(triangulation, options.cone_angles, std::cref(angles), run.lengths);
+  if (!run.functional) {
     run.summary.termination = solver::Termination::kNumericalFailure;
     run.summary.max_gradient = std::numeric_limits<double>::infinity();
     run.summary.message = fmt::format(
-        "no strict angle structure to start from (the widest margin is {:.3g})", start.margin);
+        "no strict angle structure to start from (the widest margin is {:.3g})", margin);
     return run;
   }
-  energies::VolumeInAngles volume(triangulation, start.angles);
-  std::vector<double> y(volume.dimension()), gradient(volume.dimension());
-  const auto lengths_at = [&](std::span<const double> point) {
-    volume.evaluate(point, gradient, {});
-    return volume.mean_edge_lengths();
-  };
-  solver::Options inner = solver_options(triangulation, options, lengths_at);
-  // Its gradient is a mismatch of lengths; a curvature adds the angles of up to dozens of corners.
-  inner.tolerance = options.tolerance / 8;
-  run.summary = method.minimiser->minimise(volume, y, inner);
-  run.lengths = lengths_at(y);
+  solver::Options inner = solver_options(triangulation, options, *run.functional);
+  inner.tolerance *= method.energy->tolerance;
+  run.summary = structure::run(method, *run.functional, run.lengths, inner);
+  run.functional->to_lengths(run.lengths);
   return run;
 }
 
@@ -155,39 +148,48 @@ void require_options(const SolveOptions& options) {
   }
 }
 
-bool any_finite_vertex(const energies::CoVolume& energy) {
+bool any_finite_vertex(const topology::Triangulation& triangulation, const SolveOptions& options) {
+  const std::size_t count = triangulation.vertex_count();
+  if (topology::all_full(options.cone_angles))
+    return std::ranges::any_of(std::views::iota(std::size_t{0}, count), [&](std::size_t v) {
+      return triangulation.link(v).euler_characteristic > 0;
+    });
   return std::ranges::any_of(
-      energy.links(), [](const auto& link) { return link.kind == topology::VertexKind::kFinite; });
+      topology::orbifold_links(triangulation, options.cone_angles),
+      [](const auto& link) { return link.kind == topology::VertexKind::kFinite; });
 }
 
 /// There every method is the one that can do it.
-Run run_with_finite_vertices(const topology::Triangulation& triangulation,
-                             const SolveOptions& options, energies::CoVolume& energy) {
+Report run_with_finite_vertices(const topology::Triangulation& triangulation,
+                                const SolveOptions& options) {
   if (options.method != "auto" && options.method != "newton")
     throw Unsupported("the method " + options.method +
                       " does not work with finite vertices, where the problem is not convex; leave "
                       "the method out");
-  Run run;
-  run.lengths = starting_lengths(triangulation, options);
-  run.summary = detail::gauss_newton(triangulation, energy, options, run.lengths);
-  return run;
+  energies::CoVolume energy(triangulation, options.cone_angles);
+  std::vector<double> lengths = starting_lengths(triangulation, options);
+  const auto summary = detail::gauss_newton(triangulation, energy, options, lengths);
+  Report report = assess(triangulation, energy, lengths, options.tolerance, summary);
+  report.method = "gauss-newton";
+  return report;
 }
 
 /// One run of a method, judged. Without a limit of the user's, Newton's method gets one that
 /// metrics do not need: what is still running then is on its way to infinity.
-Report run_method(const topology::Triangulation& triangulation, const SolveOptions& options) {
+Report judged_run(const topology::Triangulation& triangulation, const SolveOptions& options) {
+  if (any_finite_vertex(triangulation, options))
+    return run_with_finite_vertices(triangulation, options);
   const SolveMethod method = find_solve_method(options.method, triangulation.edge_count());
   SolveOptions limited = options;
   if (options.max_iterations == 0 && method.minimiser != nullptr && method.minimiser->second_order)
     limited.max_iterations = kNewtonPatience;
-  energies::CoVolume energy(triangulation, options.cone_angles);
-  const Run run = any_finite_vertex(energy)
-                      ? run_with_finite_vertices(triangulation, options, energy)
-                  : method.form == SolveMethod::Form::kAngles
-                      ? run_in_angles(triangulation, limited, method)
-                      : run_in_lengths(triangulation, limited, method, energy);
-  Report report = assess(triangulation, energy, run.lengths, options.tolerance, run.summary);
-  report.method = any_finite_vertex(energy) ? "gauss-newton" : method.name;
+  const Run run = run_method(triangulation, limited, method);
+  std::optional<energies::CoVolume> other;
+  auto* energy =
+      run.functional ? dynamic_cast<energies::CoVolume*>(&run.functional->problem()) : nullptr;
+  if (energy == nullptr) energy = &other.emplace(triangulation, options.cone_angles);
+  Report report = assess(triangulation, *energy, run.lengths, options.tolerance, run.summary);
+  report.method = method.name;
   return report;
 }
 
@@ -218,7 +220,7 @@ Report settling_run(const topology::Triangulation& triangulation, const SolveOpt
   settling.time_limit =
       std::max(options.time_limit - report.seconds, std::numeric_limits<double>::min());
   settling.stop_requested = options.stop_requested;
-  Report settled = run_method(triangulation, settling);
+  Report settled = judged_run(triangulation, settling);
   settled.iterations += report.iterations;
   settled.evaluations += report.evaluations;
   settled.linear_iterations += report.linear_iterations;
@@ -305,7 +307,7 @@ bool is_decidable(const topology::Triangulation& triangulation, const SolveOptio
 
 Report find_outcome(const topology::Triangulation& triangulation, const SolveOptions& options,
                     Clock::time_point start) {
-  Report report = run_method(triangulation, options);
+  Report report = judged_run(triangulation, options);
   if (report.outcome != Outcome::kGeometric && was_cut_short(report, options)) {
     report.advice = Advice::kMoreTime;
     return report;

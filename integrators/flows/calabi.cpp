@@ -1,11 +1,11 @@
 #include <vector>
 
-#include "integrators/detail/flows.hpp"
+#include "integrators/flow.hpp"
 
 // dx/dt = -H g = -grad |g|^2 / 2. Fourth order where the curvature flow is of second order, and as
 // stiff as that squared; it stands still where H vanishes.
 
-namespace tripus::integrators::detail {
+namespace tripus::integrators::registered_flows {
 namespace {
 
 class Calabi final : public Field {
@@ -33,10 +33,13 @@ class Calabi final : public Field {
   std::vector<double> product_;
 };
 
+std::unique_ptr<Field> make(solver::Problem& problem) { return std::make_unique<Calabi>(problem); }
+
 }  // namespace
 
-std::unique_ptr<Field> make_calabi(solver::Problem& problem) {
-  return std::make_unique<Calabi>(problem);
+std::span<const Flow> calabi() {
+  static constexpr Flow kRows[] = {{"calabi", "dx/dt = -H g: gradient flow of |g|^2 / 2", make, 3}};
+  return kRows;
 }
 
-}  // namespace tripus::integrators::detail
+}  // namespace tripus::integrators::registered_flows

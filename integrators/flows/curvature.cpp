@@ -1,8 +1,8 @@
-#include "integrators/detail/flows.hpp"
+#include "integrators/flow.hpp"
 
 // dx/dt = -g. Gradient descent in continuous time: g(x) is dissipative, d|g|^2/dt = -2 g.Hg <= 0.
 
-namespace tripus::integrators::detail {
+namespace tripus::integrators::registered_flows {
 namespace {
 
 class Curvature final : public Field {
@@ -25,10 +25,15 @@ class Curvature final : public Field {
   solver::Problem& problem_;
 };
 
-}  // namespace
-
-std::unique_ptr<Field> make_curvature(solver::Problem& problem) {
+std::unique_ptr<Field> make(solver::Problem& problem) {
   return std::make_unique<Curvature>(problem);
 }
 
-}  // namespace tripus::integrators::detail
+}  // namespace
+
+std::span<const Flow> curvature() {
+  static constexpr Flow kRows[] = {{"curvature", "dx/dt = -g: gradient flow", make, 0}};
+  return kRows;
+}
+
+}  // namespace tripus::integrators::registered_flows

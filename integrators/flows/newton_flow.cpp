@@ -1,11 +1,11 @@
 #include <algorithm>
 
-#include "integrators/detail/flows.hpp"
+#include "integrators/flow.hpp"
 #include "solver/newton_direction.hpp"
 
 // dx/dt = -H^-1 g, regularised: dg/dt = -g, so g decays like e^-t whatever the condition of H.
 
-namespace tripus::integrators::detail {
+namespace tripus::integrators::registered_flows {
 namespace {
 
 class NewtonFlow final : public Field {
@@ -33,10 +33,16 @@ class NewtonFlow final : public Field {
   solver::NewtonDirection direction_;
 };
 
-}  // namespace
-
-std::unique_ptr<Field> make_newton_flow(solver::Problem& problem) {
+std::unique_ptr<Field> make(solver::Problem& problem) {
   return std::make_unique<NewtonFlow>(problem);
 }
 
-}  // namespace tripus::integrators::detail
+}  // namespace
+
+std::span<const Flow> newton_flow() {
+  static constexpr Flow kRows[] = {
+      {"newton-flow", "dx/dt = -H^-1 g: the gradient decays like e^-t", make, 2}};
+  return kRows;
+}
+
+}  // namespace tripus::integrators::registered_flows

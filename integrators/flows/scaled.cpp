@@ -1,9 +1,9 @@
-#include "integrators/detail/flows.hpp"
+#include "integrators/flow.hpp"
 
 // dx_i/dt = -g_i x_i on x > 0: the curvature flow in the metric sum dx_i^2 / x_i. It keeps x
 // positive; f decreases along it, |g| need not.
 
-namespace tripus::integrators::detail {
+namespace tripus::integrators::registered_flows {
 namespace {
 
 class Scaled final : public Field {
@@ -32,10 +32,14 @@ class Scaled final : public Field {
   solver::Problem& problem_;
 };
 
+std::unique_ptr<Field> make(solver::Problem& problem) { return std::make_unique<Scaled>(problem); }
+
 }  // namespace
 
-std::unique_ptr<Field> make_scaled(solver::Problem& problem) {
-  return std::make_unique<Scaled>(problem);
+std::span<const Flow> scaled() {
+  static constexpr Flow kRows[] = {
+      {"scaled", "dx/dt = -g x, component by component: keeps x positive", make, 1}};
+  return kRows;
 }
 
-}  // namespace tripus::integrators::detail
+}  // namespace tripus::integrators::registered_flows

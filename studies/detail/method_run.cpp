@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/tolerances.hpp"
-#include "energies/volume_in_angles.hpp"
-#include "integrators/integrate.hpp"
+#include "energies/energies.hpp"
 #include "structure/angle_structure.hpp"
 #include "structure/assess.hpp"
 #include "structure/method.hpp"
@@ -47,26 +48,6 @@ solver::Options with_trace(const MethodRunOptions& options, std::vector<TracePoi
   return result;
 }
 
-/// In angles: the lengths are found afterwards, so that the run's clock does not see it.
-solver::Summary run_in_angles(const topology::Triangulation& triangulation,
-                              const structure::SolveMethod& method, solver::Options options,
-                              std::vector<double>& lengths, std::vector<TracePoint>& trace) {
-  solver::Summary summary;
-  const auto start = structure::deepest_angle_structure(triangulation);
-  if (!(start.margin > tolerance::kAngleMargin)) return summary;
-  energies::VolumeInAngles volume(triangulation, start.angles);
-  std::vector<double> y(volume.dimension()), gradient(volume.dimension());
-  options.tolerance /= 8;  // of lengths, as structure::solve asks for
-  summary = method.minimiser->minimise(volume, y, options);
-  const auto lengths_at = [&](std::span<const double> point) {
-    volume.evaluate(point, gradient, {});
-    return volume.mean_edge_lengths();
-  };
-  for (TracePoint& point : trace) point.lengths = lengths_at(point.lengths);
-  lengths = lengths_at(y);
-  return summary;
-}
-
 }  // namespace
 
 MethodRun run_method(const topology::Triangulation& triangulation, const std::string& name,
@@ -74,17 +55,22 @@ MethodRun run_method(const topology::Triangulation& triangulation, const std::st
   const structure::SolveMethod method =
       structure::find_solve_method(name, triangulation.edge_count());
   MethodRun run;
-  energies::CoVolume energy(triangulation);
+  const auto angles = [&]() -> std::optional<std::vector<double>> {
+    auto deepest = structure::deepest_angle_structure(triangulation);
+    if (!(deepest.margin > tolerance::kAngleMargin)) return std::nullopt;
+    return std::move(deepest.angles);
+  };
   std::vector<double> x(start.begin(), start.end());
-  const solver::Options inner = with_trace(options, run.trace);
   solver::Summary summary;
-  if (method.form == structure::SolveMethod::Form::kAngles) {
-    summary = run_in_angles(triangulation, method, inner, x, run.trace);
-  } else if (method.form == structure::SolveMethod::Form::kFlow) {
-    summary = integrators::integrate(energy, *method.flow, *method.stepper, x, inner);
-  } else {
-    summary = method.minimiser->minimise(energy, x, inner);
+  if (const auto functional = method.energy->begin(triangulation, {}, angles, x)) {
+    solver::Options inner = with_trace(options, run.trace);
+    inner.tolerance *= method.energy->tolerance;
+    summary = structure::run(method, *functional, x, inner);
+    // The lengths are found afterwards, so that the run's clock does not see it.
+    for (TracePoint& point : run.trace) functional->to_lengths(point.lengths);
+    functional->to_lengths(x);
   }
+  energies::CoVolume energy(triangulation);
   run.report = structure::assess(triangulation, energy, x, options.tolerance, summary);
   run.report.method = method.name;
   return run;

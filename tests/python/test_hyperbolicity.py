@@ -70,6 +70,19 @@ def test_torus_cusps_beside_the_boundary():
         assert geometric or answer.certificate.check(M)
 
 
+def test_shipped_controls_are_of_the_census_and_got_no_no():
+    lines = (DATA / "hyperbolicity-controls.tsv").read_text().splitlines()
+    head, rows = lines[1].split("\t"), [line.split("\t") for line in lines[2:]]
+    firsts = {row.split()[0] for row in column("census.tsv", 9)[1:]}
+    assert len({(row[0], row[1]) for row in rows}) == len(rows) > 1000
+    for row in rows:
+        entry = dict(zip(head, row, strict=True))
+        assert entry["list"] in ("quick", "census") and entry["input"] in firsts
+        assert entry["hyperbolic"] == ""
+        assert "fundamental group" in entry["tried"]
+        assert ("normal surfaces" in entry["tried"]) == (entry["list"] == "census")
+
+
 def test_hyperbolic_manifolds_never_get_a_no():
     texts = [row.split()[0] for row in column("census.tsv", 9)[1::700]]
     covers = [M for t in texts[:3] for M in tripus.Manifold(t).covers(2)[:2]]

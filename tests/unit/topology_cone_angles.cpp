@@ -200,7 +200,7 @@ TEST(Formats, OrbFilesComeBack) {
     labelled.cone_angles.resize(Triangulation(labelled.gluings).edge_count());
     labelled.cone_angles[0] = parse_cone_order("3");
     const std::string text = write_orb(labelled);
-    EXPECT_EQ(detect_format(text), TextFormat::kOrb);
+    EXPECT_EQ(detect_format(text), "Orb triangulation");
     const NamedGluings back = read_triangulation(text);
     EXPECT_EQ(back.name, labelled.name);
     EXPECT_EQ(topology::isosig(back.gluings), isosig);

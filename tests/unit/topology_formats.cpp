@@ -188,15 +188,14 @@ TEST(Formats, ReadsSignaturesWithWhatProgramsAdd) {
 }
 
 TEST(Formats, AreRecognisedByContent) {
-  EXPECT_EQ(detect_format(kYJson), TextFormat::kJson);
-  EXPECT_EQ(detect_format(kFigureEight), TextFormat::kSnappea);
-  EXPECT_EQ(detect_format(kThirdGeneration), TextFormat::kReginaXml);
-  EXPECT_EQ(detect_format(kDetail), TextFormat::kReginaTable);
-  EXPECT_EQ(detect_format("  cPcbbbihq\n"), TextFormat::kIsosig);
-  EXPECT_EQ(detect_format("\x1f\x8b\x08"), TextFormat::kGzip);
-  EXPECT_EQ(detect_format("two words"), TextFormat::kUnknown);
-  EXPECT_EQ(detect_format(""), TextFormat::kUnknown);
-  EXPECT_EQ(format_name(TextFormat::kJson), "JSON");
+  EXPECT_EQ(detect_format(kYJson), kJson);
+  EXPECT_EQ(detect_format(kFigureEight), "SnapPea triangulation");
+  EXPECT_EQ(detect_format(kThirdGeneration), kReginaDataFile);
+  EXPECT_EQ(detect_format(kDetail), "Regina gluing table");
+  EXPECT_EQ(detect_format("  cPcbbbihq\n"), kIsomorphismSignature);
+  EXPECT_EQ(detect_format("\x1f\x8b\x08"), kGzip);
+  EXPECT_EQ(detect_format("two words"), "");
+  EXPECT_EQ(detect_format(""), "");
 }
 
 TEST(Formats, BatchLinesKeepTheirNumbers) {

@@ -1,54 +1,14 @@
 #include "topology/formats/formats.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "base/compression.hpp"
 #include "base/error.hpp"
 #include "topology/detail/text.hpp"
-#include "topology/formats/json.hpp"
-#include "topology/formats/orb.hpp"
-#include "topology/formats/regina.hpp"
-#include "topology/formats/signature.hpp"
-#include "topology/formats/snappea.hpp"
 
 namespace tripus::topology {
 namespace {
-
-struct Format {
-  TextFormat id;
-  std::string_view name;
-  /// Given the text without surrounding white space, not empty.
-  bool (*matches)(std::string_view);
-  std::vector<NamedGluings> (*read)(std::string_view);
-};
-
-bool starts_json(std::string_view text) { return text.front() == '{' || text.front() == '['; }
-bool starts_orb(std::string_view text) { return text.starts_with("% orb"); }
-bool starts_snappea(std::string_view text) { return text.front() == '%'; }
-bool holds_table(std::string_view text) {
-  return text.find("glued to:") != std::string_view::npos ||
-         text.find("|  gluing:") != std::string_view::npos ||
-         (text.starts_with("Tet") && text.find("face:") != std::string_view::npos);
-}
-
-template <NamedGluings (*Read)(std::string_view)>
-std::vector<NamedGluings> one(std::string_view text) {
-  std::vector<NamedGluings> all;
-  all.push_back(Read(text));
-  return all;
-}
-
-/// The first that matches is taken. A new format is one file and one line here.
-constexpr std::array kFormats{
-    Format{TextFormat::kJson, "JSON", starts_json, one<read_json>},
-    Format{TextFormat::kOrb, "Orb triangulation", starts_orb, one<read_orb>},
-    Format{TextFormat::kSnappea, "SnapPea triangulation", starts_snappea, one<read_snappea>},
-    Format{TextFormat::kReginaXml, "Regina data file", starts_regina_xml, read_regina_xml},
-    Format{TextFormat::kReginaTable, "Regina gluing table", holds_table, one<read_regina_table>},
-    Format{TextFormat::kIsosig, "isomorphism signature", looks_like_signature, one<read_signature>},
-};
 
 /// What a compressed text may hold at most.
 constexpr std::size_t kLargestText = std::size_t{1} << 30;
@@ -57,7 +17,7 @@ const Format* find_format(std::string_view text) {
   text.remove_prefix(text.starts_with("\xef\xbb\xbf") ? 3 : 0);
   text = detail::trimmed(text);
   if (text.empty()) return nullptr;
-  for (const Format& format : kFormats)
+  for (const Format& format : formats())
     if (format.matches(text)) return &format;
   return nullptr;
 }
@@ -73,21 +33,16 @@ std::string beginning(std::string_view text) {
 
 }  // namespace
 
-TextFormat detect_format(std::string_view text) {
-  if (is_gzip(text)) return TextFormat::kGzip;
+std::string_view detect_format(std::string_view text) {
+  if (is_gzip(text)) return kGzip;
   const Format* format = find_format(text);
-  return format ? format->id : TextFormat::kUnknown;
-}
-
-std::string_view format_name(TextFormat format) {
-  for (const Format& each : kFormats)
-    if (each.id == format) return each.name;
-  return format == TextFormat::kGzip ? "gzip data" : "unknown format";
+  return format ? format->name : "";
 }
 
 std::string format_names() {
   std::string names;
-  for (const Format& each : kFormats) names += (names.empty() ? "" : ", ") + std::string(each.name);
+  for (const Format& each : formats())
+    names += (names.empty() ? "" : ", ") + std::string(each.name);
   return names;
 }
 

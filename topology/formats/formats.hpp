@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/registry.hpp"
 #include "topology/cone_angle.hpp"
 #include "topology/gluings.hpp"
 
@@ -21,23 +23,34 @@ struct NamedGluings {
   bool orientation_known = true;
 };
 
-enum class TextFormat {
-  kIsosig,
-  kJson,
-  kSnappea,
-  kOrb,
-  kReginaXml,
-  kReginaTable,
-  kGzip,     ///< gzip-compressed, whatever is in it
-  kUnknown,  ///< none of these
+/// One line of the table of formats.
+struct Format {
+  std::string_view name;  ///< by which messages and documentation call it
+  /// Recognises it by content alone, given the text without surrounding white space, not empty.
+  bool (*matches)(std::string_view text);
+  /// All triangulations of the text; throws InvalidInput, Unsupported.
+  std::vector<NamedGluings> (*read)(std::string_view text);
+  int place = kAnyPlace;  ///< of two that match the lower is meant
 };
 
-/// Recognises the format by content alone. Cheap: looks at the first line or two, except that
-/// kIsosig and kReginaTable need a scan of the text.
-TextFormat detect_format(std::string_view text);
+/// Every format, one file in topology/formats each, in the order in which they are tried.
+std::span<const Format> formats();
 
-/// The name by which messages and documentation call the format.
-std::string_view format_name(TextFormat format);
+/// The reader of a format that holds one triangulation, as a Format has it.
+template <NamedGluings (*Read)(std::string_view)>
+std::vector<NamedGluings> read_one(std::string_view text) {
+  std::vector<NamedGluings> all;
+  all.push_back(Read(text));
+  return all;
+}
+
+inline constexpr std::string_view kJson = "JSON", kReginaDataFile = "Regina data file",
+                                  kIsomorphismSignature = "isomorphism signature",
+                                  kGzip = "gzip data";
+
+/// The name of the format, by content alone: kGzip whatever is compressed in it, empty for none.
+/// Cheap: most look at the first line or two; signatures and Regina's tables need a scan.
+std::string_view detect_format(std::string_view text);
 
 /// The names of all formats, for messages: "JSON, SnapPea triangulation, ...".
 std::string format_names();

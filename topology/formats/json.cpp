@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "topology/detail/text.hpp"
+#include "topology/formats/formats.hpp"
 #include "topology/triangulation.hpp"
 #include "topology/work_size.hpp"
 
@@ -250,3 +251,17 @@ std::string write_json(const NamedGluings& triangulation) {
 }
 
 }  // namespace tripus::topology
+
+namespace tripus::topology::registered_formats {
+namespace {
+
+bool starts_json(std::string_view text) { return text.front() == '{' || text.front() == '['; }
+
+}  // namespace
+
+std::span<const Format> json() {
+  static constexpr Format kRows[] = {{kJson, starts_json, read_one<read_json>, 0}};
+  return kRows;
+}
+
+}  // namespace tripus::topology::registered_formats

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "topology/detail/text.hpp"
+#include "topology/formats/formats.hpp"
 #include "topology/isomorphism.hpp"
 #include "topology/triangulation.hpp"
 
@@ -271,3 +272,17 @@ std::string write_orb(const NamedGluings& given) {
 }
 
 }  // namespace tripus::topology
+
+namespace tripus::topology::registered_formats {
+namespace {
+
+bool starts_orb(std::string_view text) { return text.starts_with("% orb"); }
+
+}  // namespace
+
+std::span<const Format> orb() {
+  static constexpr Format kRows[] = {{"Orb triangulation", starts_orb, read_one<read_orb>, 1}};
+  return kRows;
+}
+
+}  // namespace tripus::topology::registered_formats

@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "topology/detail/text.hpp"
+#include "topology/formats/formats.hpp"
 #include "topology/formats/regina.hpp"
 
 namespace tripus::topology {
@@ -131,3 +132,22 @@ std::string write_regina_table(const NamedGluings& triangulation) {
 }
 
 }  // namespace tripus::topology
+
+namespace tripus::topology::registered_formats {
+namespace {
+
+bool holds_table(std::string_view text) {
+  return text.find("glued to:") != std::string_view::npos ||
+         text.find("|  gluing:") != std::string_view::npos ||
+         (text.starts_with("Tet") && text.find("face:") != std::string_view::npos);
+}
+
+}  // namespace
+
+std::span<const Format> regina_table() {
+  static constexpr Format kRows[] = {
+      {"Regina gluing table", holds_table, read_one<read_regina_table>, 4}};
+  return kRows;
+}
+
+}  // namespace tripus::topology::registered_formats

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "topology/detail/text.hpp"
+#include "topology/formats/formats.hpp"
 #include "topology/formats/regina.hpp"
 #include "topology/formats/snappea.hpp"
 
@@ -178,3 +179,12 @@ std::string write_regina_xml(const NamedGluings& triangulation) {
 }
 
 }  // namespace tripus::topology
+
+namespace tripus::topology::registered_formats {
+
+std::span<const Format> regina_xml() {
+  static constexpr Format kRows[] = {{kReginaDataFile, starts_regina_xml, read_regina_xml, 3}};
+  return kRows;
+}
+
+}  // namespace tripus::topology::registered_formats

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "topology/detail/text.hpp"
+#include "topology/formats/formats.hpp"
 #include "topology/isosig.hpp"
 
 namespace tripus::topology {
@@ -58,3 +59,13 @@ NamedGluings read_signature(std::string_view text) {
 }
 
 }  // namespace tripus::topology
+
+namespace tripus::topology::registered_formats {
+
+std::span<const Format> signature() {
+  static constexpr Format kRows[] = {
+      {kIsomorphismSignature, looks_like_signature, read_one<read_signature>, 5}};
+  return kRows;
+}
+
+}  // namespace tripus::topology::registered_formats

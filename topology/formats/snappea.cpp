@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "topology/detail/text.hpp"
+#include "topology/formats/formats.hpp"
 
 // Where the lines of a file are as most write them, it is read by lines and not by fields: programs
 // disagree about what stands between the two lines that matter (Orb adds edge data, older SnapPea
@@ -261,3 +262,18 @@ std::string write_snappea(const NamedGluings& triangulation) {
 }
 
 }  // namespace tripus::topology
+
+namespace tripus::topology::registered_formats {
+namespace {
+
+bool starts_snappea(std::string_view text) { return text.front() == '%'; }
+
+}  // namespace
+
+std::span<const Format> snappea() {
+  static constexpr Format kRows[] = {
+      {"SnapPea triangulation", starts_snappea, read_one<read_snappea>, 2}};
+  return kRows;
+}
+
+}  // namespace tripus::topology::registered_formats

@@ -1,4 +1,4 @@
-#include "solver/detail/methods.hpp"
+#include "solver/method.hpp"
 
 #include <cmath>
 #include <string>
@@ -6,30 +6,8 @@
 #include "base/error.hpp"
 
 namespace tripus::solver {
-namespace {
-
-constexpr Method kMethods[] = {
-    {"newton", "Newton's method, dense or sparse (CHOLMOD) Cholesky factorisation", true,
-     detail::newton},
-    {"newton-cg", "Newton's method, matrix-free conjugate gradients, Jacobi preconditioner", true,
-     detail::newton_cg},
-    {"newton-cg-block", "the same with a block-Jacobi preconditioner, 8 variables a block", true,
-     detail::newton_cg_block},
-    {"ceres-lbfgs", "limited-memory BFGS (Ceres)", false, detail::ceres_lbfgs},
-    {"ceres-bfgs", "BFGS with a dense matrix, up to 1000 variables (Ceres)", false,
-     detail::ceres_bfgs},
-    {"ceres-cg", "nonlinear conjugate gradients, Polak-Ribiere (Ceres)", false, detail::ceres_cg},
-    {"ceres-steepest-descent", "steepest descent with a Wolfe line search (Ceres)", false,
-     detail::ceres_steepest_descent},
-    {"ceres-lm", "Levenberg-Marquardt on gradient = 0 (Ceres)", true, detail::ceres_lm},
-};
-
-}  // namespace
-
-std::span<const Method> methods() { return kMethods; }
-
 const Method* find_method(std::string_view name) {
-  for (const Method& method : kMethods) {
+  for (const Method& method : methods()) {
     if (method.name == name) return &method;
   }
   return nullptr;

@@ -1,17 +1,18 @@
 #include <limits>
 
 #include "solver/detail/direct_systems.hpp"
-#include "solver/detail/methods.hpp"
+#include "solver/detail/newton_loop.hpp"
+#include "solver/method.hpp"
 
-namespace tripus::solver::detail {
+namespace tripus::solver::registered_methods {
 namespace {
+
+using namespace detail;
 
 constexpr int kMaxIterations = 500;
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
-}  // namespace
-
-Summary newton(Problem& problem, std::span<double> x, const Options& options) {
+Summary minimise(Problem& problem, std::span<double> x, const Options& options) {
   Run run(problem, x, options, kMaxIterations);
   if (x.size() <= kDenseDimension) {
     DenseSystem system(problem);
@@ -28,4 +29,13 @@ Summary newton(Problem& problem, std::span<double> x, const Options& options) {
   return newton_loop(run, system, x);
 }
 
-}  // namespace tripus::solver::detail
+}  // namespace
+
+std::span<const Method> newton() {
+  static constexpr Method kRows[] = {
+      {"newton", "Newton's method, dense or sparse (CHOLMOD) Cholesky factorisation", true,
+       minimise, 0}};
+  return kRows;
+}
+
+}  // namespace tripus::solver::registered_methods

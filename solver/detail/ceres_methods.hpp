@@ -2,12 +2,10 @@
 
 #include "solver/method.hpp"
 
-/// The minimisers, one a source file; solver/methods.cpp lists them.
+/// Ceres's minimisers. They lie apart from their rows in solver/methods, so that a program can load
+/// them when they are called.
 namespace tripus::solver::detail {
 
-Summary newton(Problem& problem, std::span<double> x, const Options& options);
-Summary newton_cg(Problem& problem, std::span<double> x, const Options& options);
-Summary newton_cg_block(Problem& problem, std::span<double> x, const Options& options);
 Summary ceres_lbfgs(Problem& problem, std::span<double> x, const Options& options);
 Summary ceres_bfgs(Problem& problem, std::span<double> x, const Options& options);
 Summary ceres_cg(Problem& problem, std::span<double> x, const Options& options);

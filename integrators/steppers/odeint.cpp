@@ -7,10 +7,10 @@
 // Boost.odeint's explicit Runge-Kutta steps on plain vectors. Its controlled steppers are not used:
 // they hold the error to a fixed tolerance, and so hover about the fixed point at that distance.
 
-namespace tripus::integrators {
+namespace tripus::integrators::registered_steppers {
 namespace {
 
-namespace odeint = boost::numeric::odeint;
+namespace runge_kutta = boost::numeric::odeint;
 
 /// A method without an error estimate.
 template <class Odeint>
@@ -39,7 +39,7 @@ class Dopri5 final : public StepMethod {
   }
 
  private:
-  odeint::runge_kutta_dopri5<State> method_;
+  runge_kutta::runge_kutta_dopri5<State> method_;
 };
 
 template <class Method>
@@ -47,25 +47,20 @@ std::unique_ptr<StepMethod> make(std::size_t n) {
   return std::make_unique<Method>(n);
 }
 
-// Stability limits: the real ends of the stability regions, |1 + z| = 1, |sum_0^4 z^k / k!| = 1,
-// and that of Dormand-Prince's fifth-order formula; rounded down.
-constexpr Stepper kSteppers[] = {
-    {"euler", "explicit Euler, order 1", 1, false, 2.0, make<Plain<odeint::euler<State>>>},
-    {"rk4", "classical Runge-Kutta, order 4", 4, false, 2.785,
-     make<Plain<odeint::runge_kutta4<State>>>},
-    {"dopri5", "Dormand-Prince 5(4), order 5, steps chosen by the error estimate", 5, true, 3.3,
-     make<Dopri5>},
-};
-
 }  // namespace
 
-std::span<const Stepper> steppers() { return kSteppers; }
-
-const Stepper* find_stepper(std::string_view name) {
-  for (const Stepper& stepper : kSteppers) {
-    if (stepper.name == name) return &stepper;
-  }
-  return nullptr;
+std::span<const Stepper> odeint() {
+  // Stability limits: the real ends of the stability regions, |1 + z| = 1, |sum_0^4 z^k / k!| = 1,
+  // and that of Dormand-Prince's fifth-order formula; rounded down.
+  static constexpr Stepper kRows[] = {
+      {"euler", "explicit Euler, order 1", 1, false, 2.0, make<Plain<runge_kutta::euler<State>>>,
+       0},
+      {"rk4", "classical Runge-Kutta, order 4", 4, false, 2.785,
+       make<Plain<runge_kutta::runge_kutta4<State>>>, 1},
+      {"dopri5", "Dormand-Prince 5(4), order 5, steps chosen by the error estimate", 5, true, 3.3,
+       make<Dopri5>, 2},
+  };
+  return kRows;
 }
 
-}  // namespace tripus::integrators
+}  // namespace tripus::integrators::registered_steppers

@@ -1,0 +1,56 @@
+"""The program with the worked examples in it: everything follows from the tables."""
+
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = sys.argv.pop(1)
+VOLUME = 6.45199027083503287  # of cPcbbbihq, docs/theory.md (28)
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=60,
+                          check=False)
+
+
+class Extended(unittest.TestCase):
+    def test_the_tables_list_them(self):
+        tables = json.loads(run("methods", "--json").stdout)
+        self.assertIn("gradient-descent", [row["name"] for row in tables["methods"]])
+        self.assertIn("weighted", [row["name"] for row in tables["energies"]])
+
+    def test_a_method_and_an_energy_solve(self):
+        for method in ("gradient-descent", "weighted:newton", "weighted:newton-cg",
+                       "weighted:ceres-lbfgs", "weighted:gradient-descent"):
+            answer = json.loads(run("solve", "dLQbcccdero", "--method", method, "--json").stdout)
+            expected = json.loads(run("solve", "dLQbcccdero", "--json").stdout)
+            self.assertEqual((answer["outcome"], answer["method"]), ("geometric", method))
+            self.assertAlmostEqual(answer["volume"], expected["volume"], delta=1e-11)
+
+    def test_an_unknown_method_lists_them(self):
+        error = run("solve", "cPcbbbihq", "--method", "banana").stderr
+        self.assertIn("gradient-descent", error)
+        self.assertIn("weighted:newton", error)
+
+    def test_a_format_is_read_wherever_an_input_is(self):
+        gluings = json.loads(run("cover", "cPcbbbihq", "--cyclic", "1", "--json").stdout)["gluings"]
+        rows = [f"{t},{f},{other},{p}"
+                for t, faces in enumerate(gluings) for f, (other, p) in enumerate(faces)]
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "table.csv")
+            file.write_text("\n".join(["tetrahedron,face,neighbour,gluing", *rows]) + "\n")
+            answer = json.loads(run("solve", str(file), "--json").stdout)
+            self.assertAlmostEqual(answer["volume"], VOLUME, delta=1e-12)
+            file.write_text("tetrahedron,face,neighbour,gluing\n0,0,1,0122\n")
+            refused = run("info", str(file))
+            self.assertEqual(refused.returncode, 2)
+            self.assertIn("line 2", refused.stderr)
+            file.write_text("two words")
+            self.assertIn("comma-separated gluing table", run("info", str(file)).stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 
 #include "base/error.hpp"
+#include "embedding/colour.hpp"
 
 namespace tripus::viewer {
 namespace {
@@ -185,22 +186,22 @@ ToTetrahedron to_tetrahedron(Model model, const SceneCell& cell, const Ball& bal
 
 Colour wall_colour(ColourBy colour_by, const SceneCell& cell, std::size_t wall) {
   // M. Okabe, K. Ito, "Color universal design": without black, in an order of our own.
-  static constexpr std::array<Colour, 7> kPalette{{{0.337F, 0.706F, 0.914F},
-                                                   {0.902F, 0.624F, 0.000F},
-                                                   {0.000F, 0.620F, 0.451F},
-                                                   {0.800F, 0.475F, 0.655F},
-                                                   {0.000F, 0.447F, 0.698F},
-                                                   {0.835F, 0.369F, 0.000F},
-                                                   {0.941F, 0.894F, 0.259F}}};
+  const auto palette = [](std::uint32_t i) {
+    const auto bytes = embedding::tetrahedron_colour(i);
+    Colour colour;
+    for (std::size_t k = 0; k < 3; ++k) colour[k] = static_cast<float>(bytes[k]) / 255;
+    return colour;
+  };
   constexpr Colour kPaper{0.94F, 0.93F, 0.89F};
   constexpr float kTint = 0.62F;
-  if (colour_by == ColourBy::kFace) return is_truncation(wall) ? kPaper : kPalette[wall];
-  Colour colour = kPalette[cell.tetrahedron % kPalette.size()];
+  if (colour_by == ColourBy::kFace)
+    return is_truncation(wall) ? kPaper : palette(static_cast<std::uint32_t>(wall));
+  Colour colour = palette(cell.tetrahedron);
   if (colour_by == ColourBy::kDepth) {
     constexpr float kFade = 6;  // gluings after which the ramp is nearly at its end
     const float t = 1 - std::exp(-static_cast<float>(cell.depth) / kFade);
-    colour = t < 0.5F ? mixed(kPalette[4], kPalette[2], 2 * t)
-                      : mixed(kPalette[2], kPalette[6], 2 * t - 1);
+    colour =
+        t < 0.5F ? mixed(palette(5), palette(2), 2 * t) : mixed(palette(2), palette(4), 2 * t - 1);
   }
   return is_truncation(wall) ? mixed(colour, kPaper, kTint) : colour;
 }

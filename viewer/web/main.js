@@ -16,6 +16,7 @@ class Page {
   /// `fragment`: what the address of the page wishes for, such as view=inside&place=wall.
   constructor(fragment) {
     this.data = JSON.parse(element('manifold-data').textContent);
+    setPalette(this.data.colours);
     this.canvas = element('picture');
     this.wishes = new URLSearchParams(fragment);
     const number = (name, otherwise, low, high) => {

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/version.hpp"
+#include "embedding/colour.hpp"
 #include "topology/covers/presentation.hpp"
 #include "viewer/web/detail/assets.hpp"
 
@@ -120,6 +121,18 @@ void append_embedding(Text& out, const embedding::Embedding& embedding) {
   });
 }
 
+template <class Rgb>
+void append_colour(Text& out, const Rgb& rgb) {
+  fmt::format_to(std::back_inserter(out), "\"#{:02x}{:02x}{:02x}\"", rgb[0], rgb[1], rgb[2]);
+}
+
+void append_colours(Text& out) {
+  append_key(out, "colours");
+  append_list(out, embedding::kColourCount, [&](std::size_t t) {
+    append_colour(out, embedding::tetrahedron_colour(static_cast<std::uint32_t>(t)));
+  });
+}
+
 /// The discs of each tile as numbers, five each: the centre and the length.
 void append_discs(Text& out, const WallDiscs& discs) {
   append_key(out, "discs");
@@ -130,13 +143,10 @@ void append_discs(Text& out, const WallDiscs& discs) {
   append_key(out, "longest");
   append_number(out, discs.scale.longest);
   append_key(out, "bare");
-  const auto append_colour = [&](const orthospectrum::LengthColour& rgb) {
-    fmt::format_to(std::back_inserter(out), "\"#{:02x}{:02x}{:02x}\"", rgb[0], rgb[1], rgb[2]);
-  };
-  append_colour(kBareWall);
+  append_colour(out, kBareWall);
   append_key(out, "colours");
   append_list(out, orthospectrum::kLengthColours.size(),
-              [&](std::size_t i) { append_colour(orthospectrum::kLengthColours[i]); });
+              [&](std::size_t i) { append_colour(out, orthospectrum::kLengthColours[i]); });
   append_key(out, "tiles");
   append_list(out, discs.tiles.size(), [&](std::size_t n) {
     append_list(out, discs.tiles[n].size(), [&](std::size_t i) {
@@ -168,6 +178,7 @@ std::string page_data(const PageOptions& options, const topology::Triangulation&
   append_topology(out, triangulation);
   append_report(out, report);
   append_embedding(out, embedding);
+  append_colours(out);
   if (options.discs != nullptr) append_discs(out, *options.discs);
   out.push_back('}');
   return fmt::to_string(out);

@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "embedding/colour.hpp"
+
 namespace tripus::viewer {
 namespace {
 
@@ -34,15 +36,7 @@ void normalise(Vector4& x, Vector4& u) {
   u /= std::sqrt(lorentz_product(u, u));
 }
 
-/// Okabe and Ito's palette and its neighbours, linear light: the order of the page's walls.
-constexpr std::array<std::array<double, 3>, 8> kPalette{{{0.092, 0.458, 0.816},
-                                                         {0.797, 0.347, 0.000},
-                                                         {0.000, 0.342, 0.171},
-                                                         {0.612, 0.192, 0.386},
-                                                         {0.875, 0.776, 0.049},
-                                                         {0.000, 0.168, 0.445},
-                                                         {0.674, 0.112, 0.000},
-                                                         {0.276, 0.627, 0.522}}};
+constexpr int kWallColours = 8;
 constexpr std::array<double, 3> kPale{0.92, 0.90, 0.84};
 constexpr std::array<double, 3> kFog{0.60, 0.68, 0.76};
 constexpr double kTint = 0.12;
@@ -52,11 +46,12 @@ constexpr double kLineWidth = 0.02;
 Vector3 colour_of(const Sight& sight) {
   const Vector3 fog(kFog[0], kFog[1], kFog[2]);
   if (!sight.wall) return fog;
-  const auto& own = kPalette[(4 * sight.tetrahedron + sight.vertex) % kPalette.size()];
+  const auto own = embedding::tetrahedron_colour(
+      static_cast<std::uint32_t>((4 * sight.tetrahedron + sight.vertex) % kWallColours));
   Vector3 base;
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    base[i] = (1 - kTint) * own[k] + kTint * kPale[k];
+    base[i] = (1 - kTint) * std::pow(own[k] / 255.0, 2.2) + kTint * kPale[k];
   }
   if (sight.side < kLineWidth) base *= 0.35;
   const double clear = std::exp(-std::pow(sight.distance / 4.5, 3.0));

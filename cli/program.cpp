@@ -20,6 +20,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "cli/solid_commands.hpp"
 #include "cli/streams.hpp"
 #include "manifold/json_text.hpp"
 
@@ -93,6 +94,7 @@ void add_verbs(CLI::App& program, Command& command) {
   add_canonize(program, command);
   add_compare(program, command);
   add_identify(program, command);
+  add_enumerate(program, command);
   add_census(program, command);
   add_prove(program, command);
   add_hyperbolic(program, command);
@@ -101,6 +103,7 @@ void add_verbs(CLI::App& program, Command& command) {
   add_embed(program, command);
   add_orthospectrum(program, command);
   add_view(program, command);
+  add_parameterise(program, command);
   add_tube(program, command);
   add_draw(program, command);
   add_table(program, command);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/output_file.hpp"
 #include "base/stopped.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
@@ -19,6 +20,8 @@
 #include "cli/report_text.hpp"
 #include "cli/view_pages.hpp"
 #include "embedding/universal_cover.hpp"
+#include "manifold/load.hpp"
+#include "parameterise/picture.hpp"
 #include "viewer/egl/offscreen.hpp"
 #include "viewer/window/window.hpp"
 
@@ -29,6 +32,7 @@ struct ViewCommand {
   CommonOptions common;
   std::string png;
   std::string page;  ///< -o
+  std::string solid;
   std::string size = "1200x900";
   std::string camera;
   std::string model = "ball";
@@ -191,7 +195,22 @@ Outcome view_one(const ViewCommand& command, const std::string& input) {
   return draw_picture(developed, command);
 }
 
+/// --solid: no metric is looked for, all is in the file.
+int view_solid(const ViewCommand& command) {
+  if (command.page.empty()) throw InvalidInput("--solid needs a page to write: add -o FILE.html");
+  declare_output("-o", command.page);
+  const std::string text = read_file(command.solid);
+  try {
+    write_file(command.page, parameterise::solid_page(printable(command.solid),
+                                                      parameterise::read_coloured_solid(text)));
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(tripus::quoted(command.solid) + ": " + error.what());
+  }
+  return kSuccess;
+}
+
 int run(ViewCommand& command) {
+  if (!command.solid.empty()) return view_solid(command);
   if (!command.common.batch.empty()) return write_gallery(command.common, page_request(command));
   if (!command.page.empty()) {
     check_pages(page_request(command));
@@ -284,6 +303,11 @@ void add_view(CLI::App& program, Command& chosen) {
                        "a file with one INPUT a line: a page for each, and -o the index that\n"
                        "shows them all")
           ->option_text("FILE");
+  auto* solid = verb->add_option("--solid", command->solid,
+                                 "instead of an INPUT, a solid that tripus parameterise wrote:\n"
+                                 "-o then shows it cut open, in the colours of the cells")
+                    ->option_text("FILE.vtu");
+  solid->excludes(input)->excludes(gallery)->excludes(png);
   png->excludes(page)->excludes(gallery);
   input->excludes(gallery);
   add_picture_options(*verb, *command);
@@ -296,6 +320,7 @@ void add_view(CLI::App& program, Command& chosen) {
   verb->add_flag("--quiet", command->common.quiet, "no progress on standard error");
   add_resume_option(*verb, command->common, gallery);
   verb->parse_complete_callback([gallery, verb, input, command] {
+    if (!command->solid.empty()) return;
     read_discs(*verb->get_option("--discs"), *input, *command);
     require_input(command->common, input->count() > 0 || !command->common.input.empty(), *gallery);
   });

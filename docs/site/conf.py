@@ -67,7 +67,7 @@ def _as_rst(app, what, name, obj, options, lines):
 _CONTENTS = {
     "Tutorials": "tutorials/triangulation tutorials/solid tutorials/same-or-not",
     "Python": "python notebooks/drawing notebooks/metric notebooks/manifold notebooks/many api",
-    "Reference": "diagrams meshing formats verdicts proof canonical embedding orthospectrum studies",
+    "Reference": "diagrams meshing formats verdicts proof canonical embedding parameterise orthospectrum studies",
     "Theory": "theory notation architecture reliability",
 }
 

@@ -11,6 +11,7 @@
 #include "meshing/tube/tube_surface.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
+#include "python/src/meshes.hpp"
 #include "topology/formats/json.hpp"
 #include "topology/formats/orb.hpp"
 #include "topology/formats/regina.hpp"
@@ -18,9 +19,6 @@
 
 namespace tripus::python {
 namespace {
-
-using PointArray = nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
-using IndexArray = nb::ndarray<const std::uint32_t, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 
 /// The triangulation that a text holds, as `load` gives that of a file. What another program wrote
 /// for us, such as peripheral curves, is left out without a note.
@@ -58,36 +56,6 @@ nb::bytes to_text(const Manifold& manifold, const std::string& format) {
   }
   throw InvalidInput("there is no format " + quoted(format) +
                      "; json, regina, regina-table, snappea and orb there are");
-}
-
-meshing::MeshFile mesh_of(const PointArray& points, const IndexArray& cells) {
-  if (points.shape(1) != 3) throw InvalidInput("points are an array [n x 3]");
-  std::vector<meshing::Point> places(points.shape(0));
-  for (std::size_t i = 0; i < places.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) places[i][k] = points.data()[3 * i + k];
-  const std::size_t corners = cells.shape(1);
-  if (corners != 3 && corners != 4)
-    throw InvalidInput("cells are an array [n x 3] of triangles or [n x 4] of tetrahedra");
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    if (cells.data()[i] >= places.size())
-      throw InvalidInput("cell " + std::to_string(i / corners) + " has point " +
-                         std::to_string(cells.data()[i]) + "; there are " +
-                         std::to_string(places.size()) + ", counted from 0");
-  const auto copy_to = [&](auto& to) {
-    to.resize(cells.shape(0));
-    for (std::size_t i = 0; i < to.size(); ++i)
-      std::copy_n(cells.data() + corners * i, corners, to[i].begin());
-  };
-  if (corners == 3) {
-    meshing::SurfaceFile file;
-    file.mesh.points = std::move(places);
-    copy_to(file.mesh.triangles);
-    return file;
-  }
-  meshing::TetrahedralFile file;
-  file.mesh.points = std::move(places);
-  copy_to(file.mesh.tetrahedra);
-  return file;
 }
 
 /// The solid of a surface or of a tetrahedral mesh; also the tetrahedra at each stage.

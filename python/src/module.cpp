@@ -7,6 +7,7 @@
 #include "base/version.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
+#include "python/src/meshes.hpp"
 
 namespace tripus::python {
 namespace {
@@ -70,6 +71,7 @@ NB_MODULE(_core, module) {
   bind_canonical(module);
   bind_files(module);
   bind_diagrams(module);
+  bind_parameterise(module);
   bind_program(module);
   bind_solve_many(module);
   bind_studies(module);

@@ -41,6 +41,7 @@ from tripus.groups import AbelianGroup, FundamentalGroup, IsometryGroup
 from tripus.manifold import Manifold
 from tripus.many import census, load, methods, read_batch, solve_many
 from tripus.metric import CellComplex, Metric
+from tripus.solid import Parameterisation, parameterise
 from tripus.verdicts import AngleStructure, Certificate, Proof, Verdict, Volume
 
 __version__: str = _core.version
@@ -99,6 +100,7 @@ __all__ = [
     "Metric",
     "NoMetric",
     "Orthospectrum",
+    "Parameterisation",
     "Proof",
     "ReturnPath",
     "Stopped",
@@ -111,6 +113,7 @@ __all__ = [
     "diagrams",
     "load",
     "methods",
+    "parameterise",
     "plot",
     "read_batch",
     "solve_many",

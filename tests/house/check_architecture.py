@@ -33,7 +33,9 @@ USES = {
     "canonical": ["structure", "orthospectrum"],
     "meshing": ["topology"],
     "embedding": ["structure"],
-    "manifold": ["canonical", "orthospectrum", "meshing", "embedding"],
+    # What brings a mesh and a metric together; neither meshing nor embedding knows the other.
+    "parameterise": ["meshing", "embedding"],
+    "manifold": ["canonical", "orthospectrum", "meshing", "embedding", "parameterise"],
     "viewer": ["embedding", "orthospectrum"],
     "studies": ["structure", "canonical"],
     "cli": ["manifold", "viewer", "studies", "drawing"],

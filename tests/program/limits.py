@@ -28,6 +28,7 @@ TABLE = [
     ("canonize", 0.3, "huge.json", None),
     ("compare", 0.3, "huge.json huge.json", None),
     ("identify", 0.3, "huge.json", None),
+    ("enumerate", 0.3, "8 -o out.txt", "out.txt"),
     ("census", 0.3, "--from list --tsv out.tsv", "out.tsv"),
     ("census", 0.3, "--check", None),
     ("prove", 0.3, f"{TRIPUS} --digits 100000", None),
@@ -37,6 +38,7 @@ TABLE = [
     ("embed", 0.3, f"{TRIPUS} --radius 30 -o out.ply", "out.ply"),
     ("orthospectrum", 0.3, f"{TRIPUS} --length 20 --force --tsv out.tsv", "out.tsv"),
     ("view", 0.3, f"{TRIPUS} --cells 10000 --png out.png", "out.png"),
+    ("parameterise", 0.3, "surface.off --tetrahedra 50000000 -o out.vtu", "out.vtu"),
     ("tube", 0.3, "graph.json --triangles 2000000 -o out.off", "out.off"),
     ("draw", 0.01, "braid -o out.svg", "out.svg"),
     ("table", 0.3, "all --compute --tsv out.tsv", "out.tsv"),
@@ -49,7 +51,7 @@ def is_whole(path):
     if data == OLD.encode():
         return True
     ends = {".svg": b"</svg>\n", ".png": b"IEND\xaeB`\x82", ".tsv": b"\n",
-            ".txt": b"\n"}
+            ".txt": b"\n", ".vtu": b"</VTKFile>\n"}
     if path.suffix in ends:
         return data.endswith(ends[path.suffix])
     if path.suffix == ".json":

@@ -218,6 +218,9 @@ void EdgeCollapse::close_gap() {
 
 void EdgeCollapse::collapse() {
   MutableTriangulation& m = *m_;
+  if (m.steps_ != nullptr)
+    m.steps_->push_collapse(static_cast<TetrahedronIndex>(corners_.front().t),
+                            corners_.front().edge());
   merge_labels();
   m.touched_.clear();
   close_gap();

@@ -124,6 +124,7 @@ void MutableTriangulation::merge_edges(const detail::Ball& ball) {
 }
 
 void MutableTriangulation::replace_ball(const Move& move) {
+  if (steps_ != nullptr) steps_->push_move(move);
   detail::Ball ball = info(move.kind).ball(gluings_, move);
   const detail::Surgery surgery = detail::plan_ball(gluings_, ball);
   if (ball.fresh.empty()) merge_edges(ball);

@@ -50,6 +50,9 @@ void MutableTriangulation::set_kept(Label edge, std::uint32_t number) {
 void MutableTriangulation::set_side(TetrahedronIndex t, int f, TetrahedronIndex other, Perm4 p) {
   record(Field::kSide, 4 * t + static_cast<std::uint32_t>(f), gluings_.neighbour(t, f),
          gluings_.gluing(t, f));
+  if (log_ != nullptr)
+    log_->written.push_back(
+        {4 * t + static_cast<std::uint32_t>(f), gluings_.neighbour(t, f), gluings_.gluing(t, f)});
   gluings_.set_one_side(t, f, other, p);
 }
 
@@ -86,6 +89,7 @@ TetrahedronIndex MutableTriangulation::take_tetrahedron() {
   const TetrahedronIndex t = free_tetrahedra_.back();
   free_tetrahedra_.pop_back();
   record(Field::kTakeTetrahedron, t, 0);
+  if (log_ != nullptr) log_->taken.push_back(t);
   return t;
 }
 
@@ -185,12 +189,14 @@ void MutableTriangulation::relabel_vertex(TetrahedronIndex t, int v, Label to) {
 void MutableTriangulation::begin_trial() {
   journal_.clear();
   recording_ = true;
+  if (steps_ != nullptr) steps_before_trial_ = steps_->size();
 }
 
 void MutableTriangulation::keep_trial() { recording_ = false; }
 
 void MutableTriangulation::undo_trial() {
   recording_ = false;
+  if (steps_ != nullptr) steps_->truncate(steps_before_trial_);
   for (std::size_t i = journal_.size(); i-- > 0;) {
     const Written& written = journal_[i];
     switch (written.field) {

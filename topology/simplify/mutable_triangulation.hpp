@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "topology/moves/moves.hpp"
+#include "topology/simplify/record.hpp"
 #include "topology/triangulation.hpp"
 
 namespace tripus::topology {
@@ -14,6 +15,17 @@ namespace tripus::topology {
 struct EdgePlace {
   TetrahedronIndex tetrahedron = 0;
   int edge = 0;
+};
+
+/// What moves wrote into a table: enough to take them back.
+struct SideLog {
+  struct Side {
+    std::uint32_t slot;  ///< 4 t + f
+    TetrahedronIndex neighbour;
+    Perm4 gluing;
+  };
+  std::vector<Side> written;            ///< the old values, in the order of writing
+  std::vector<TetrahedronIndex> taken;  ///< slots given to new tetrahedra
 };
 
 /// A closed-up triangulation that moves change in place and whose edge and vertex classes keep
@@ -77,6 +89,12 @@ class MutableTriangulation {
   void begin_trial();
   void keep_trial();
   void undo_trial();
+
+  /// From now on moves and collapses are recorded there, and those of undone trials forgotten;
+  /// null: nothing is. Not with kept edges, which a replay does not know.
+  void record_steps(SimplificationRecord* steps) { steps_ = steps; }
+  /// From now on all that is written to sides is logged there, undone trials included.
+  void log_sides(SideLog* log) { log_ = log; }
 
   /// The table without the empty slots, in the order of the slots.
   Gluings compacted() const;
@@ -155,6 +173,9 @@ class MutableTriangulation {
   std::size_t finite_vertex_count_ = 0;
   std::vector<TetrahedronIndex> touched_;
   std::vector<std::uint32_t> stack_;
+  SimplificationRecord* steps_ = nullptr;
+  std::size_t steps_before_trial_ = 0;
+  SideLog* log_ = nullptr;
   bool recording_ = false;
   std::vector<Written> journal_;
 };

@@ -10,9 +10,11 @@
 
 #include "base/error.hpp"
 #include "topology/simplify/locality.hpp"
+#include "topology/simplify/record.hpp"
 #include "topology/simplify/reducer.hpp"
 #include "topology/simplify/search.hpp"
 #include "topology/simplify/simplify_keeping.hpp"
+#include "topology/simplify/simplify_recording.hpp"
 
 namespace tripus::topology {
 namespace {
@@ -80,9 +82,9 @@ Triangulation skeleton_of(const Gluings& closed, bool in_their_order) {
 class Simplifier {
  public:
   Simplifier(const Gluings& closed, const SimplifyOptions& options,
-             std::span<const EdgePlace> kept = {})
-      : options_(&options), kept_(kept.begin(), kept.end()) {
-    const Triangulation triangulation = skeleton_of(closed, !kept.empty());
+             std::span<const EdgePlace> kept = {}, SimplificationRecord* record = nullptr)
+      : options_(&options), record_(record), kept_(kept.begin(), kept.end()) {
+    const Triangulation triangulation = skeleton_of(closed, !kept.empty() || record != nullptr);
     require_different(triangulation);
     result_.given = triangulation.tetrahedron_count();
     component_count_ = triangulation.component_count();
@@ -115,6 +117,7 @@ class Simplifier {
 
   void start(const Triangulation& triangulation) {
     m_.emplace(triangulation, kept_);
+    m_->record_steps(record_);
     reducer_.emplace(*m_);
   }
   void run_queue(std::string_view stage) {
@@ -125,6 +128,7 @@ class Simplifier {
   bool is_least() const;
 
   const SimplifyOptions* options_;
+  SimplificationRecord* record_;
   std::vector<EdgePlace> kept_;  // in m_ as it was at the last start
   Simplified result_;
   std::size_t component_count_ = 0;
@@ -184,6 +188,7 @@ Simplified Simplifier::run() {
   if (!result_.stopped && (options_->effort > 0 || finite_vertices_to_go() > 0)) {
     const Triangulation compact(m_->compacted());  // close together in memory again
     kept_ = m_->compacted_kept();
+    if (record_ != nullptr) record_->compact();
     start(compact);
     search();
   }
@@ -205,6 +210,12 @@ void require_effort(const SimplifyOptions& options) {
 Simplified simplify(const Gluings& closed, const SimplifyOptions& options) {
   require_effort(options);
   return Simplifier(closed, options).run();
+}
+
+Simplified simplify_recording(const Gluings& closed, SimplificationRecord& record,
+                              const SimplifyOptions& options) {
+  require_effort(options);
+  return Simplifier(closed, options, {}, &record).run();
 }
 
 SimplifiedKeeping simplify_keeping(const Gluings& closed, std::span<const EdgePlace> kept,

@@ -1,0 +1,167 @@
+#include "parameterise/deck_group.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "geometry/hyperbolic_space.hpp"
+
+namespace tripus::parameterise {
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffffu;
+
+/// Heights (cosh of the distance) are put into boxes of this width in their logarithm.
+constexpr double kBox = 1e-3;
+/// Places nearer than this, relative to their height, are one: of different cells the centres are
+/// much farther apart, and rounding leaves some 1e-13 at the heights below kHighest.
+constexpr double kSamePlace = 1e-6;
+/// Poles of truncations of one cell are far apart; a vector found by least squares is off by less.
+constexpr double kSamePole = 1e-3;
+/// Beyond, at a distance of 14, walking home loses more digits than there are.
+constexpr double kHighest = 6e5;
+
+std::int64_t box_of(double height) {
+  return static_cast<std::int64_t>(std::floor(std::log(height) / kBox));
+}
+
+}  // namespace
+
+DeckGroup::DeckGroup(const embedding::Embedding& embedding,
+                     const topology::Triangulation& triangulation,
+                     const embedding::Holonomy& holonomy, const std::vector<Matrix4>& places)
+    : embedding_(embedding), triangulation_(triangulation), holonomy_(holonomy), places_(places) {
+  of_word({});
+}
+
+std::uint32_t DeckGroup::find(const Vector4& place) const {
+  const std::int64_t box = box_of(place[3]);
+  for (std::int64_t b = box - 1; b <= box + 1; ++b) {
+    const auto [begin, end] = by_height_.equal_range(b);
+    for (auto each = begin; each != end; ++each)
+      if ((matrices_[each->second].col(3) - place).cwiseAbs().maxCoeff() <= kSamePlace * place[3])
+        return each->second;
+  }
+  return kNone;
+}
+
+std::uint32_t DeckGroup::of_word(const topology::Word& word) {
+  const Matrix4 matrix = embedding::isometry_of(holonomy_, word);
+  const std::uint32_t known = find(matrix.col(3));
+  if (known != kNone) return known;
+  matrices_.push_back(matrix);
+  words_.push_back(word);
+  const auto number = static_cast<std::uint32_t>(matrices_.size() - 1);
+  by_height_.emplace(box_of(matrix(3, 3)), number);
+  return number;
+}
+
+/// From tetrahedron 0 cell by cell, each time through the face that parts it from the place the
+/// most, to the cell that holds it.
+DeckGroup::Way DeckGroup::walk(const Vector4& place) const {
+  constexpr double kInside = 1e-9;
+  constexpr int kMostCells = 100'000;
+  topology::Word word;
+  Vector4 y = place;
+  std::size_t t = 0;
+  for (int n = 0; n < kMostCells; ++n) {
+    std::size_t face = 4;
+    double most = kInside * y[3];
+    for (std::size_t f = 0; f < 4; ++f) {
+      const double beyond = geometry::lorentz_product(y, embedding_.tetrahedra[t].faces[f]);
+      if (beyond > most) {
+        most = beyond;
+        face = f;
+      }
+    }
+    if (face == 4) break;
+    y = geometry::on_hyperboloid(geometry::lorentz_inverse(embedding_.face_pairings[t][face]) * y);
+    const topology::Letter letter = holonomy_.group.face_letters[4 * t + face];
+    if (letter != 0) {
+      if (!word.empty() && word.back() == -letter)
+        word.pop_back();
+      else
+        word.push_back(letter);
+    }
+    t = triangulation_.gluings().neighbour(t, static_cast<int>(face));
+  }
+  return {word, t, y};
+}
+
+std::uint32_t DeckGroup::of_place(const Vector4& point) { return of_word(walk(point).word); }
+
+std::optional<ExactPole> DeckGroup::exact_pole(const Vector4& pole) {
+  // The point of the plane that is nearest to the origin, and the cell there.
+  const Vector4 foot = geometry::on_hyperboloid((geometry::origin() + pole[3] * pole) /
+                                                std::sqrt(1 + pole[3] * pole[3]));
+  const Way way = walk(foot);
+  const std::uint32_t element = of_word(way.word);
+  const Matrix4 domain = geometry::lorentz_inverse(matrices_[element] * places_[way.tetrahedron]);
+  const Vector4 here = domain * pole;
+  for (const Vector4& vertex : embedding_.tetrahedra[way.tetrahedron].vertices)
+    if ((vertex - here).norm() < kSamePole * vertex.norm())
+      return ExactPole{element, places_[way.tetrahedron] * vertex};
+  return std::nullopt;
+}
+
+std::uint32_t DeckGroup::of_matrix(const Matrix4& near) {
+  const Vector4 place = geometry::on_hyperboloid(near.col(3));
+  if (!(place[3] < kHighest))
+    throw Unsupported(
+        "deck transformations of this solid take points so far that doubles do not hold them; "
+        "its triangulation has too large a fundamental domain");
+  const std::uint32_t known = find(place);
+  if (known != kNone) return known;
+  const Way way = walk(place);
+  if (way.tetrahedron != 0 || way.place.head<3>().norm() > 1e-3)
+    throw InternalError("a deck transformation does not lead to a cell of the universal cover");
+  return of_word(way.word);
+}
+
+std::uint32_t DeckGroup::product(std::uint32_t first, std::uint32_t second) {
+  if (first == 0) return second;
+  if (second == 0) return first;
+  const std::uint64_t key = std::uint64_t{first} << 32 | second;
+  const auto known = products_.find(key);
+  if (known != products_.end()) return known->second;
+  const std::uint32_t product = of_matrix(matrices_[first] * matrices_[second]);
+  products_.emplace(key, product);
+  return product;
+}
+
+std::uint32_t DeckGroup::inverse(std::uint32_t element) {
+  if (element == 0) return 0;
+  const auto known = inverses_.find(element);
+  if (known != inverses_.end()) return known->second;
+  const std::uint32_t inverse = of_matrix(geometry::lorentz_inverse(matrices_[element]));
+  inverses_.emplace(element, inverse);
+  inverses_.emplace(inverse, element);
+  return inverse;
+}
+
+double DeckGroup::size(std::uint32_t element) const {
+  return element == 0 ? 0 : std::acosh(std::max(1.0, matrices_[element](3, 3)));
+}
+
+bool DeckGroup::can_hold_product(std::uint32_t first, std::uint32_t second) const {
+  return size(first) + size(second) < std::acosh(kHighest);
+}
+
+std::uint32_t DeckGroup::of_letter(topology::Letter letter) {
+  return letter == 0 ? 0 : of_word({letter});
+}
+
+embedding::Embedding mirrored(const embedding::Embedding& embedding) {
+  const Vector4 signs(-1, 1, 1, 1);
+  embedding::Embedding result = embedding;
+  for (auto& tetrahedron : result.tetrahedra) {
+    for (Vector4& vertex : tetrahedron.vertices) vertex = signs.asDiagonal() * vertex;
+    for (Vector4& face : tetrahedron.faces) face = signs.asDiagonal() * face;
+  }
+  for (auto& pairings : result.face_pairings)
+    for (Matrix4& pairing : pairings)
+      pairing = (signs.asDiagonal() * pairing * signs.asDiagonal()).eval();
+  return result;
+}
+
+}  // namespace tripus::parameterise

@@ -1,0 +1,122 @@
+// Harmonic maps of solids onto their hyperbolic manifolds.
+#include <array>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "meshing/formats/read_mesh.hpp"
+#include "parameterise/harmonic_map.hpp"
+#include "parameterise/quality.hpp"
+#include "tests/support/data_files.hpp"
+
+namespace tripus::parameterise {
+namespace {
+
+constexpr double kTripusVolume = 6.451990270835;  // data/manifolds-2-3.tsv, 12 digits
+
+meshing::MeshFile read_example(const std::string& name) {
+  const std::string path = "../examples/surfaces/" + name;
+  return meshing::read_mesh(testing::data_text(path), name,
+                            [](const std::string&) { return std::string(); });
+}
+
+/// Images in the frames of the first tetrahedra change with the frames; distances along edges not.
+std::vector<double> edge_lengths(MarkedSolid& solid, const std::vector<Vector4>& points) {
+  std::vector<double> lengths;
+  for (const energies::HarmonicEdge& e : weighted_edges(solid, Weights::kUniform).edges)
+    lengths.push_back(
+        geometry::hyperbolic_distance(points[e.a], solid.group->matrix(e.isometry) * points[e.b]));
+  return lengths;
+}
+
+class Solids : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Solids, HaveAMarkingAndAHarmonicMap) {
+  const auto solid = mark_solid(read_example(GetParam()));
+  EXPECT_NEAR(solid->report.volume, kTripusVolume, 1e-11);
+  EXPECT_EQ(solid->planes, 1u);
+  EXPECT_LE(solid->record_bytes, 10 * solid->steps + 64);
+  const HarmonicMap map = harmonic_map(*solid, Weights::kCotangent);
+  EXPECT_EQ(map.termination, solver::Termination::kConverged);
+  EXPECT_LT(map.max_gradient, 1e-10);
+  EXPECT_LT(relator_defect(*solid), 1e-10);
+  EXPECT_LT(equivariance_defect(*solid), 1e-10);
+  const Quality found = quality(*solid, map.points);
+  EXPECT_LT(found.off_boundary, 1e-12);
+  // Once covered, whatever is turned over: the map has degree 1.
+  EXPECT_NEAR(found.image_volume, solid->report.volume, 1e-8);
+  EXPECT_LT(found.inverted, solid->mesh.tetrahedra.size() / 3);
+
+  // The same minimum from elsewhere: points moved by 1, and another fundamental domain.
+  const std::vector<double> lengths = edge_lengths(*solid, map.points);
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  for (int start = 0; start < 2; ++start) {
+    std::vector<Vector4> points = solid->start;
+    const Matrix4 far = solid->group->matrix(solid->group->of_letter(1));
+    for (Vector4& point : points) {
+      geometry::Vector3 step(normal(random), normal(random), normal(random));
+      step *= std::sinh(1.0) / step.norm();
+      point = start == 0 ? geometry::on_hyperboloid(point + Vector4(step[0], step[1], step[2], 0))
+                         : Vector4(far * point);
+    }
+    const HarmonicMap other = harmonic_map(*solid, Weights::kCotangent, {}, {}, points);
+    EXPECT_EQ(other.termination, solver::Termination::kConverged);
+    EXPECT_NEAR(other.energy, map.energy, 1e-9 * map.energy);
+    const std::vector<double> same = edge_lengths(*solid, other.points);
+    for (std::size_t e = 0; e < lengths.size(); ++e) EXPECT_NEAR(same[e], lengths[e], 1e-7);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Surfaces, Solids, ::testing::Values("knotted-y.off", "knotted-theta.off"),
+                         [](const auto& parameter) {
+                           return std::string(parameter.param) == "knotted-y.off" ? "KnottedY"
+                                                                                  : "KnottedTheta";
+                         });
+
+TEST(SignedVolume, IsThatOfTheFlatOneIfSmallAndChangesSign) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal;
+  for (int n = 0; n < 50; ++n) {
+    std::array<Vector4, 4> corners;
+    for (Vector4& corner : corners)
+      corner = geometry::on_hyperboloid(1e-3 *
+                                        Vector4(normal(random), normal(random), normal(random), 0));
+    geometry::Vector3 edges[3];
+    for (int k = 0; k < 3; ++k)
+      edges[k] = (corners[static_cast<std::size_t>(k + 1)] - corners[0]).head<3>();
+    const double flat = edges[0].cross(edges[1]).dot(edges[2]) / 6;
+    const double volume = signed_volume(corners);
+    EXPECT_NEAR(volume, flat, 1e-4 * std::abs(flat) + 1e-20);
+    std::swap(corners[0], corners[1]);
+    EXPECT_NEAR(signed_volume(corners), -volume, 1e-12 * std::abs(volume));
+  }
+}
+
+// Cut in two by a point on an edge; also where it is large and is subdivided.
+TEST(SignedVolume, IsAdditive) {
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal;
+  for (int n = 0; n < 30; ++n) {
+    std::array<Vector4, 4> corners;
+    for (Vector4& corner : corners)
+      corner = geometry::on_hyperboloid((n % 2 == 0 ? 0.3 : 3.0) *
+                                        Vector4(normal(random), normal(random), normal(random), 0));
+    const Vector4 sum = 0.3 * corners[0] + 0.7 * corners[1];
+    const Vector4 cut =
+        geometry::on_hyperboloid(sum / std::sqrt(-geometry::lorentz_product(sum, sum)));
+    auto one = corners, two = corners;
+    one[0] = cut;
+    two[1] = cut;
+    const double whole = signed_volume(corners);
+    EXPECT_NEAR(signed_volume(one) + signed_volume(two), whole, 1e-9 * (1e-3 + std::abs(whole)));
+  }
+}
+
+}  // namespace
+}  // namespace tripus::parameterise

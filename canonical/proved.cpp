@@ -32,19 +32,27 @@ CanonicalProof prove_canonical(const CanonicalManifold& manifold, const Context&
     result.reason = result.metric.reason;
     return result;
   }
-  const auto signs = structure::tilt_signs(manifold.triangulation, result.metric, context);
+  const structure::TiltSigns tilts =
+      structure::tilt_signs(manifold.triangulation, result.metric, {}, context);
+  const auto& signs = tilts.sign;
+  result.field = tilts.field;
   const topology::Gluings& gluings = manifold.triangulation.gluings();
   for (std::size_t t = 0; t < signs.size(); ++t)
     for (int f = 0; f < 4; ++f) {
       const std::size_t other = gluings.neighbour(t, f);
       const bool once = other > t || (other == t && gluings.gluing(t, f)(f) > f);
-      if (once && signs[t][static_cast<std::size_t>(f)] != ProvedSign::kNegative)
+      if (!once) continue;
+      const ProvedSign sign = signs[t][static_cast<std::size_t>(f)];
+      const FaceKind kind = manifold.faces.kind[t][static_cast<std::size_t>(f)];
+      if (sign == ProvedSign::kZero && kind == FaceKind::kTransparent)
+        result.inside.push_back({t, f});
+      else if (sign != ProvedSign::kNegative || kind != FaceKind::kTrue)
         result.unproved.push_back({t, f});
     }
   result.proved = result.unproved.empty();
   if (!result.proved)
     result.reason =
-        fmt::format("the tilt sum is not proved to be negative at {} {}",
+        fmt::format("the sign of the tilt sum is not proved at {} {}",
                     result.unproved.size() == 1 ? "face" : "faces", named(result.unproved));
   return result;
 }
@@ -70,9 +78,14 @@ ComparisonProof prove_comparison(const Comparison& comparison, const Context& co
 }
 
 std::string proof_message(const CanonicalProof& proof) {
-  return proof.proved ? "Proved: every face is one of the canonical decomposition, and the metric "
-                        "is there."
-                      : "Not proved: " + proof.reason + ".";
+  if (!proof.proved) return "Not proved: " + proof.reason + ".";
+  if (proof.inside.empty())
+    return "Proved: every face is one of the canonical decomposition, and the metric is there.";
+  return fmt::format(
+      "Proved: {} inside the cells, by exact arithmetic, and all others are faces of the canonical "
+      "decomposition.",
+      proof.inside.size() == 1 ? std::string("1 face lies")
+                               : fmt::format("{} faces lie", proof.inside.size()));
 }
 
 }  // namespace tripus::canonical

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "canonical/compare.hpp"
 #include "structure/proof/proof.hpp"
+#include "structure/proof/tilt_signs.hpp"
 
 namespace tripus::canonical {
 
@@ -14,17 +16,18 @@ struct FaceOfTetrahedron {
   int face = 0;
 };
 
-/// What is proved about a canonical decomposition. Proved: the metric is, and every face is true,
-/// so that all cells are tetrahedra. Faces with the tilt sum 0, which lie inside larger cells, are
-/// not proved by enclosures: they are named.
+/// What is proved about a canonical decomposition. Proved: the metric is, the tilt sum of every
+/// face of the decomposition is negative, and that of every face inside a cell is exactly 0.
 struct CanonicalProof {
   bool proved = false;
   std::string reason;                       ///< why not; empty if proved
   structure::Proof metric;                  ///< on CanonicalManifold::triangulation
+  std::vector<FaceOfTetrahedron> inside;    ///< faces whose sum is proved to be 0, from one side
   std::vector<FaceOfTetrahedron> unproved;  ///< faces whose sign is not proved, from one side
+  std::optional<structure::ExactField> field;  ///< in which sums were shown to be 0
 };
 
-/// Source: docs/theory.md (99).
+/// Source: docs/theory.md (99), (103).
 CanonicalProof prove_canonical(const CanonicalManifold& manifold, const Context& context = {});
 
 /// Whether a comparison's verdict is a theorem.

@@ -17,6 +17,7 @@
 #include "cli/arguments.hpp"
 #include "cli/canonize_options.hpp"
 #include "cli/census_file.hpp"
+#include "cli/census_shard_command.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
@@ -46,6 +47,8 @@ struct CensusCommand {
   std::string volume;
   bool has_boundary = false, has_homology = false, has_cells = false;  ///< also if empty
   std::string proofs;                                                  ///< file to read or write
+  std::vector<std::string> shards;                                     ///< files to merge
+  std::string shard, output;  ///< of one shard; of a merged census
   bool json = false, quiet = false, check = false, prove = false;
 };
 
@@ -122,6 +125,10 @@ std::string journal_of(const CensusCommand& command) {
 void declare_outputs(const CensusCommand& command) {
   if (!command.tsv.empty() && command.tsv != "-") declare_output("--tsv", command.tsv);
   if (!command.database.empty()) declare_output("--database", command.database);
+  if (!command.shard.empty()) {
+    declare_output("-o", command.output);
+    return;
+  }
   if (!command.lists.empty() && !journal_of(command).empty())
     declare_output("--journal", journal_of(command));
   if (command.prove && !command.proofs.empty()) declare_output("--proofs", command.proofs);
@@ -137,6 +144,32 @@ int write_proofs(const CensusCommand& command, const Census& census) {
     return kNoAnswer;
   }
   write_text(command.proofs.empty() ? "-" : command.proofs, canonical::to_tsv(proofs));
+  return kSuccess;
+}
+
+/// Writes the census of these lines, and says what it is.
+int finish(const CensusCommand& command, const std::vector<CensusLine>& lines,
+           std::size_t refused_before, std::size_t resumed) {
+  std::size_t own = 0, moved = 0, refused = refused_before;
+  for (const CensusLine& line : lines) {
+    own += line.resolved && line.own_metric;
+    moved += line.resolved && !line.own_metric;
+    refused += !line.reason.empty();
+  }
+  const Census census = canonical::make_census(lines);
+  const std::size_t total = lines.size() + refused_before;
+  if (census.manifolds.empty() && census.unresolved.empty())
+    throw InvalidInput(fmt::format("all of the {} were refused: no census was made",
+                                   counted(total, "triangulation", "triangulations")));
+  write_census(command, census);
+  if (command.prove && write_proofs(command, census) != kSuccess) return kNoAnswer;
+  const std::string summary = fmt::format(
+      "{} triangulations: {} manifolds; {} carry their metric, {} after moves, {} unresolved, {} "
+      "refused{}\n",
+      total, census.manifolds.size(), own, moved, census.unresolved.size(), refused,
+      resumed == 0 ? "" : fmt::format(" ({} known from an earlier run)", resumed));
+  write_message(command.quiet ? "" : summary);
+  if (command.tsv.empty() && command.database.empty()) write_text("-", canonical::to_tsv(census));
   return kSuccess;
 }
 
@@ -186,30 +219,18 @@ int make(CensusCommand& command) {
     write_message("tripus: " + stop_text() + rest(lines.size(), total) + "\n");
     return kNoAnswer;
   }
-  std::size_t own = 0, moved = 0, refused = inputs.refused;
-  for (const CensusLine& line : lines) {
-    own += line.resolved && line.own_metric;
-    moved += line.resolved && !line.own_metric;
-    refused += !line.reason.empty();
+  for (const CensusLine& line : lines)
     if (!line.reason.empty())
       write_message(fmt::format("tripus: {}: {}\n", printable(line.triangulation), line.reason));
-  }
-  const Census census = canonical::make_census(lines);
-  if (census.manifolds.empty() && census.unresolved.empty())
-    throw InvalidInput(
-        fmt::format("all of the {} were refused: no census was made",
-                    counted(total + inputs.refused, "triangulation", "triangulations")));
-  write_census(command, census);
-  if (command.prove && write_proofs(command, census) != kSuccess) return kNoAnswer;
+  if (const int status = finish(command, lines, inputs.refused, resumed); status != kSuccess)
+    return status;
   if (journal && command.journal.empty()) journal->remove();
-  const std::string summary = fmt::format(
-      "{} triangulations: {} manifolds; {} carry their metric, {} after moves, {} unresolved, {} "
-      "refused{}\n",
-      total + inputs.refused, census.manifolds.size(), own, moved, census.unresolved.size(),
-      refused, resumed == 0 ? "" : fmt::format(" ({} known from an earlier run)", resumed));
-  write_message(command.quiet ? "" : summary);
-  if (command.tsv.empty() && command.database.empty()) write_text("-", canonical::to_tsv(census));
   return kSuccess;
+}
+
+/// A census from the shards that others have made.
+int merge(const CensusCommand& command) {
+  return finish(command, merged_lines(command.shards), 0, 0);
 }
 
 /// "6.4:7" or "6.4:" or ":7".
@@ -325,7 +346,8 @@ void add_query_options(CLI::App& verb, CensusCommand& command) {
                       "manifolds to look up: a name (t3g2.13), a signature, a triangulation")
           ->option_text(" ")
           ->transform(unshield());
-  verb.add_option("--in", command.in, "census to look in, TSV or SQLite (default: the shipped one)")
+  verb.add_option("--in", command.in,
+                  "census to look in, TSV, .tsv.gz or SQLite (default: the shipped one)")
       ->option_text("FILE");
   verb.add_option("--volume", command.volume, "only volumes in this range")->option_text("FROM:TO");
   verb.add_option("--boundary", command.query.boundary, "only this boundary, such as g2 or g2+g3")
@@ -361,12 +383,26 @@ void add_making_options(CLI::App& verb, CensusCommand& command) {
       ->option_text("N")
       ->check(whole_number(1024));
   verb.add_flag("--quiet", command.quiet, "no progress and no summary on standard error");
+  verb.add_option("--shard", command.shard,
+                  "of --from the I-th of M parts only, written to -o; the same\n"
+                  "command again goes on where it was, or finds it done")
+      ->option_text("I/M");
+  verb.add_option("--merge", command.shards, "make a census of shards: all of them, in any order")
+      ->option_text("SHARD ...");
+  verb.add_option("-o,--output", command.output,
+                  "with --shard: the shard. With --merge: the census as a SQLite database")
+      ->option_text("FILE")
+      ->check(problem_of_name);
   add_canonize_options(verb, command.classify.canonize);
   CLI::Option* from = verb.get_option("--from");
   verb.get_option("--journal")->needs(from);
+  CLI::Option* shard = verb.get_option("--shard")->needs(from);
+  CLI::Option* merge = verb.get_option("--merge")->excludes(from);
+  for (const char* result : {"--tsv", "--database", "--journal"})
+    verb.get_option(result)->excludes(shard);
   for (const char* query :
        {"NAME", "--in", "--volume", "--boundary", "--homology", "--cells", "--tetrahedra"})
-    verb.get_option(query)->excludes(from);
+    verb.get_option(query)->excludes(from)->excludes(merge);
 }
 
 constexpr const char* kCensusHelp =
@@ -411,8 +447,21 @@ void add_census(CLI::App& program, Command& chosen) {
       throw CLI::RequiredError(
           "--proofs FILE, with --from and --prove where the census itself goes to standard "
           "output,");
+    if (!command->shard.empty() && command->output.empty())
+      throw CLI::RequiredError("-o FILE, with --shard,");
+    if (!command->shard.empty() && command->prove) throw CLI::ExcludesError("--prove", "--shard");
+    if (command->shard.empty() && command->shards.empty() && !command->output.empty())
+      throw CLI::RequiredError("--shard or --merge, with -o,");
+    if (!command->shards.empty() && !command->output.empty()) {
+      if (!command->database.empty()) throw CLI::ExcludesError("-o", "--database");
+      command->database = command->output;
+    }
     chosen = [command] {
       declare_outputs(*command);
+      if (!command->shard.empty())
+        return make_shard(
+            {command->lists, command->shard, command->output, command->classify, command->quiet});
+      if (!command->shards.empty()) return merge(*command);
       if (command->check) return check_proofs(*command);
       if (!command->lists.empty()) return make(*command);
       if (command->prove) return write_proofs(*command, ChosenCensus(command->in).get());

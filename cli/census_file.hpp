@@ -7,8 +7,8 @@
 
 namespace tripus::cli {
 
-/// The census of a file, TSV or SQLite, recognised by its content; the shipped one if the name is
-/// empty. Throws InvalidInput, naming the file.
+/// The census of a file, TSV (also compressed by gzip) or SQLite, recognised by its content; the
+/// shipped one if the name is empty. Throws InvalidInput, naming the file.
 class ChosenCensus {
  public:
   explicit ChosenCensus(const std::string& path);

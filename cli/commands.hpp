@@ -44,6 +44,7 @@ void add_canonize(CLI::App& program, Command& chosen);
 void add_compare(CLI::App& program, Command& chosen);
 void add_identify(CLI::App& program, Command& chosen);
 void add_census(CLI::App& program, Command& chosen);
+void add_enumerate(CLI::App& program, Command& chosen);
 void add_prove(CLI::App& program, Command& chosen);
 void add_check(CLI::App& program, Command& chosen);
 void add_study(CLI::App& program, Command& chosen);

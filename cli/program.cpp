@@ -94,6 +94,7 @@ void add_verbs(CLI::App& program, Command& command) {
   add_canonize(program, command);
   add_compare(program, command);
   add_identify(program, command);
+  add_enumerate(program, command);
   add_census(program, command);
   add_prove(program, command);
   add_hyperbolic(program, command);

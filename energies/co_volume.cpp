@@ -310,8 +310,15 @@ std::vector<std::size_t> CoVolume::flat_tetrahedra() const {
 
 double CoVolume::volume() const {
   Sum sum;
-  for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t)
-    sum.add(geometry::volume(dihedral_angles(t)));
+  std::array<double, 6> latest{};
+  double latest_volume = 0;
+  for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
+    const std::array<double, 6> theta = dihedral_angles(t);
+    // Where all lengths are equal, as at the start, all tetrahedra are.
+    if (t == 0 || theta != latest) latest_volume = geometry::volume(theta);
+    latest = theta;
+    sum.add(latest_volume);
+  }
   return sum.value();
 }
 

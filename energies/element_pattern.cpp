@@ -45,7 +45,11 @@ ElementPattern::ElementPattern(std::size_t variable_count, std::size_t width,
         std::span(in.element).subspan(in.start[column], in.start[column + 1] - in.start[column]);
     rows.assign(1, static_cast<std::int32_t>(column));
     position[column] = 0;
+    // An element that holds the variable more than once stands there as often, in a row.
+    std::size_t previous = elements;
     for (const std::size_t element : touching) {
+      if (element == previous) continue;
+      previous = element;
       for (const std::uint32_t v : variables.subspan(element * width, width)) {
         if (v == kNoVariable || v < column || position[v] >= 0) continue;
         position[v] = 0;
@@ -56,7 +60,10 @@ ElementPattern::ElementPattern(std::size_t variable_count, std::size_t width,
     const std::int64_t base = pattern_.column_start.back();
     for (std::size_t k = 0; k < rows.size(); ++k)
       position[static_cast<std::size_t>(rows[k])] = base + static_cast<std::int64_t>(k);
+    previous = elements;
     for (const std::size_t element : touching) {
+      if (element == previous) continue;
+      previous = element;
       const auto local = variables.subspan(element * width, width);
       std::size_t q = 0;
       for (std::size_t i = 0; i < width; ++i) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <fmt/format.h>
 
 #include "base/tolerances.hpp"
@@ -104,9 +106,32 @@ std::string distance_objection(const topology::Triangulation& triangulation,
       longest);
 }
 
+/// A lower bound of the least eigenvalue of the Hessian of few variables, the reciprocal of the
+/// trace of its inverse; 0 for many variables, or where it is not positive definite.
+double small_convexity_bound(energies::CoVolume& energy) {
+  constexpr int kFew = 8;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kFew, kFew>;
+  const auto n = static_cast<Eigen::Index>(energy.dimension());
+  if (n > kFew) return 0;
+  const solver::SparsityPattern& pattern = energy.hessian_pattern();
+  std::array<double, kFew*(kFew + 1) / 2> values;
+  energy.hessian_values(std::span(values).first(pattern.row.size()));
+  Matrix H = Matrix::Zero(n, n);
+  for (Eigen::Index j = 0; j < n; ++j)
+    for (auto k = static_cast<std::size_t>(pattern.column_start[static_cast<std::size_t>(j)]);
+         k < static_cast<std::size_t>(pattern.column_start[static_cast<std::size_t>(j) + 1]); ++k)
+      H(pattern.row[k], j) = values[k];
+  const Eigen::LLT<Matrix> factor(H);
+  if (factor.info() != Eigen::Success) return 0;
+  Matrix inverse = Matrix::Identity(n, n);
+  factor.matrixL().solveInPlace(inverse);
+  const double trace = inverse.squaredNorm();
+  return std::isfinite(trace) ? 1 / trace : 0;
+}
+
 /// Why the lengths are not those of a critical point of the energy, or empty if they are.
-std::string not_critical(const topology::Triangulation& triangulation,
-                         const energies::CoVolume& energy, const Report& report, double tolerance,
+std::string not_critical(const topology::Triangulation& triangulation, energies::CoVolume& energy,
+                         const Report& report, double tolerance,
                          std::span<const double> curvature_of_edges) {
   if (!(report.max_curvature <= tolerance)) {
     return fmt::format("the largest edge curvature {:.3g} is above the tolerance {:.3g}",
@@ -128,8 +153,9 @@ std::string not_critical(const topology::Triangulation& triangulation,
   for (const double k : curvature_of_edges) squares += k * k;
   const double curvature = std::max(std::sqrt(squares), tolerance::kCurvatureRounding);
   const double enough = curvature / (tolerance::kMaxDistanceToMetric * scale);
-  // The bound takes the flattest tetrahedron for all; the true least eigenvalue costs more.
-  if (!(energy.convexity_bound() >= enough) &&
+  // The cheapest bound first. The second takes the flattest tetrahedron for all; the true least
+  // eigenvalue costs more.
+  if (!(small_convexity_bound(energy) >= enough) && !(energy.convexity_bound() >= enough) &&
       !(solver::extreme_eigenvalues(energy).smallest >= enough)) {
     return fmt::format(
         "the curvature is small but so is the convexity of the energy (the longest edge has length "
@@ -169,7 +195,7 @@ std::string ends_of(const energies::CoVolume& energy) {
 }
 
 /// The outcome of what has been computed, and the sentence that goes with it.
-void judge(const topology::Triangulation& triangulation, const energies::CoVolume& energy,
+void judge(const topology::Triangulation& triangulation, energies::CoVolume& energy,
            double tolerance, std::span<const double> curvature, const solver::Summary& summary,
            Report& report) {
   std::string why_not = not_critical(triangulation, energy, report, tolerance, curvature);
@@ -201,7 +227,32 @@ void judge(const topology::Triangulation& triangulation, const energies::CoVolum
       why_not);
 }
 
+/// What the latest evaluation, at the lengths of the report, gives.
+void fill_geometry(const topology::Triangulation& triangulation, const energies::CoVolume& energy,
+                   Report& report) {
+  report.flat_tetrahedra = energy.flat_tetrahedra();
+  report.dihedral_angles.reserve(triangulation.tetrahedron_count());
+  for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t)
+    report.dihedral_angles.push_back(energy.dihedral_angles(t));
+  report.volume = energy.volume();
+  report.vertices =
+      report_vertices(triangulation, energy, report.edge_lengths, report.dihedral_angles);
+}
+
 }  // namespace
+
+Report report_at(const topology::Triangulation& triangulation, energies::CoVolume& energy,
+                 std::span<const double> x) {
+  Report report;
+  report.edge_lengths.assign(x.begin(), x.end());
+  std::vector<double> curvature(x.size());
+  energy.evaluate(report.edge_lengths, curvature, {});
+  report.evaluations = 1;
+  for (const double k : curvature)
+    report.max_curvature = std::max(report.max_curvature, std::fabs(k));
+  fill_geometry(triangulation, energy, report);
+  return report;
+}
 
 Report assess(const topology::Triangulation& triangulation, energies::CoVolume& energy,
               std::span<const double> x, double tolerance, const solver::Summary& summary) {
@@ -219,14 +270,7 @@ Report assess(const topology::Triangulation& triangulation, energies::CoVolume& 
   energy.evaluate(report.edge_lengths, curvature, {.second_derivatives = true});
   for (const double k : curvature)
     report.max_curvature = std::max(report.max_curvature, std::fabs(k));
-  report.flat_tetrahedra = energy.flat_tetrahedra();
-  report.dihedral_angles.reserve(triangulation.tetrahedron_count());
-  for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t)
-    report.dihedral_angles.push_back(energy.dihedral_angles(t));
-  report.volume = energy.volume();
-  report.vertices =
-      report_vertices(triangulation, energy, report.edge_lengths, report.dihedral_angles);
-
+  fill_geometry(triangulation, energy, report);
   judge(triangulation, energy, tolerance, curvature, summary, report);
   return report;
 }

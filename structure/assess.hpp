@@ -21,4 +21,9 @@ namespace tripus::structure {
 Report assess(const topology::Triangulation& triangulation, energies::CoVolume& energy,
               std::span<const double> x, double tolerance, const solver::Summary& summary);
 
+/// The numbers at lengths x [E] that are no metric's and have not been looked for: everything of
+/// the report but outcome and message. Only without finite vertices.
+Report report_at(const topology::Triangulation& triangulation, energies::CoVolume& energy,
+                 std::span<const double> x);
+
 }  // namespace tripus::structure

@@ -40,16 +40,19 @@ std::string read_labels(const Triangulation& triangulation,
                         const std::vector<topology::ConeAngle>& cone_angles, Labels& labels) {
   const std::size_t edges = triangulation.edge_count();
   labels.edge_sum.assign(edges, 2);
-  if (!cone_angles.empty()) {
-    if (cone_angles.size() != edges)
-      return fmt::format("there are {} cone angles, the triangulation has {} edge classes",
-                         cone_angles.size(), edges);
-    for (std::size_t e = 0; e < edges; ++e) {
-      if (!cone_angles[e].is_rational())
-        return fmt::format("the cone angle of edge class {} is not a fraction of pi", e);
-      labels.edge_sum[e] = mpq_class(static_cast<long>(cone_angles[e].numerator()),
-                                     static_cast<long>(cone_angles[e].denominator()));
-    }
+  if (cone_angles.empty()) {
+    for (std::size_t v = 0; v < triangulation.vertex_count(); ++v)
+      labels.ideal.push_back(triangulation.link(v).euler_characteristic == 0);
+    return {};
+  }
+  if (cone_angles.size() != edges)
+    return fmt::format("there are {} cone angles, the triangulation has {} edge classes",
+                       cone_angles.size(), edges);
+  for (std::size_t e = 0; e < edges; ++e) {
+    if (!cone_angles[e].is_rational())
+      return fmt::format("the cone angle of edge class {} is not a fraction of pi", e);
+    labels.edge_sum[e] = mpq_class(static_cast<long>(cone_angles[e].numerator()),
+                                   static_cast<long>(cone_angles[e].denominator()));
   }
   // Twice the Euler characteristic: 2 chi(link) - sum over edge ends of (2 - k_e).
   std::vector<mpq_class> twice(triangulation.vertex_count());

@@ -7,10 +7,13 @@
 #include "base/error.hpp"
 #include "structure/detail/angle_programme.hpp"
 #include "structure/detail/existence_routes.hpp"
+#include "structure/detail/small_decision.hpp"
 
-// The programme of the widest margin m (docs/theory.md (50)) decides: m > 0, = 0 or < 0. Its primal
-// optimum is the angle structure, its dual optimum the certificate, both with the same m. Three
-// routes to exact numbers, each followed by an exact check, so that floating point only proposes:
+// Of few tetrahedra a small programme in whole numbers decides that there is no strict structure.
+// Else the programme of the widest margin m (docs/theory.md (50)) decides: m > 0, = 0 or < 0. Its
+// primal optimum is the angle structure, its dual optimum the certificate, both with the same m.
+// Three routes to exact numbers, each followed by an exact check, so that floating point only
+// proposes:
 //   1. round the floating-point optimum to a small common denominator;
 //   2. solve the linear systems of its final basis over the rationals;
 //   3. let the simplex method run over the rationals, and do 2 on its basis.
@@ -24,6 +27,8 @@ using topology::Triangulation;
 std::optional<Existence> search(const Triangulation& triangulation,
                                 std::span<const topology::ConeAngle> cone_angles, double seconds,
                                 bool& out_of_time) {
+  if (auto small = detail::decide_small(triangulation, cone_angles); small && small->certificate)
+    return *std::move(small->certificate);
   detail::AngleProgramme programme(triangulation, cone_angles);
   programme.limit_time(seconds);
   std::optional<Existence> found;

@@ -18,6 +18,7 @@
 
 #include "base/error.hpp"
 #include "base/tolerances.hpp"
+#include "structure/obstruction.hpp"
 #include "topology/homology.hpp"
 #include "topology/labelled_isosig.hpp"
 #include "topology/moves/edge_images.hpp"
@@ -116,16 +117,32 @@ class Search {
   }
 
   Retriangulation run() {
+    if (ended() || is_obstructed(given_)) return failure();
     if (begin_small()) return success();
     while (!open_.empty() && !ended()) {
       const std::size_t node = open_.top().second;
       open_.pop();
+      if (node > 0 && is_obstructed(nodes_[node].gluings)) break;
       if (expand(node)) return success();
     }
     return failure();
   }
 
  private:
+  /// Whether a triangulation shows that the manifold is not hyperbolic: no search finds a metric.
+  bool is_obstructed(const Gluings& gluings) {
+    if (!given_cone_angles_.empty()) return false;
+    obstruction_ = obstruction(Triangulation(gluings));
+    if (obstruction_.empty()) return false;
+    end_ = SearchEnd::kNotHyperbolic;
+    if (gluings == given_) return true;
+    // Edge classes are those of the signature, which is all that is told of the triangulation.
+    obstructed_ = topology::full_isosig(gluings).oriented();
+    obstruction_ = obstruction(Triangulation(topology::decode_isosig(obstructed_))) + " (Seen on " +
+                   obstructed_ + ".)";
+    return true;
+  }
+
   static std::vector<topology::ConeAngle> labels_of(const SolveOptions& options) {
     if (topology::all_full(options.cone_angles)) return {};
     return options.cone_angles;
@@ -310,14 +327,19 @@ class Search {
     Retriangulation result;
     result.start = signature_;
     result.report = std::move(start_);
-    const auto& bigon = result.report.closed_bigon;
-    const bool is_decided = bigon && bigon->decides();
-    result.report.message = fmt::format(
-        "{}, nor on {} other triangulation{} of the manifold with up to {} tetrahedra ({}){}",
-        why_not_the_start(result.report), tried_, tried_ == 1 ? "" : "s", limit_, reason(end_),
-        is_decided ? ". " + message(*bigon) : "; nothing follows about the manifold.");
+    const bool is_decided = end_ == SearchEnd::kNotHyperbolic;
+    result.report.message = why_not_the_start(result.report);
+    if (tried_ > 0)
+      result.report.message +=
+          fmt::format(", nor on {} other triangulation{} of the manifold with up to {} tetrahedra",
+                      tried_, tried_ == 1 ? "" : "s", limit_);
+    result.report.message +=
+        is_decided ? ". " + obstruction_
+                   : fmt::format(" ({}); nothing follows about the manifold.", reason(end_));
     result.report.outcome = Outcome::kUnresolved;
     result.report.advice = is_decided ? Advice::kNone : advice(end_);
+    result.obstruction = std::move(obstruction_);
+    result.obstructed = std::move(obstructed_);
     result.gluings = std::move(given_);
     result.cone_angles = std::move(given_cone_angles_);
     result.path_start = std::move(nodes_.front().gluings);
@@ -375,6 +397,7 @@ class Search {
   std::size_t limit_;
   std::size_t tried_ = 0;
   SearchEnd end_ = SearchEnd::kExhausted;
+  std::string obstruction_, obstructed_;
   std::vector<Node> nodes_;
   std::unordered_set<std::string> known_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
@@ -390,6 +413,8 @@ std::string_view to_string(SearchEnd end) {
       return "budget";
     case SearchEnd::kExhausted:
       return "exhausted";
+    case SearchEnd::kNotHyperbolic:
+      return "not hyperbolic";
     case SearchEnd::kTimeLimit:
       return "time limit";
     case SearchEnd::kInterrupted:

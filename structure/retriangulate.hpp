@@ -20,13 +20,15 @@ struct RetriangulateOptions {
 
 /// Why a search ended.
 enum class SearchEnd {
-  kFound,        ///< a triangulation carries the metric
-  kBudget,       ///< as many were tried as the budget allows
-  kExhausted,    ///< every triangulation was tried that the moves reach within the size allowed
-  kTimeLimit,    ///< SolveOptions::time_limit
-  kInterrupted,  ///< SolveOptions::stop_requested
+  kFound,          ///< a triangulation carries the metric
+  kBudget,         ///< as many were tried as the budget allows
+  kExhausted,      ///< every triangulation was tried that the moves reach within the size allowed
+  kNotHyperbolic,  ///< the manifold is not hyperbolic, by one of its triangulations
+                   ///< (obstruction.hpp)
+  kTimeLimit,      ///< SolveOptions::time_limit
+  kInterrupted,    ///< SolveOptions::stop_requested
 };
-/// "found", "budget", "exhausted", "time limit", "interrupted".
+/// "found", "budget", "exhausted", "not hyperbolic", "time limit", "interrupted".
 std::string_view to_string(SearchEnd end);
 
 /// A volume of the same manifold from another of its triangulations.
@@ -49,6 +51,8 @@ struct Retriangulation {
   std::vector<topology::Move> path;  ///< from path_start to `gluings`, to be applied in order
   std::size_t tried = 0;             ///< triangulations solved on, the start not counted
   SearchEnd end = SearchEnd::kBudget;
+  /// If not hyperbolic: why, and the signature of what shows it (empty: the start itself).
+  std::string obstruction, obstructed;
   /// If found: the volumes at the minimisers with flat tetrahedra along the path, in its order, and
   /// last that of a neighbour of `gluings` which carries the metric too, if there is one nearby.
   std::vector<OtherVolume> volumes;
@@ -65,9 +69,10 @@ struct Retriangulation {
 ///
 /// `start` is the report of `solve` on the triangulation, not geometric. Where nothing is found the
 /// result has that report, with its evidence, as "unresolved", and says in the message what was
-/// tried: it is no statement about the manifold. The time limit of the options is for the whole
-/// search, every other limit for each triangulation. The same seed gives the same result, unless
-/// time or an interrupt ends it.
+/// tried: it is no statement about the manifold, unless the search ended with one of the quick
+/// proofs that it is not hyperbolic. The time limit of the options is for the whole search, every
+/// other limit for each triangulation. The same seed gives the same result, unless time or an
+/// interrupt ends it.
 ///
 /// That the manifold is the same is checked as well: the first homology at every step, and the
 /// volume at the end, where a second triangulation with a metric must agree (Mostow rigidity).

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include <arb.h>
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "base/error.hpp"
 #include "structure/proof/detail/arb_number.hpp"
 #include "structure/proof/detail/checked_convexity.hpp"
+#include "structure/proof/detail/checked_finite.hpp"
 #include "structure/proof/detail/checked_tetrahedron.hpp"
 #include "structure/proof/proof_text.hpp"
 #include "topology/requirements.hpp"
@@ -41,14 +43,18 @@ constexpr double kBoxShare = 0x1p-36;
 /// A decimal or binary number, exactly or, for a decimal one, within Arb's rounding.
 Arb number_of(const std::string& text) {
   Arb result;
-  if (text.starts_with("0x")) {
+  const bool negative = text.starts_with("-0x");
+  if (negative || text.starts_with("0x")) {
+    const std::size_t begin = negative ? 3 : 2;
     double value = 0;
-    const auto [end, code] =
-        std::from_chars(text.data() + 2, text.data() + text.size(), value, std::chars_format::hex);
-    // More than 14 hexadecimal digits would have been rounded.
+    const auto [end, code] = std::from_chars(text.data() + begin, text.data() + text.size(), value,
+                                             std::chars_format::hex);
+    // More than 14 hexadecimal digits would have been rounded; a sign has been read.
     const std::size_t mantissa = std::min(text.find('p'), text.size());
-    if (code != std::errc() || end != text.data() + text.size() || mantissa > 17) unreadable(text);
-    return Arb(value);
+    if (code != std::errc() || end != text.data() + text.size() || mantissa > begin + 15 ||
+        std::signbit(value))
+      unreadable(text);
+    return Arb(negative ? -value : value);
   }
   const std::size_t exponent = text.find('e');
   const std::string digits = text.substr(0, exponent);
@@ -87,6 +93,7 @@ struct Checker {
   std::vector<topology::ConeAngle> cone_angles =
       topology::completed(proof.cone_angles, triangulation.edge_count());
   std::vector<topology::OrbifoldLink> links = topology::orbifold_links(triangulation, cone_angles);
+  bool finite = false;    // whether a vertex is finite
   bool together = false;  // whether convexity is shown for all tetrahedra together
   detail::CheckedMatrix hessian{};
   std::vector<double> own_entry{};        // [E] sums of the diagonals of the Jacobians
@@ -101,18 +108,23 @@ struct Checker {
     return false;
   }
 
-  bool is_ideal(std::size_t t, int v) const {
-    return links[triangulation.vertex_class(t, v)].kind == topology::VertexKind::kIdeal;
+  /// 1, 0 or -1 on the diagonal of the Gram matrix.
+  int kind(std::size_t t, int v) const {
+    switch (links[triangulation.vertex_class(t, v)].kind) {
+      case topology::VertexKind::kHyperideal: return 1;
+      case topology::VertexKind::kIdeal: return 0;
+      case topology::VertexKind::kFinite: return -1;
+    }
+    return 1;
   }
-  bool has_ideal_end(std::size_t e) const {
+  /// An edge whose length may be any number: an end is ideal, or the ends are a point and a plane.
+  bool has_any_sign(std::size_t e) const {
     const topology::EdgeCorner corner = triangulation.corners(e)[0];
     const auto& [a, b] = topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())];
-    return is_ideal(corner.tetrahedron(), a) || is_ideal(corner.tetrahedron(), b);
+    return kind(corner.tetrahedron(), a) * kind(corner.tetrahedron(), b) != 1;
   }
   CheckedGram gram_of(std::size_t t, const std::vector<Arb>* around) const {
-    std::array<int, 4> kind;
-    for (int v = 0; v < 4; ++v) kind[static_cast<std::size_t>(v)] = is_ideal(t, v) ? 0 : 1;
-    return {lengths_of(t, around), kind};
+    return {lengths_of(t, around), {kind(t, 0), kind(t, 1), kind(t, 2), kind(t, 3)}};
   }
   Arb wanted_angle(std::size_t e) const {
     const topology::ConeAngle& k = cone_angles[e];
@@ -146,11 +158,12 @@ struct Checker {
         box.emplace_back();
         continue;
       }
-      const bool ideal_end = has_ideal_end(e);
-      const Arb share = ideal_end ? Arb(kBoxShare) : Arb(kBoxShare) * x[e];
+      const bool any_sign = has_any_sign(e);
+      const Arb share = any_sign ? Arb(kBoxShare) : Arb(kBoxShare) * x[e];
       const Arb some = Arb(kBoxRadii) * radius[e];
-      box.push_back(larger(share, some) ? share : some);
-      if (!ideal_end && !x[e].widened_by(box[e]).positive())
+      const bool held = finite && arb_is_zero(radius[e].get()) != 0;
+      box.push_back(held ? Arb() : larger(share, some) ? share : some);
+      if (!any_sign && !x[e].widened_by(box[e]).positive())
         return refuse(
             fmt::format("the length of edge class {} is not > 0 all around {}", e, shown(x[e])));
     }
@@ -205,20 +218,26 @@ struct Checker {
   /// The weights of all together.
   bool find_weights() {
     // What a pin adds is of the size of the tetrahedra's own entries.
-    for (const std::size_t e : detail::checked_pins(triangulation, links))
-      hessian[e][e] = hessian[e][e] + Arb(own_entry[e]);
+    std::vector<bool> out(x.size());
     for (std::size_t e = 0; e < x.size(); ++e)
-      if (cone_angles[e].is_parabolic()) hessian[e][e] = Arb(1.0);
+      out[e] = cone_angles[e].is_parabolic() || hessian[e].empty();
+    const auto pins = detail::checked_pins(triangulation, links,
+                                           proof.flat.empty() ? std::vector<bool>() : out);
+    if (std::ssize(pins) != std::ranges::count(links, topology::VertexKind::kIdeal,
+                                               &topology::OrbifoldLink::kind))
+      return refuse("no edges outside flat tetrahedra hold the horospheres");
+    for (const std::size_t e : pins) hessian[e][e] = hessian[e][e] + Arb(own_entry[e]);
+    for (std::size_t e = 0; e < x.size(); ++e)
+      if (out[e]) hessian[e][e] = Arb(1.0);
     const double share = detail::checked_share(hessian);
     if (!(share > 0)) return refuse("the Hessian is not shown to be > 0");
     for (std::size_t e = 0; e < x.size(); ++e)
-      if (!cone_angles[e].is_parabolic())
+      if (!out[e])
         weight[e] = Arb(share * hessian[e][e].mid() * (1 - 0x1p-40));
     return true;
   }
 
   bool add_flat(std::size_t t) {
-    if (together) return refuse("flat tetrahedra beside cusps are not checked");
     const CheckedGram gram = gram_of(t, &box);
     if (!gram.det.positive())
       return refuse(
@@ -286,7 +305,43 @@ struct Checker {
     return true;
   }
 
+  /// With finite vertices: docs/theory.md 9.8.
+  bool run_finite() {
+    if (!read()) return false;
+    if (!proof.flat.empty())
+      return refuse("flat tetrahedra beside finite vertices are not checked");
+    detail::FiniteClaim claim{triangulation, cone_angles, links, {}, {}, {}, K, box, radius};
+    for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t) {
+      if (context.stop_requested() || context.expired())
+        return refuse("stopped before it was decided");
+      const CheckedGram gram = gram_of(t, nullptr);
+      claim.around.push_back(gram_of(t, &box));
+      claim.within.push_back(gram_of(t, &radius));
+      if (!claim.around[t].is_true() || !claim.within[t].is_true())
+        return refuse(
+            fmt::format("tetrahedron {}: det G < 0 or a minor < 0 fails, det G is near {}", t,
+                        shown(gram.det)));
+      const auto theta = checked_angles(gram), around = checked_angles(claim.within[t]);
+      for (std::size_t e = 0; e < 6; ++e) {
+        const std::size_t edge = triangulation.edge_class(t, static_cast<int>(e));
+        K[edge] = K[edge] - theta[e];
+        claim.K_within[edge] = claim.K_within[edge] - around[e];
+      }
+      if (proof.volume) volume = volume + checked_volume(gram, theta);
+    }
+    claim.K = K;
+    if (std::string why = detail::finite_refusal(claim); !why.empty())
+      return refuse(std::move(why));
+    if (!proof.volume) return angles();
+    // Theory (110).
+    for (std::size_t e = 0; e < x.size(); ++e)
+      volume = (volume - 0.5 * (K[e] * x[e]))
+                   .widened_by(0.5 * (claim.K_within[e].magnitude() * radius[e]));
+    return within(volume, *proof.volume, "the volume") && angles();
+  }
+
   bool run() {
+    if (finite) return run_finite();
     if (!read()) return false;
     for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t) {
       if (context.stop_requested() || context.expired())
@@ -310,8 +365,8 @@ ProofCheck check_proof(const Triangulation& triangulation, const ProofText& proo
   if (!proof.proved) return {false, "nothing is claimed"};
   const Precision precision(bits_for(proof));
   Checker checker{triangulation, proof, context};
-  if (has_kind(checker.links, topology::VertexKind::kFinite))
-    return {false, "a vertex is finite, and of such metrics there are no proofs so far"};
+  checker.finite =
+      proof.interval_newton || has_kind(checker.links, topology::VertexKind::kFinite);
   checker.together =
       has_kind(checker.links, topology::VertexKind::kIdeal) ||
       std::ranges::any_of(checker.cone_angles, [](const auto& k) { return k.is_parabolic(); });

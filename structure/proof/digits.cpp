@@ -11,6 +11,7 @@
 #include "structure/proof/detail/cone_metric.hpp"
 #include "structure/proof/detail/decimal.hpp"
 #include "structure/proof/detail/precise_tetrahedron.hpp"
+#include "structure/proof/proof_text.hpp"
 
 namespace tripus::structure {
 namespace {
@@ -246,6 +247,9 @@ Digits prove_digits(const Triangulation& triangulation, const Proof& proof, int 
   DigitsRun run{triangulation, proof, context};
   if (!proof.proved || proof.claim != Proof::Claim::kMetric) {
     run.result.reason = proof.proved ? "there is no metric" : proof.reason;
+  } else if (proof_text(proof).interval_newton) {
+    run.result.reason =
+        "many digits are for proofs by convexity, not with finite vertices or nearly flat tetrahedra";
   } else if (triangulation.edge_count() > kMostEdgesForDigits) {
     run.result.reason = fmt::format("many digits are for up to {} edge classes; here are {}",
                                     kMostEdgesForDigits, triangulation.edge_count());

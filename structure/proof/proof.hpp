@@ -18,8 +18,8 @@ struct Interval {
 };
 
 /// What was proved about a triangulation and lengths near which its co-volume is least. Every
-/// rounding is accounted for: docs/theory.md section 9, docs/proof.md. With cusps, the lengths
-/// within the radii are those for some horospheres.
+/// rounding is accounted for: docs/theory.md section 9, docs/proof.md. With cusps, lengths within
+/// the radii are those for some horospheres, with finite vertices those for some places of these.
 struct Proof {
   enum class Claim {
     kMetric,  ///< the triangulation carries the metric, and |x_e - lengths_e| <= radii_e
@@ -33,7 +33,7 @@ struct Proof {
   std::vector<topology::ConeAngle> cone_angles;  ///< [E]; empty for 2 pi
   std::vector<double> lengths;                   ///< [E] exact centres
   std::vector<double> radii;                     ///< [E] upper bounds
-  std::vector<double> weights;    ///< [E] d_e: Hess H >= diag(d) on the box, up to horospheres
+  std::vector<double> weights;    ///< [E] d_e: Hess H >= diag(d) on the box; 0: vertices are finite
   std::vector<double> box;        ///< [E] half the sides of that box; radii are smaller
   Interval volume;                ///< of the manifold; not set for kFlat
   std::vector<std::size_t> flat;  ///< tetrahedra proved flat at the minimiser
@@ -55,8 +55,8 @@ struct ProveOptions {
 ///   lengths  [E]  finite, > 0 between hyperideal vertices, 0 at a parabolic edge, as
 ///                 structure::solve finds them; any others are refused by `reason`
 /// Throws InvalidInput for a triangulation outside the domain (topology::require_solvable) and for
-/// a wrong number of lengths. Finite vertices, and flat tetrahedra at cusps, are refused by
-/// `reason`. Source: docs/theory.md section 9.
+/// a wrong number of lengths. Flat tetrahedra beside parabolic edges or finite vertices, and more
+/// than 400 edge classes with the latter, are refused by `reason`. Source: docs/theory.md 9.
 Proof prove(const topology::Triangulation& triangulation, std::span<const double> lengths,
             const ProveOptions& options = {}, const Context& context = {});
 

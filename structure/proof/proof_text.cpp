@@ -15,6 +15,9 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::string_view kStrongConvexity = "strong-convexity";
+constexpr std::string_view kIntervalNewton = "interval-newton";
+
 /// A decimal number that is larger by at least half a percent: radii need no more digits.
 std::string rounded_up(double value) {
   return value > 0 ? fmt::format("{:.2e}", value * 1.01) : "0";
@@ -121,6 +124,9 @@ ProofText proof_text(const Proof& proof, const Digits* digits) {
   text.proved = proof.proved && (digits == nullptr || digits->proved);
   text.reason = proof.proved && digits != nullptr ? digits->reason : proof.reason;
   text.claim = proof.claim;
+  text.interval_newton = proof.claim == Proof::Claim::kMetric && !proof.weights.empty() &&
+                         std::ranges::all_of(proof.weights, [](double d) { return d == 0; }) &&
+                         proof.largest_radius() > 0;
   text.bits = proof.bits;
   text.escalated = proof.escalated;
   text.flat = proof.flat;
@@ -145,7 +151,9 @@ ProofText proof_text(const Proof& proof, const Digits* digits) {
 
 std::string to_json(const ProofText& proof) {
   const auto quoted_text = [](const std::string& text) { return '"' + text + '"'; };
-  std::string text = fmt::format("{{\"kind\": \"strong-convexity\", \"proved\": {}", proof.proved);
+  std::string text =
+      fmt::format("{{\"kind\": \"{}\", \"proved\": {}",
+                  proof.interval_newton ? kIntervalNewton : kStrongConvexity, proof.proved);
   if (!proof.proved) return text + ", \"reason\": " + json(proof.reason).dump() + "}";
   text += fmt::format(
       ", \"claim\": \"{}\", \"bits\": {}, \"escalated\": {}, \"lengths\": {}, "
@@ -183,8 +191,10 @@ ProofText parse_proof(std::string_view text) {
   if (!proved.is_boolean()) refuse("\"proved\"", "true or false");
   if (!proved.get<bool>()) throw InvalidInput("proof: it says itself that nothing is proved");
   proof.proved = true;
-  const json& kind = member(object, "kind", "\"strong-convexity\"");
-  if (kind != "strong-convexity") refuse("\"kind\"", "\"strong-convexity\"");
+  constexpr std::string_view kKinds = R"("strong-convexity" or "interval-newton")";
+  const json& kind = member(object, "kind", kKinds);
+  if (kind != kStrongConvexity && kind != kIntervalNewton) refuse("\"kind\"", kKinds);
+  proof.interval_newton = kind == kIntervalNewton;
   const json& claim = member(object, "claim", R"("metric" or "flat")");
   if (claim != "metric" && claim != "flat") refuse("\"claim\"", R"("metric" or "flat")");
   proof.claim = claim == "metric" ? Proof::Claim::kMetric : Proof::Claim::kFlat;

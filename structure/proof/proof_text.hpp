@@ -17,6 +17,7 @@ struct ProofText {
   bool proved = false;
   std::string reason;  ///< if not proved
   Proof::Claim claim = Proof::Claim::kMetric;
+  bool interval_newton = false;  ///< by theory 9.8, not by convexity
   long bits = 53;
   std::size_t escalated = 0;
   std::vector<topology::ConeAngle> cone_angles;  ///< [E]; empty for 2 pi

@@ -6,6 +6,7 @@
 #include "geometry/edge_frames.hpp"
 #include "geometry/enclosure_formulae.hpp"
 #include "structure/proof/detail/decimal.hpp"
+#include "structure/proof/detail/exact_metric.hpp"
 #include "structure/proof/detail/horosphere_areas.hpp"
 #include "structure/proof/digits.hpp"
 
@@ -18,6 +19,13 @@ using topology::Triangulation;
 constexpr int kFewBits = 96;
 constexpr int kManyDigits = 50;
 constexpr int kManyBits = 256;
+/// Degrees of number fields and digits with which they are looked for. A number of degree n with
+/// coefficients of h digits takes some n h digits to be told from chance.
+struct Rung {
+  int degree, digits;
+};
+constexpr std::array<Rung, 4> kRungs = {{{4, 80}, {8, 240}, {16, 700}, {24, 1500}}};
+constexpr double kBitsOfDigit = 3.32192809488736235;
 
 using Signs = std::vector<std::array<ProvedSign, 4>>;
 
@@ -78,69 +86,124 @@ bool is_flat_in_the_limit(const detail::ConeMetric& metric, std::size_t t, int f
   return false;
 }
 
-ProvedSign sign_of(const Tilt& a, const Tilt& b, bool flat_in_the_limit) {
-  const Arb geodesic = a.geodesic + b.geodesic, cusp = a.cusp + b.cusp;
-  const Arb& first = flat_in_the_limit || arb_is_zero(geodesic.get()) != 0 ? cusp : geodesic;
-  return first.negative()   ? ProvedSign::kNegative
-         : first.positive() ? ProvedSign::kPositive
-                            : ProvedSign::kUnknown;
+ProvedSign sign_of(const Arb& x) {
+  return x.negative()   ? ProvedSign::kNegative
+         : x.positive() ? ProvedSign::kPositive
+                        : ProvedSign::kUnknown;
 }
 
-/// Settles what is unknown from lengths [E] for horospheres of one area. Returns whether all is
-/// known then.
-bool settle(const detail::ConeMetric& metric, const std::vector<Arb>& lengths,
-            const Context& context, Signs& signs) {
-  const Triangulation& triangulation = metric.triangulation();
-  std::vector<Tilts> tilts(signs.size());
-  std::vector<char> known(signs.size());
-  const auto tilt = [&](std::size_t t, int f) -> const Tilt& {
-    if (known[t] == 0) {
-      tilts[t] = tilts_of(detail::lengths_of(triangulation, lengths, t), metric.diagonal(t));
-      known[t] = 1;
+/// What is unknown of the signs [T x 4], settled by one face after the other.
+class Settler {
+ public:
+  Settler(const detail::ConeMetric& metric, Signs& signs) : metric_(metric), signs_(signs) {}
+
+  /// From lengths [E] for horospheres of one area, and where the metric is known exactly from that.
+  /// Returns whether all is known then.
+  bool settle(const std::vector<Arb>& lengths, const detail::ExactMetric* exact,
+              const Context& context) {
+    const Triangulation& triangulation = metric_.triangulation();
+    tilts_.assign(signs_.size(), std::nullopt);
+    bool all = true;
+    const topology::Gluings& gluings = triangulation.gluings();
+    for (std::size_t t = 0; t < signs_.size(); ++t) {
+      if (context.stop_requested() || context.expired()) return true;
+      for (int f = 0; f < 4; ++f) {
+        ProvedSign& here = signs_[t][static_cast<std::size_t>(f)];
+        if (here != ProvedSign::kUnknown) continue;
+        here = sign(t, f, lengths, exact);
+        const auto face = static_cast<std::size_t>(gluings.gluing(t, f)(f));
+        signs_[gluings.neighbour(t, f)][face] = here;
+        all = all && here != ProvedSign::kUnknown;
+      }
     }
-    return tilts[t][static_cast<std::size_t>(f)];
-  };
-  bool all = true;
-  const topology::Gluings& gluings = triangulation.gluings();
-  for (std::size_t t = 0; t < signs.size(); ++t) {
-    if (context.stop_requested() || context.expired()) return true;
-    for (int f = 0; f < 4; ++f) {
-      ProvedSign& here = signs[t][static_cast<std::size_t>(f)];
-      if (here != ProvedSign::kUnknown) continue;
-      const std::size_t other = gluings.neighbour(t, f);
-      const int face = gluings.gluing(t, f)(f);
-      here = sign_of(tilt(t, f), tilt(other, face), is_flat_in_the_limit(metric, t, f));
-      signs[other][static_cast<std::size_t>(face)] = here;
-      all = all && here != ProvedSign::kUnknown;
-    }
+    return all;
   }
-  return all;
+
+ private:
+  ProvedSign sign(std::size_t t, int f, const std::vector<Arb>& lengths,
+                  const detail::ExactMetric* exact) {
+    const topology::Gluings& gluings = metric_.triangulation().gluings();
+    const Tilt& a = tilt(t, f, lengths);
+    const Tilt& b = tilt(gluings.neighbour(t, f), gluings.gluing(t, f)(f), lengths);
+    const Arb geodesic = a.geodesic + b.geodesic, cusp = a.cusp + b.cusp;
+    const bool zero = arb_is_zero(geodesic.get()) != 0 || is_flat_in_the_limit(metric_, t, f) ||
+                      (exact != nullptr && exact->geodesic_sum_is_zero(t, f));
+    if (!zero) return sign_of(geodesic);
+    if (exact != nullptr && exact->cusp_sum_is_zero(t, f)) return ProvedSign::kZero;
+    return sign_of(cusp);
+  }
+
+  const Tilt& tilt(std::size_t t, int f, const std::vector<Arb>& lengths) {
+    if (!tilts_[t])
+      tilts_[t] = tilts_of(detail::lengths_of(metric_.triangulation(), lengths, t),
+                           metric_.diagonal(t));
+    return (*tilts_[t])[static_cast<std::size_t>(f)];
+  }
+
+  const detail::ConeMetric& metric_;
+  Signs& signs_;
+  std::vector<std::optional<Tilts>> tilts_;
+};
+
+/// Lengths to so many digits, enclosed; nothing if they are not proved.
+std::optional<std::vector<Arb>> precise_lengths(const Triangulation& triangulation,
+                                                const Proof& proof, int many,
+                                                const Context& context) {
+  const Digits digits = prove_digits(triangulation, proof, many, context);
+  if (!digits.proved) return std::nullopt;
+  std::vector<Arb> lengths;
+  for (std::size_t e = 0; e < digits.lengths.size(); ++e)
+    lengths.push_back(
+        detail::from_decimal(digits.lengths[e]).widened_by(detail::from_decimal(digits.radii[e])));
+  return lengths;
+}
+
+ExactField text_of(const detail::ExactMetric& exact) {
+  ExactField text;
+  text.polynomial = exact.field().polynomial();
+  const Arb& root = exact.field().root();
+  text.root = {detail::decimal_below(root, kManyDigits), detail::decimal_above(root, kManyDigits)};
+  for (const detail::Algebraic& entry : exact.gram()) text.gram.push_back(entry.text());
+  return text;
 }
 
 }  // namespace
 
-Signs tilt_signs(const Triangulation& triangulation, const Proof& proof, const Context& context) {
-  Signs signs(triangulation.tetrahedron_count());
-  if (!proof.proved || proof.claim != Proof::Claim::kMetric) return signs;
+TiltSigns tilt_signs(const Triangulation& triangulation, const Proof& proof,
+                     const TiltOptions& options, const Context& context) {
+  TiltSigns result;
+  result.sign.resize(triangulation.tetrahedron_count());
+  if (!proof.proved || proof.claim != Proof::Claim::kMetric) return result;
   const detail::ConeMetric metric(triangulation, proof.cone_angles);
+  Settler settler(metric, result.sign);
   {
     const detail::Precision precision(kFewBits);
     std::vector<Arb> lengths;
     for (std::size_t e = 0; e < proof.lengths.size(); ++e)
       lengths.push_back(Arb(proof.lengths[e]).widened(proof.radii[e]));
     detail::equalise_horospheres(metric, lengths);
-    if (settle(metric, lengths, context, signs)) return signs;
+    if (settler.settle(lengths, nullptr, context)) return result;
   }
-  const Digits digits = prove_digits(triangulation, proof, kManyDigits, context);
-  if (!digits.proved) return signs;
   const detail::Precision precision(kManyBits);
-  std::vector<Arb> lengths;
-  for (std::size_t e = 0; e < digits.lengths.size(); ++e)
-    lengths.push_back(
-        detail::from_decimal(digits.lengths[e]).widened_by(detail::from_decimal(digits.radii[e])));
-  detail::equalise_horospheres(metric, lengths);
-  settle(metric, lengths, context, signs);
-  return signs;
+  auto fifty = precise_lengths(triangulation, proof, kManyDigits, context);
+  if (!fifty) return result;
+  detail::equalise_horospheres(metric, *fifty);
+  if (settler.settle(*fifty, nullptr, context) || !options.exact) return result;
+  int tried = 0;
+  for (const Rung& rung : kRungs) {
+    const int degree = std::min(rung.degree, options.most_degree);
+    if (degree <= tried || context.stop_requested() || context.expired()) break;
+    const detail::Precision more(static_cast<long>(rung.digits * kBitsOfDigit));
+    const auto lengths = precise_lengths(triangulation, proof, rung.digits, context);
+    if (!lengths) break;
+    const auto exact = detail::ExactMetric::find(metric, *lengths, degree);
+    tried = degree;
+    if (!exact) continue;
+    result.field = text_of(*exact);
+    settler.settle(*fifty, &*exact, context);
+    break;
+  }
+  return result;
 }
 
 }  // namespace tripus::structure

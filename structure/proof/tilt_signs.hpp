@@ -2,21 +2,42 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "structure/proof/digits.hpp"
 #include "structure/proof/proof.hpp"
 
 namespace tripus::structure {
 
-enum class ProvedSign : std::int8_t { kNegative = -1, kUnknown = 0, kPositive = 1 };
+enum class ProvedSign : std::int8_t { kNegative = -1, kUnknown = 0, kPositive = 1, kZero = 2 };
 
-/// Signs of the tilt sums of all faces at a proved metric, [T x 4], the same from both sides of a
-/// face. Unknown: the enclosure contains 0, in doubles' lengths and again in lengths of 50 digits;
-/// where the sum is 0 it always does. With cusps: of horospheres of one area that shrink, as
-/// docs/canonical.md (T7).
+/// The number field in which tilt sums were shown to be 0. Everything holds in exact arithmetic
+/// modulo the polynomial, and can be checked with any system that knows rational polynomials.
+struct ExactField {
+  std::string polynomial;         ///< "x^2-3*x+1"
+  DecimalInterval root;           ///< there is a root between these: x below
+  std::vector<std::string> gram;  ///< [E] -G_ij as polynomials in x; 1 at a pin of each cusp
+};
+
+struct TiltSigns {
+  std::vector<std::array<ProvedSign, 4>> sign;  ///< [T x 4], the same from both sides of a face
+  std::optional<ExactField> field;              ///< set if some sum is shown to be 0
+};
+
+struct TiltOptions {
+  bool exact = true;     ///< whether to look for a number field where enclosures contain 0
+  int most_degree = 24;  ///< of that field
+};
+
+/// Signs of the tilt sums of all faces at a proved metric. What the enclosures do not tell, in
+/// doubles' lengths and again in lengths of 50 digits, may be 0: then the metric is looked for in a
+/// number field of small degree, and a sum is kZero if it is 0 there. Unknown is what is left.
+/// With cusps: of horospheres of one area that shrink, as docs/canonical.md (T7).
 ///   proof  of this triangulation, proved, claim kMetric
-/// Source: docs/theory.md (99).
-std::vector<std::array<ProvedSign, 4>> tilt_signs(const topology::Triangulation& triangulation,
-                                                  const Proof& proof, const Context& context = {});
+/// Source: docs/theory.md (99), (102), (103).
+TiltSigns tilt_signs(const topology::Triangulation& triangulation, const Proof& proof,
+                     const TiltOptions& options = {}, const Context& context = {});
 
 }  // namespace tripus::structure

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "structure/method.hpp"
+#include "structure/obstruction.hpp"
 #include "tests/support/data_files.hpp"
 #include "tests/support/verdict_trials.hpp"
 #include "topology/isomorphism.hpp"
@@ -210,6 +211,8 @@ TEST(Retriangulation, UndoesRandomMoves) {
 const char* const kBoundaryCase = "eLAkbccdddprdk";
 /// Of a manifold that is not known to carry a metric.
 const char* const kNone = "dLQbcbcmebs";
+/// Without angle structure, and without a quick proof that the manifold is not hyperbolic.
+const char* const kOpen = "eLAkbcbddmpbds";
 
 TEST(Retriangulation, FindsTheMetricsOfTheBoundaryCases) {
   for (const auto& row : tripus::testing::data_table("boundary-case-4.tsv")) {
@@ -247,7 +250,7 @@ TEST(Retriangulation, IsTheSameForTheSameSeed) {
 }
 
 TEST(Retriangulation, KeepsTheEvidenceWhenTheBudgetEnds) {
-  const auto triangulation = decode(kNone);
+  const auto triangulation = decode(kOpen);
   const Report start = solve(triangulation);
   ASSERT_EQ(start.outcome, Outcome::kInfeasible);
   const auto found = retriangulate(triangulation, start, {}, {.budget = 7});
@@ -257,19 +260,57 @@ TEST(Retriangulation, KeepsTheEvidenceWhenTheBudgetEnds) {
   EXPECT_TRUE(found.path.empty());
   EXPECT_TRUE(found.volumes.empty());
   EXPECT_EQ(found.report.certificate, start.certificate);
-  EXPECT_EQ(topology::isosig(found.gluings), kNone);
+  EXPECT_EQ(topology::isosig(found.gluings), kOpen);
   EXPECT_THAT(found.report.message, HasSubstr("7 other triangulations"));
   EXPECT_THAT(found.report.message, HasSubstr("nothing follows about the manifold"));
   EXPECT_EQ(found.report.advice, Advice::kLargerSearch);
 }
 
 TEST(Retriangulation, SaysWhenThereIsNothingElseToTry) {
-  const auto triangulation = decode("dLQbcbcaekw");
+  const auto triangulation = decode(kOpen);
   const auto found = retriangulate(triangulation, solve(triangulation), {}, {.extra = 0});
   EXPECT_EQ(found.report.outcome, Outcome::kUnresolved);
   EXPECT_EQ(found.end, SearchEnd::kExhausted);
   EXPECT_LT(found.tried, 500u);
   EXPECT_THAT(found.report.message, HasSubstr("all that the moves reach"));
+}
+
+TEST(Retriangulation, EndsWithAProofThatThereIsNoMetric) {
+  using Case = std::tuple<std::string, std::size_t, std::string>;
+  for (const auto& [signature, tried, words] :
+       {Case(kNone, 0, "group is free"), Case("dLQbcbcaekw", 0, "annulus"),
+        Case(kOpen, 51, "Seen on")}) {
+    const auto triangulation = decode(signature);
+    const Report start = solve(triangulation);
+    const auto found = retriangulate(triangulation, start, {});
+    EXPECT_EQ(found.end, SearchEnd::kNotHyperbolic);
+    EXPECT_EQ(found.tried, tried);
+    EXPECT_THAT(found.report.message, HasSubstr(words));
+    EXPECT_THAT(found.obstruction, HasSubstr(words));
+    const std::string& shown = found.obstructed.empty() ? signature : found.obstructed;
+    EXPECT_TRUE(found.obstruction.starts_with(obstruction(decode(shown)))) << found.obstruction;
+    EXPECT_FALSE(obstruction(decode(shown)).empty());
+    EXPECT_EQ(found.report.outcome, Outcome::kUnresolved);
+    EXPECT_EQ(found.report.certificate, start.certificate);
+    EXPECT_EQ(found.report.advice, Advice::kNone);
+  }
+}
+
+// Other code has decided about all of the lists, with certificates that are checked.
+TEST(Obstruction, IsFoundInManifoldsThatAreNotHyperbolicOnly) {
+  std::size_t found = 0, others = 0;
+  for (const auto& row : tripus::testing::data_table("hyperbolicity.tsv")) {
+    const std::string& input = row.at("input");
+    if (!topology::looks_like_isosig(input)) continue;
+    if (obstruction(decode(input.c_str())).empty()) {
+      ++others;
+      continue;
+    }
+    ++found;
+    EXPECT_EQ(row.at("hyperbolic"), "false") << input;
+  }
+  EXPECT_GT(found, 3000u);
+  EXPECT_GT(others, 6000u);
 }
 
 TEST(Retriangulation, SimplifiesFirst) {

@@ -2,8 +2,8 @@
 
 from support import ProgramTest
 
-VERBS = ["info", "solve", "simplify", "mesh", "cover", "canonize", "compare", "identify", "census",
-         "prove", "hyperbolic", "check", "study", "embed", "orthospectrum", "view", "tube", "draw",
+VERBS = ["info", "solve", "simplify", "mesh", "cover", "canonize", "compare", "identify", "enumerate",
+         "census", "prove", "hyperbolic", "check", "study", "embed", "orthospectrum", "view", "tube", "draw",
          "table", "methods"]
 
 

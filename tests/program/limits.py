@@ -28,6 +28,7 @@ TABLE = [
     ("canonize", 0.3, "huge.json", None),
     ("compare", 0.3, "huge.json huge.json", None),
     ("identify", 0.3, "huge.json", None),
+    ("enumerate", 0.3, "8 -o out.txt", "out.txt"),
     ("census", 0.3, "--from list --tsv out.tsv", "out.tsv"),
     ("census", 0.3, "--check", None),
     ("prove", 0.3, f"{TRIPUS} --digits 100000", None),

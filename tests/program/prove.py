@@ -1,6 +1,9 @@
 """tripus prove, solve --prove, check of proofs, canonize and compare --prove, census --check."""
 
 import json
+import math
+import re
+from fractions import Fraction
 
 from support import TRIPUS, TRIPUS_LENGTH, TRIPUS_VOLUME, ProgramTest, read_json
 
@@ -105,9 +108,15 @@ class Prove(ProgramTest):
         self.assertEqual((parabolic["proof"]["lengths"], parabolic["proof"]["radii"]),
                          (["0x0p+0"], ["0"]))
 
-    def test_closed_manifolds_are_not_proved(self):
-        # The Weeks manifold's vertex is finite.
-        answer = self.json_answer("prove", "jLvAMPQadfgghhiiijaqgjqxims", status=1)
+    def test_closed_manifolds(self):
+        # The Weeks manifold; its volume by SnapPy.
+        weeks = "jLvAMPQadfgghhiiijaqgjqxims"
+        proof = self.json_answer("prove", weeks)["proof"]
+        self.assertEqual((proof["proved"], proof["kind"]), (True, "interval-newton"))
+        lower, upper = map(float, proof["volume"])
+        self.assertLess(upper - lower, 1e-14)
+        self.assertAlmostEqual(lower, 0.942707362776927720921, 14)
+        answer = self.json_answer("prove", weeks, "--digits", "50", status=1)
         self.assertIn("finite", answer["proof"]["reason"])
 
     def test_canonize_with_cusps(self):
@@ -123,6 +132,22 @@ class Prove(ProgramTest):
         self.assertEqual((answer.status, answer.out), (0, b"3 of 3 manifolds have a valid proof\n"))
         self.assert_refused("census", "--from", "list.txt", "--prove", says="--proofs")
         self.assert_refused("census", "--from", "list.txt", "--proofs", "q.tsv", says="--prove")
+
+    def test_canonize_an_octahedron(self):
+        proof = self.json_answer("canonize", "t4g2.98", "--prove")["proof"]
+        self.assertEqual((proof["proved"], proof["unproved_faces"], len(proof["inner_faces"])),
+                         (True, [], 4))
+        # By hand: f changes its sign between the two numbers, and the entries are cosh of the
+        # lengths.
+        field = proof["field"]
+        polynomial = field["polynomial"].replace("^", "**")
+        below, above = (eval(polynomial, {"x": Fraction(root)}) for root in field["root"])
+        self.assertLess(below * above, 0)
+        x = Fraction(field["root"][0])
+        for entry, length in zip(field["gram"], proof["metric"]["lengths"], strict=True):
+            terms = re.sub(r"(\d+)", r"F(\1)", re.sub(r"x\^(\d)", lambda m: "*".join("x" * int(m[1])), entry))
+            self.assertAlmostEqual(float(eval(terms, {"x": x, "F": Fraction})),
+                                   math.cosh(float.fromhex(length)), 12)
 
     def test_canonize_and_compare(self):
         answer = self.json_answer("canonize", TRIPUS, "--prove")

@@ -8,6 +8,10 @@ from support import DATA, TRIPUS, TRIPUS_VOLUME, ProgramTest
 # An edge of valence 1; a semi case; a boundary case, whose neighbour by a 3-2 carries the metric.
 NONE = "dLQbcbcmebs"
 SEMI = "dLQbcbcaekw"
+# As NONE, and without a quick proof that the manifold is not hyperbolic.
+OPEN = "eLAkbcbddmpbds"
+# Not orientable, so that no quick proof applies, without angle structure.
+ENDLESS = "dLQbcbcmkdv"
 BOUNDARY_CASE = "eLAkbccdddprdk"
 ENDS = ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3))
 
@@ -190,17 +194,23 @@ class Retriangulation(ProgramTest):
         self.assertAlmostEqual(answer["volume"], TRIPUS_VOLUME, delta=1e-12)
 
     def test_is_unresolved_when_the_budget_ends(self):
-        answer = self.json_answer("solve", NONE, "--retriangulate", "--budget", "5", status=1)
+        answer = self.json_answer("solve", OPEN, "--retriangulate", "--budget", "5", status=1)
         self.assertEqual(answer["outcome"], "unresolved")
         self.assertEqual(proves(answer), "none")
         search = answer["retriangulation"]
         self.assertEqual((search["tried"], search["ended"], search["path"]), (5, "budget", []))
         for words in ("5 other triangulations", "nothing follows about the manifold"):
             self.assertIn(words, answer["message"])
-        text = self.run_program("solve", NONE, "--retriangulate", "--budget", "5")
+        text = self.run_program("solve", OPEN, "--retriangulate", "--budget", "5")
         self.assertEqual(text.status, 1)
-        self.assertEqual(text.lines[0], f"{NONE}: unresolved")
+        self.assertEqual(text.lines[0], f"{OPEN}: unresolved")
         self.assertIn("--budget", text.text)
+
+    def test_ends_where_the_manifold_is_not_hyperbolic(self):
+        answer = self.json_answer("solve", NONE, "--retriangulate", status=1)
+        self.assertEqual((answer["outcome"], proves(answer)), ("unresolved", "none"))
+        self.assertEqual(answer["retriangulation"]["ended"], "not hyperbolic")
+        self.assertIn("its fundamental group is free", answer["message"])
 
     def test_is_the_same_for_the_same_seed(self):
         def search(seed):
@@ -212,7 +222,7 @@ class Retriangulation(ProgramTest):
             self.assertEqual(search(seed), search(seed))
 
     def test_ends_in_time(self):
-        answer = self.json_answer("solve", NONE, "--retriangulate", "--budget", "100000000",
+        answer = self.json_answer("solve", ENDLESS, "--retriangulate", "--budget", "100000000",
                                   "--time-limit", "0.2", status=1,
                                   err="tripus: the time limit of 0.2 s was reached\n")
         self.assertEqual(answer["retriangulation"]["ended"], "time limit")

@@ -100,7 +100,8 @@ double checked_share(const CheckedMatrix& matrix) {
 }
 
 std::vector<std::size_t> checked_pins(const topology::Triangulation& triangulation,
-                                      std::span<const topology::OrbifoldLink> links) {
+                                      std::span<const topology::OrbifoldLink> links,
+                                      const std::vector<bool>& excluded) {
   constexpr std::int64_t kPrime = 2147483647;  // what is not 0 modulo a prime is not 0
   std::vector<std::size_t> column(links.size());
   std::size_t cusps = 0;
@@ -109,6 +110,7 @@ std::vector<std::size_t> checked_pins(const topology::Triangulation& triangulati
   std::vector<std::vector<std::int64_t>> rows;  // reduced, each with a 1 where it leads
   std::vector<std::size_t> leads, pins;
   for (std::size_t e = 0; e < triangulation.edge_count() && pins.size() < cusps; ++e) {
+    if (!excluded.empty() && excluded[e]) continue;
     std::vector<std::int64_t> row(cusps);
     const topology::EdgeCorner corner = triangulation.corners(e)[0];
     for (const int end : topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())]) {

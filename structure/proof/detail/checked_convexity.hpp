@@ -22,7 +22,9 @@ double checked_share(const CheckedMatrix& matrix);
 
 /// Edge classes, one for each ideal vertex, whose numbers of ends at these vertices have a
 /// determinant that is not 0: with their lengths held no horosphere can move.
+/// Fewer where the edges that are not excluded [E] do not suffice.
 std::vector<std::size_t> checked_pins(const topology::Triangulation& triangulation,
-                                      std::span<const topology::OrbifoldLink> links);
+                                      std::span<const topology::OrbifoldLink> links,
+                                      const std::vector<bool>& excluded = {});
 
 }  // namespace tripus::structure::detail

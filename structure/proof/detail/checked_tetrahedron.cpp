@@ -1,6 +1,7 @@
 #include "structure/proof/detail/checked_tetrahedron.hpp"
 
 #include <string_view>
+#include <utility>
 
 #include <acb.h>
 #include <acb_hypgeom.h>
@@ -167,9 +168,10 @@ CheckedGram::CheckedGram(const std::array<Arb, 6>& l, const std::array<int, 4>& 
     const auto i = static_cast<std::size_t>(kCheckedEnds[e][0]);
     const auto j = static_cast<std::size_t>(kCheckedEnds[e][1]);
     Arb entry;
-    if (kind[i] == 1 && kind[j] == 1) {
+    if (kind[i] != 0 && kind[j] != 0) {
       arb_cosh(entry.get(), l[e].get(), Precision::bits());
       arb_sinh(slope[e].get(), l[e].get(), Precision::bits());
+      if (kind[i] != kind[j]) std::swap(entry, slope[e]);
     } else {
       arb_exp(entry.get(), l[e].get(), Precision::bits());
       if (kind[i] == kind[j]) entry = 2.0 * entry;
@@ -185,6 +187,11 @@ CheckedGram::CheckedGram(const std::array<Arb, 6>& l, const std::array<int, 4>& 
           (i + j) % 2 == 0 ? minor : -minor;
     }
   det = g[0][0] * c[0][0] + g[0][1] * c[0][1] + g[0][2] * c[0][2] + g[0][3] * c[0][3];
+}
+
+bool CheckedGram::is_true() const {
+  return det.negative() && c[0][0].negative() && c[1][1].negative() && c[2][2].negative() &&
+         c[3][3].negative();
 }
 
 Arb CheckedGram::cosine(int e) const {

@@ -13,7 +13,7 @@ namespace tripus::structure::detail {
 inline constexpr int kCheckedEnds[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
 /// Gram matrix, cofactors and determinant of six lengths: theory (6) and (77).
-///   kind  1 at a hyperideal vertex, 0 at an ideal one
+///   kind  1 at a hyperideal vertex, 0 at an ideal, -1 at a finite one
 struct CheckedGram {
   using Matrix4 = std::array<std::array<Arb, 4>, 4>;
   Matrix4 g, c;
@@ -21,6 +21,8 @@ struct CheckedGram {
   Arb det;
 
   CheckedGram(const std::array<Arb, 6>& l, const std::array<int, 4>& kind);
+  /// Whether there is a true tetrahedron with it: det G < 0 and all c_kk < 0.
+  bool is_true() const;
   /// cos theta_ij = c_kl / sqrt(c_kk c_ll), theory (10).
   Arb cosine(int e) const;
 };

@@ -69,7 +69,7 @@ ConeMetric::ConeMetric(const Triangulation& triangulation,
                        std::vector<topology::ConeAngle> cone_angles)
     : triangulation_(triangulation),
       cone_angles_(topology::completed(cone_angles, triangulation.edge_count())),
-      ideal_end_(triangulation.edge_count()) {
+      any_sign_(triangulation.edge_count()) {
   topology::require_solvable(triangulation, cone_angles_);
   for (const topology::OrbifoldLink& link : topology::orbifold_links(triangulation, cone_angles_)) {
     kinds_.push_back(link.kind);
@@ -78,20 +78,26 @@ ConeMetric::ConeMetric(const Triangulation& triangulation,
   }
   for (const topology::ConeAngle& angle : cone_angles_)
     strictly_convex_ = strictly_convex_ && !angle.is_parabolic();
-  find_pins();
+  for (std::size_t e = 0; e < any_sign_.size(); ++e) any_sign_[e] = is_any_sign(e);
+  pins_ = pins_without(std::vector<bool>(any_sign_.size()));
 }
 
-void ConeMetric::find_pins() {
+bool ConeMetric::is_any_sign(std::size_t e) const {
+  const auto [a, b] = ends(e);
+  return is_ideal(a) || is_ideal(b) || is_finite(a) != is_finite(b);
+}
+
+std::vector<std::size_t> ConeMetric::pins_without(const std::vector<bool>& excluded) const {
+  std::vector<std::size_t> pins;
   EvenCycleForest forest(kinds_.size());
   for (std::size_t e = 0; e < triangulation_.edge_count(); ++e) {
     const auto [a, b] = ends(e);
-    const bool ideal_a = kinds_[a] == VertexKind::kIdeal, ideal_b = kinds_[b] == VertexKind::kIdeal;
-    if (!ideal_a && !ideal_b) continue;
-    ideal_end_[e] = true;
-    const bool raised =
-        ideal_a && ideal_b ? forest.join(a, b) : forest.add_odd_cycle(ideal_a ? a : b);
-    if (raised) pins_.push_back(e);
+    if (excluded[e] || (!is_ideal(a) && !is_ideal(b))) continue;
+    const bool raised = is_ideal(a) && is_ideal(b) ? forest.join(a, b)
+                                                   : forest.add_odd_cycle(is_ideal(a) ? a : b);
+    if (raised) pins.push_back(e);
   }
+  return pins;
 }
 
 std::array<std::uint32_t, 2> ConeMetric::ends(std::size_t e) const {

@@ -32,24 +32,29 @@ class ConeMetric {
   bool is_fixed(std::size_t e) const { return cone_angles_[e].is_parabolic(); }
   /// The vertex classes at the ends of an edge class.
   std::array<std::uint32_t, 2> ends(std::size_t e) const;
-  /// Whether an end is ideal: such a length may be any real number.
-  bool may_be_negative(std::size_t e) const { return ideal_end_[e]; }
+  /// Whether an end is ideal, or one finite and the other hyperideal: such a length may be any real
+  /// number.
+  bool may_be_negative(std::size_t e) const { return any_sign_[e]; }
   /// Whether every tetrahedron is strictly convex in all its lengths.
   bool is_strictly_convex() const { return strictly_convex_; }
   /// Radii are claimed wider than proved by this factor, so that other code, with other bounds for
   /// the weights, can follow: at cusps it may hold other edges.
   double margin() const { return strictly_convex_ ? 1 + 0x1p-4 : 4; }
   bool has_finite_vertex() const { return finite_vertex_; }
+  bool is_ideal(std::size_t v) const { return kinds_[v] == topology::VertexKind::kIdeal; }
+  bool is_finite(std::size_t v) const { return kinds_[v] == topology::VertexKind::kFinite; }
   /// An edge class for each cusp: with their lengths fixed no horosphere can move.
   const std::vector<std::size_t>& pins() const { return pins_; }
+  /// The same without some edge classes [E]; fewer where the others do not hold all horospheres.
+  std::vector<std::size_t> pins_without(const std::vector<bool>& excluded) const;
 
  private:
-  void find_pins();
+  bool is_any_sign(std::size_t e) const;
 
   const topology::Triangulation& triangulation_;
   std::vector<topology::ConeAngle> cone_angles_;  // [E]
   std::vector<topology::VertexKind> kinds_;       // [V]
-  std::vector<bool> ideal_end_;                   // [E]
+  std::vector<bool> any_sign_;                    // [E] of the length
   std::vector<std::size_t> pins_;
   bool strictly_convex_ = true;
   bool finite_vertex_ = false;

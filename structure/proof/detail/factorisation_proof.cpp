@@ -39,6 +39,10 @@ struct FactorisationProof {
   std::vector<Arb> K{};         // [E] enclosed, at the lengths
   Arb volume{};                 // of the tetrahedra at the lengths
   std::vector<double> scale{};  // [E] the Hessian is looked at as diag(scale) Hess diag(scale)
+  std::vector<bool> is_flat{};         // [T] held flat
+  std::vector<std::size_t> straight{};  // [E] corners with the angle pi in these
+  std::vector<bool> is_out{};  // [E] no unknown: parabolic, or all corners in flat tetrahedra
+  std::vector<std::size_t> pins{};
   bool box_too_large = false;
 
   bool refuse(std::string reason) {
@@ -53,7 +57,7 @@ struct FactorisationProof {
     for (std::size_t e = 0; e < 6; ++e) {
       const std::size_t edge = metric.triangulation().edge_class(t, static_cast<int>(e));
       l[e] = Arb(proof.lengths[edge]);
-      if (with_box && !metric.is_fixed(edge)) l[e] = l[e].widened(proof.box[edge]);
+      if (with_box && !is_out[edge]) l[e] = l[e].widened(proof.box[edge]);
     }
     return l;
   }
@@ -75,6 +79,7 @@ struct FactorisationProof {
         for (std::size_t t = next++; t < end; t = next++) {
           Found& here = found[t - begin];
           here.reset();
+          if (is_flat[t]) continue;
           int& bits = bits_of[t - begin];
           for (bits = kFirstBits; bits <= options.most_bits && !stopped(); bits *= 2) {
             const Precision precision(bits);
@@ -85,6 +90,7 @@ struct FactorisationProof {
       });
       const Precision precision(kFirstBits);
       for (std::size_t t = begin; t < end; ++t) {
+        if (is_flat[t]) continue;
         if (!found[t - begin]) {
           if (stopped()) return refuse("stopped before it was decided");
           return refuse(
@@ -98,7 +104,56 @@ struct FactorisationProof {
     return true;
   }
 
-  /// Curvatures and volume at the lengths themselves.
+  /// What is no unknown, and the pins among the rest.
+  bool sort_edges() {
+    is_flat.assign(metric.triangulation().tetrahedron_count(), false);
+    for (const std::size_t t : options.flat) is_flat[t] = true;
+    is_out.assign(proof.lengths.size(), true);
+    for (std::size_t t = 0; t < is_flat.size(); ++t)
+      for (int e = 0; e < 6 && !is_flat[t]; ++e)
+        is_out[metric.triangulation().edge_class(t, e)] = false;
+    for (std::size_t e = 0; e < is_out.size(); ++e)
+      if (metric.is_fixed(e)) is_out[e] = true;
+    pins = options.flat.empty() ? metric.pins() : metric.pins_without(is_out);
+    if (pins.size() < metric.pins().size())
+      return refuse("with the flat tetrahedra left out no edges hold the horospheres");
+    return true;
+  }
+
+  /// Shows the flat tetrahedra to be flat over the box, and counts their angles pi.
+  bool enclose_flat() {
+    straight.assign(proof.lengths.size(), 0);
+    for (const std::size_t t : options.flat) {
+      std::optional<geometry::TetrahedronKind> kind;
+      for (int bits = kFirstBits; bits <= options.most_bits && !kind; bits *= 2) {
+        const Precision precision(bits);
+        kind = proved_flat(lengths_of(t, true), metric.diagonal(t));
+      }
+      if (!kind) {
+        box_too_large = true;
+        return refuse(fmt::format("tetrahedron {} is not proved to be flat near these lengths", t));
+      }
+      const int pair = *kind == geometry::TetrahedronKind::kFlat01_23   ? 0
+                       : *kind == geometry::TetrahedronKind::kFlat02_13 ? 1
+                                                                        : 2;
+      ++straight[metric.triangulation().edge_class(t, pair)];
+      ++straight[metric.triangulation().edge_class(t, 5 - pair)];
+    }
+    for (std::size_t e = 0; e < is_out.size(); ++e)
+      if (is_out[e] && !metric.is_fixed(e) &&
+          (straight[e] != 2 || !metric.cone_angles()[e].is_full()))
+        return refuse(fmt::format("the angles pi at edge class {} do not add up to what is wanted",
+                                  e));
+    return true;
+  }
+
+  /// The curvature with the angles of the flat tetrahedra.
+  Arb curvature(std::size_t e) const {
+    if (straight[e] == 0) return K[e];
+    return K[e] - static_cast<double>(straight[e]) * number_pi(K[e]);
+  }
+
+  /// Curvatures and volume at the lengths themselves, but for the flat tetrahedra.
   bool enclose_lengths() {
     const Precision precision(kFirstBits);
     for (std::size_t e = 0; e < proof.lengths.size(); ++e) K.push_back(metric.target(e));
@@ -142,7 +197,7 @@ struct FactorisationProof {
             for (int j = i; j < 6; ++j) {
               const std::size_t a = metric.triangulation().edge_class(t, i);
               const std::size_t b = metric.triangulation().edge_class(t, j);
-              if (metric.is_fixed(a) || metric.is_fixed(b)) continue;
+              if (is_out[a] || is_out[b]) continue;
               const DoubleBall entry(jacobian[static_cast<std::size_t>(packed_index(i, j))]);
               // Two edges of a tetrahedron in one class give their entry twice.
               const double times = a == b && i != j ? 2 : 1;
@@ -155,7 +210,7 @@ struct FactorisationProof {
       return std::nullopt;
     }
     for (std::size_t e = 0; e < diagonal.size(); ++e) {
-      if (metric.is_fixed(e)) {
+      if (is_out[e]) {
         scale[e] = 1;
         add(e, e, 1, 0);
       } else if (!(diagonal[e] > 0) || !std::isfinite(diagonal[e])) {
@@ -166,7 +221,7 @@ struct FactorisationProof {
         scale[e] = 1 / std::sqrt(diagonal[e]);
       }
     }
-    for (const std::size_t e : metric.pins()) add(e, e, diagonal[e], 0);
+    for (const std::size_t e : pins) add(e, e, diagonal[e], 0);
     EnclosedMatrix matrix{Eigen::SparseMatrix<double>(n, n), Eigen::SparseMatrix<double>(n, n)};
     matrix.mid.setFromTriplets(mids.begin(), mids.end());
     matrix.radius.setFromTriplets(radii.begin(), radii.end());
@@ -188,22 +243,23 @@ struct FactorisationProof {
 
   /// Sets weights and radii, and says whether the radii are inside the box.
   bool find_radii(double least) {
+    const Precision precision(kFirstBits);
     double squares = 0;
     for (std::size_t e = 0; e < K.size(); ++e) {
-      if (metric.is_fixed(e)) continue;
+      if (is_out[e]) continue;
       proof.weights[e] = least / scale[e] / scale[e] * (1 - 0x1p-48);
-      const double largest = K[e].magnitude().upper();
+      const double largest = curvature(e).magnitude().upper();
       squares = up(squares + up(up(largest * largest) / proof.weights[e]));
     }
     const double g = up(std::sqrt(squares)) * metric.margin();
     bool inside = std::isfinite(g);
     for (std::size_t e = 0; e < K.size(); ++e) {
-      if (metric.is_fixed(e)) continue;
+      if (is_out[e]) continue;
       proof.radii[e] = up(g / (std::sqrt(proof.weights[e]) * (1 - 0x1p-48)));
       inside = inside && proof.radii[e] < proof.box[e];
     }
     if (!inside) return refuse(not_inside());
-    if (options.volume) set_volume(squares);
+    if (options.volume && options.flat.empty()) set_volume(squares);
     return true;
   }
 
@@ -229,6 +285,7 @@ struct FactorisationProof {
 
   bool try_box() {
     box_too_large = false;
+    if (!enclose_flat()) return false;
     const auto matrix = scaled_hessian();
     if (!matrix) return false;
     const double least = least_eigenvalue_bound(*matrix);
@@ -261,7 +318,7 @@ struct FactorisationProof {
   void run() {
     proof.bits = kFirstBits;
     scale.resize(proof.lengths.size());
-    if (!enclose_lengths()) return;
+    if (!sort_edges() || !enclose_lengths()) return;
     for (int k = 0; k < kAttempts && !proof.proved; ++k) {
       proof.escalated = 0;
       proof.proved = try_box();

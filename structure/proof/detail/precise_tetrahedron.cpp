@@ -14,6 +14,13 @@ geometry::GramEnclosure<Arb> gram_of(const std::array<Arb, 6>& l, const Diagonal
   return geometry::gram_enclosure(g.c, g.s, gram_diagonal(diagonal));
 }
 
+/// Whether the tetrahedron is a true one.
+bool is_true(const geometry::GramEnclosure<Arb>& gram, const Diagonal& diagonal) {
+  if (!gram.minus_det.positive()) return false;
+  return std::ranges::find(diagonal, -1) == diagonal.end() ||
+         std::ranges::all_of(gram.minor, [](const Arb& minor) { return minor.positive(); });
+}
+
 }  // namespace
 
 geometry::GramDiagonal gram_diagonal(const Diagonal& diagonal) {
@@ -35,13 +42,14 @@ GramEntries gram_entries(const std::array<Arb, 6>& l, const Diagonal& diagonal) 
   auto& [c, s] = entries;
   for (std::size_t e = 0; e < 6; ++e) {
     const auto& [i, j] = topology::kEdgeEnds[e];
-    const int ideal_ends =
-        2 - diagonal[static_cast<std::size_t>(i)] - diagonal[static_cast<std::size_t>(j)];
-    if (ideal_ends == 0) {
+    const int a = diagonal[static_cast<std::size_t>(i)], b = diagonal[static_cast<std::size_t>(j)];
+    if (a * b == 1) {
       arb_sinh_cosh(s[e].get(), c[e].get(), l[e].get(), Precision::bits());
+    } else if (a * b == -1) {
+      arb_sinh_cosh(c[e].get(), s[e].get(), l[e].get(), Precision::bits());
     } else {
       arb_exp(c[e].get(), l[e].get(), Precision::bits());
-      if (ideal_ends == 2) arb_mul_2exp_si(c[e].get(), c[e].get(), 1);
+      if (a == 0 && b == 0) arb_mul_2exp_si(c[e].get(), c[e].get(), 1);
       s[e] = c[e];
     }
   }
@@ -51,7 +59,7 @@ GramEntries gram_entries(const std::array<Arb, 6>& l, const Diagonal& diagonal) 
 std::optional<PreciseTetrahedron> precise_tetrahedron(const std::array<Arb, 6>& l, bool with_volume,
                                                       const Diagonal& diagonal) {
   const auto gram = gram_of(l, diagonal);
-  if (!gram.minus_det.positive()) return std::nullopt;
+  if (!is_true(gram, diagonal)) return std::nullopt;
   const Arb root = square_root(gram.minus_det);
   Arb theta[6];
   geometry::angle_enclosures(gram, root, theta);
@@ -64,7 +72,7 @@ std::optional<PreciseTetrahedron> precise_tetrahedron(const std::array<Arb, 6>& 
 std::optional<std::array<Arb, 21>> precise_jacobian(const std::array<Arb, 6>& l,
                                                     const Diagonal& diagonal) {
   const auto gram = gram_of(l, diagonal);
-  if (!gram.minus_det.positive()) return std::nullopt;
+  if (!is_true(gram, diagonal)) return std::nullopt;
   std::array<Arb, 21> jacobian;
   geometry::jacobian_enclosure(gram, square_root(gram.minus_det), jacobian.data(),
                                gram_diagonal(diagonal));
@@ -107,13 +115,18 @@ std::optional<std::array<double, 6>> precise_weights(const std::array<Arb, 6>& l
   return weights;
 }
 
-std::optional<geometry::TetrahedronKind> proved_flat(const std::array<Arb, 6>& l) {
+std::optional<geometry::TetrahedronKind> proved_flat(const std::array<Arb, 6>& l,
+                                                     const Diagonal& diagonal) {
   using geometry::TetrahedronKind;
   constexpr std::array kKinds = {TetrahedronKind::kFlat01_23, TetrahedronKind::kFlat02_13,
                                  TetrahedronKind::kFlat03_12};
-  for (const Arb& length : l)
-    if (!length.positive()) return std::nullopt;
-  const auto gram = gram_of(l, kHyperideal);
+  for (std::size_t e = 0; e < 6; ++e) {
+    const auto [i, j] = topology::kEdgeEnds[e];
+    const bool between_planes = diagonal[static_cast<std::size_t>(i)] == 1 &&
+                                diagonal[static_cast<std::size_t>(j)] == 1;
+    if (between_planes && !l[e].positive()) return std::nullopt;
+  }
+  const auto gram = gram_of(l, diagonal);
   if (!gram.minus_det.negative()) return std::nullopt;
   // |cos| > 1 at every edge, and it is negative at one pair only.
   for (std::size_t e = 0; e < 3; ++e)

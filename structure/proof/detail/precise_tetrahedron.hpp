@@ -13,7 +13,7 @@
 /// What geometry/enclosure.hpp finds in doubles, at the thread's precision in Arb.
 namespace tripus::structure::detail {
 
-/// What each vertex is: 1 hyperideal, 0 ideal.
+/// What each vertex is: 1 hyperideal, 0 ideal, -1 finite.
 using Diagonal = std::array<int, 4>;
 inline constexpr Diagonal kHyperideal = {1, 1, 1, 1};
 
@@ -34,7 +34,8 @@ struct PreciseTetrahedron {
   Arb volume;
 };
 
-/// Dihedral angles at l, and the volume if wanted; nothing unless -det G is proved > 0.
+/// Dihedral angles at l, and the volume if wanted; nothing unless -det G is proved > 0, and with
+/// finite vertices the minors too (10.2).
 std::optional<PreciseTetrahedron> precise_tetrahedron(const std::array<Arb, 6>& l, bool with_volume,
                                                       const Diagonal& diagonal = kHyperideal);
 
@@ -46,8 +47,10 @@ std::optional<std::array<Arb, 21>> precise_jacobian(const std::array<Arb, 6>& l,
 /// precision does not prove it. Source: docs/theory.md section 9.
 std::optional<std::array<double, 6>> precise_weights(const std::array<Arb, 6>& l);
 
-/// How a box of positive lengths is flat, if -det G is proved < 0 on it: every member then has the
-/// angle pi at the same pair of opposite edges. Source: docs/theory.md (15).
-std::optional<geometry::TetrahedronKind> proved_flat(const std::array<Arb, 6>& l);
+/// How a box of lengths, positive between hyperideal vertices, is flat, if -det G is proved < 0 on
+/// it: every member then has the angle pi at the same pair of opposite edges. Source: docs/theory.md
+/// (15) and 10.3.
+std::optional<geometry::TetrahedronKind> proved_flat(const std::array<Arb, 6>& l,
+                                                     const Diagonal& diagonal = kHyperideal);
 
 }  // namespace tripus::structure::detail

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "structure/proof/detail/cone_metric.hpp"
+#include "structure/proof/detail/exact_gram.hpp"
+#include "structure/proof/detail/number_field.hpp"
+
+namespace tripus::structure::detail {
+
+/// The metric in a number field: its Gram entries were guessed from many digits, and then all
+/// equations of the metric were shown in exact arithmetic. Horospheres are those whose entries at
+/// the pins are 1. Source: docs/theory.md 9.7.
+class ExactMetric {
+ public:
+  /// Nothing where no field of at most this degree is found, or the equations are not shown.
+  ///   lengths  [E]  enclosures of those of a proved metric, to nearly the thread's precision
+  static std::optional<ExactMetric> find(const ConeMetric& metric, const std::vector<Arb>& lengths,
+                                         int most_degree);
+
+  const NumberField& field() const { return field_; }
+  const std::vector<Algebraic>& gram() const { return gram_; }  ///< [E] a = -G_ij
+
+  /// Whether the terms of the tilts across face f of tetrahedron t that come from hyperideal
+  /// vertices, or those that come from ideal ones, add up to exactly 0: docs/canonical.md (T7).
+  bool geodesic_sum_is_zero(std::size_t t, int f) const { return sum_is_zero(t, f, 1); }
+  bool cusp_sum_is_zero(std::size_t t, int f) const { return sum_is_zero(t, f, 0); }
+
+ private:
+  /// factor * the product of the roots of D that `roots` names, by its bits.
+  struct Root {
+    Algebraic factor;
+    std::uint32_t roots = 0;
+  };
+  /// A sum of such, one factor for each set of roots.
+  using Sum = std::vector<Algebraic>;
+
+  ExactMetric(const ConeMetric& metric, NumberField field)
+      : metric_(&metric), field_(std::move(field)) {}
+
+  bool guess_entries(const std::vector<Arb>& entries);
+  bool fill_tetrahedra();
+  bool add_root(std::size_t t);
+  bool all_true() const;
+  bool angles_close(std::size_t e) const;
+  bool find_horospheres();
+  bool sum_is_zero(std::size_t t, int f, int kind) const;
+  Algebraic numerator(std::size_t t, int f, int kind) const;
+
+  Sum one() const;
+  Sum scaled(const Sum& a, const Algebraic& factor) const;
+  Sum times_root(const Sum& a, const Root& root) const;
+  Sum sum(const Sum& a, const Sum& b) const;
+  Sum product(const Sum& a, const Sum& b) const;
+
+  const ConeMetric* metric_;
+  NumberField field_;
+  std::vector<Algebraic> gram_;              // [E]
+  std::vector<ExactGram<Algebraic>> exact_;  // [T]
+  std::vector<ExactGram<Arb>> near_;         // [T] the same, enclosed
+  std::vector<Algebraic> radicand_;          // D of the roots that the others are multiples of
+  std::vector<Root> root_;                   // [T] sqrt D
+  /// [V] sqrt(A_0 / A_v), A_v the area of the horosphere: what makes all areas one. Empty where it
+  /// is not known.
+  std::vector<Algebraic> horosphere_;
+};
+
+}  // namespace tripus::structure::detail

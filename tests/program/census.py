@@ -1,0 +1,171 @@
+"""Censuses in shards: whole or absent, in any order, and the same in the end."""
+
+import gzip
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+import zipfile
+from pathlib import Path
+
+from support import DATA, ProgramTest
+
+LISTS = ("--from", str(DATA / "triangulations-2.txt"), "--from", str(DATA / "triangulations-3.txt"))
+
+
+class Shards(ProgramTest):
+    def shard(self, k, count, *more, status=0):
+        result = self.run_program("census", *LISTS, "--shard", f"{k}/{count}", "-o", f"{k}.tcs", *more)
+        self.assertEqual(result.status, status, result.err)
+        return result
+
+    def merge(self, count, *more, order=None):
+        names = [f"{k}.tcs" for k in order or range(1, count + 1)]
+        return self.run_program("census", "--merge", *names, *more)
+
+    def whole(self):
+        self.run_program("census", *LISTS, "--tsv", "whole.tsv", "--database", "whole.sqlite")
+        return (self.folder / "whole.tsv").read_bytes()
+
+    def test_of_any_size_make_the_same_census(self):
+        whole = self.whole()
+        for count in (1, 3, 50, 300):
+            for k in range(1, count + 1):
+                self.shard(k, count, "--threads", str(1 + k % 3), "--quiet")
+            order = list(range(1, count + 1))
+            random.Random(count).shuffle(order)
+            result = self.merge(count, "--tsv", "out.tsv", "-o", "out.sqlite", order=order)
+            self.assertEqual(result.status, 0, result.err)
+            self.assertEqual((self.folder / "out.tsv").read_bytes(), whole)
+            again = self.run_program("census", "--in", "out.sqlite", "--tsv", "-").text
+            self.assertEqual(again.encode(), whole)
+            for path in self.folder.glob("*.tcs"):
+                path.unlink()
+
+    def test_are_made_once(self):
+        self.assertIn("shard 1/4: 62 lines: ", self.shard(1, 4).err)
+        before = (self.folder / "1.tcs").stat()
+        self.assertIn("is there already", self.shard(1, 4).err)
+        self.assertEqual((self.folder / "1.tcs").stat().st_mtime_ns, before.st_mtime_ns)
+        self.assertIn("is not this shard", self.run_program(
+            "census", *LISTS, "--shard", "2/4", "-o", "1.tcs").err)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["1.tcs"])
+
+    def test_that_do_not_fit_are_named(self):
+        for k in (1, 2, 3):
+            self.shard(k, 4)
+        result = self.merge(3, "--tsv", "out.tsv")
+        self.assertEqual(result.status, 2)
+        self.assertIn("1 of 4 shards are missing: 4", result.err)
+        self.shard(4, 4)
+        (self.folder / "copy.tcs").write_bytes((self.folder / "4.tcs").read_bytes())
+        result = self.run_program("census", "--merge", "1.tcs", "2.tcs", "3.tcs", "4.tcs", "copy.tcs")
+        self.assertIn("are both shard 4/4", result.err)
+        self.run_program("census", *LISTS, "--shard", "4/4", "-o", "other.tcs", "--budget", "3")
+        result = self.run_program("census", "--merge", "1.tcs", "2.tcs", "3.tcs", "other.tcs")
+        self.assertIn("not of the same census", result.err)
+        self.assertIn("budget 3", result.err)
+        self.assertFalse((self.folder / "out.tsv").exists())
+
+    def test_that_are_damaged_are_refused_and_made_anew(self):
+        self.shard(1, 2)
+        self.shard(2, 2)
+        good = (self.folder / "1.tcs").read_bytes()
+        chance = random.Random(1)
+        for _ in range(20):
+            bad = bytearray(good)
+            if chance.random() < 0.5:
+                bad[chance.randrange(len(bad))] ^= 1 << chance.randrange(7)
+            else:
+                bad = bad[:chance.randrange(len(bad))]
+            if bytes(bad) == good:
+                continue
+            (self.folder / "1.tcs").write_bytes(bad)
+            result = self.merge(2, "--tsv", "out.tsv")
+            self.assertEqual(result.status, 2)
+            self.assertIn('"1.tcs"', result.err)
+        (self.folder / "1.tcs").write_bytes(good[:-1])
+        self.assertIn("it is made anew", self.shard(1, 2).err)
+        self.assertEqual((self.folder / "1.tcs").read_bytes(), good)
+
+    def test_record_bad_lines(self):
+        self.write("list", "cPcbbbihq\nbanana\nno such file\ncPcbbbiht\tx\ncMcabbjdw\n")
+        for k in (1, 2):
+            result = self.run_program("census", "--from", "list", "--shard", f"{k}/2", "-o", f"{k}.tcs")
+            self.assertEqual(result.status, 0, result.err)
+        self.assertIn("refused\t", (self.folder / "2.tcs").read_text())
+        result = self.merge(2, "--tsv", "out.tsv")
+        self.assertEqual(result.status, 0)
+        self.assertIn("3 refused", result.err)
+        self.assertIn("banana", result.err)
+
+    def test_survive_kills(self):
+        """Workers are killed at random moments, two at a time on each shard; then it is the same."""
+        whole = self.whole()
+        count, chance = 3, random.Random(22)
+        for _ in range(50):
+            k = chance.randrange(1, count + 1)
+            workers = [subprocess.Popen(
+                [*self.command("census", *LISTS, "--shard", f"{k}/{count}", "-o", f"{k}.tcs",
+                               "--threads", "1")], cwd=self.folder, stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL) for _ in range(2)]
+            time.sleep(chance.uniform(0, 0.08))
+            for worker in workers:
+                os.kill(worker.pid, signal.SIGKILL)
+                worker.wait()
+            for path in self.folder.glob("*.tcs"):  # whole or absent
+                self.assertTrue(path.read_text().splitlines()[-1].startswith("# end of the shard"))
+        for k in range(1, count + 1):
+            self.shard(k, count)
+        self.assertEqual(list(self.folder.glob("*.journal")), [])
+        self.assertEqual(self.merge(count, "--tsv", "out.tsv", "--quiet").status, 0)
+        self.assertEqual((self.folder / "out.tsv").read_bytes(), whole)
+
+    def test_with_a_full_disk_are_absent(self):
+        result = self.run_program("census", *LISTS, "--shard", "1/2", "-o", "/dev/full")
+        self.assertNotEqual(result.status, 0)
+
+    def test_make_tables_that_may_be_compressed(self):
+        whole = self.whole()
+        (self.folder / "whole.tsv.gz").write_bytes(gzip.compress(whole))
+        result = self.run_program("census", "--in", "whole.tsv.gz", "--tsv", "-")
+        self.assertEqual((result.status, result.text.encode()), (0, whole))
+        (self.folder / "torn.tsv.gz").write_bytes(gzip.compress(whole)[:-9])
+        self.assertEqual(self.run_program("census", "--in", "torn.tsv.gz", "g2").status, 2)
+
+    def test_want_their_options(self):
+        for arguments, says in (
+                (("--shard", "1/2"), "--from"), ((*LISTS, "--shard", "1/2"), "-o"),
+                ((*LISTS, "--shard", "3/2", "-o", "x"), "NUMBER/COUNT"),
+                ((*LISTS, "-o", "x"), "--shard"),
+                ((*LISTS, "--shard", "1/2", "-o", "x", "--tsv", "y"), "--tsv"),
+                ((*LISTS, "--merge", "x"), "--merge"), (("--merge", "x"), '"x"')):
+            result = self.run_program("census", *arguments)
+            self.assertEqual(result.status, 2, arguments)
+            self.assertIn(says, result.err)
+
+
+class Package(ProgramTest):
+    def test_holds_the_census(self):
+        """scripts/census_package: the wheel is the same each time, and its functions answer."""
+        script = Path(__file__).resolve().parents[2] / "scripts/census_package"
+        self.run_program("census", *LISTS, "--tsv", "list.tsv")
+        wheels = []
+        for into in ("a", "b"):
+            made = subprocess.run([sys.executable, script, self.folder / "list.tsv", "--name",
+                                   "census-of-three", "--into", self.folder / into, "--program",
+                                   self.command()[0]], check=True, capture_output=True, text=True)
+            wheels.append(Path(made.stdout.strip()))
+        self.assertEqual(wheels[0].read_bytes(), wheels[1].read_bytes())
+        with zipfile.ZipFile(wheels[0]) as archive:
+            self.assertIsNone(archive.testzip())
+            archive.extractall(self.folder / "site")
+        asked = subprocess.run(
+            [sys.executable, "-c", "import census_of_three as c; e = c.find('cPcbbbihq-')\n"
+             "print(len(c.manifolds()), len(c.manifolds(tetrahedra=2)), e.name, e.boundary, "
+             "c.find(c.triangulations(e)[0]) == e, c.find('cPcbbbiht'), "
+             "len(c.manifolds(boundary='g3', volume=(10, 11))))"],
+            cwd=self.folder / "site", check=True, capture_output=True, text=True).stdout
+        self.assertEqual(asked.split(), ["158", "8", "t2g2.8", "g2", "True", "None", "74"])

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "topology/gluings.hpp"
+#include "topology/triangulation.hpp"
+
+namespace tripus::topology {
+
+/// Which triangulations an enumeration is about, by their vertex links.
+enum class LinkChoice {
+  kGeodesic,  ///< every link has genus >= 2
+  kMixed,     ///< links of genus >= 2 and tori, at least one of each
+  kCusped,    ///< every link is a torus
+};
+/// "geodesic", "mixed", "cusped".
+std::string_view to_string(LinkChoice links);
+/// Whether the links of an orientable triangulation are such.
+bool has_links(const Triangulation& triangulation, LinkChoice links);
+
+/// The most tetrahedra: 7 have some 2.5e9 triangulations, each more 70 times as many.
+inline constexpr std::size_t kMaxEnumerated = 12;
+
+/// A beginning of gluings: everything that begins so is one piece of an enumeration. In the order
+/// in which a search meets the faces, what each is glued to.
+struct EnumerationPiece {
+  std::vector<std::uint16_t> symbols;
+};
+
+/// The pieces of an enumeration, in their order: each triangulation with so many tetrahedra belongs
+/// to exactly one of them. There are some thousands, of very different sizes; for up to 2
+/// tetrahedra a few. Throws InvalidInput unless 1 <= tetrahedra <= kMaxEnumerated.
+std::vector<EnumerationPiece> enumeration_pieces(std::size_t tetrahedra, LinkChoice links);
+
+/// Calls `take` for each connected orientable triangulation of a piece, one of each class of
+/// isomorphic ones (mirror images are isomorphic), in a fixed order; `symmetries` is the number of
+/// its automorphisms, those that reverse the orientation included. Nothing is kept: the memory is
+/// a constant. Ends early if `stop` is set. Returns how many there were.
+///
+/// A search glues face after face and keeps the gluings that are the least among all their
+/// labellings, as far as these are determined yet: orderly generation. Sources: R. C. Read, Every
+/// one a winner, Ann. Discrete Math. 2 (1978); for triangulations by their face pairings and with
+/// pruning on edges: B. A. Burton, Face pairing graphs and 3-manifold enumeration,
+/// math/0307382. docs/census.md.
+std::uint64_t enumerate(
+    std::size_t tetrahedra, LinkChoice links, const EnumerationPiece& piece,
+    const std::function<void(const Gluings& gluings, unsigned symmetries)>& take,
+    const std::atomic<bool>* stop = nullptr);
+
+}  // namespace tripus::topology

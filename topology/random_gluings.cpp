@@ -1,0 +1,55 @@
+#include "topology/random_gluings.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "topology/triangulation.hpp"
+
+namespace tripus::topology {
+namespace {
+
+constexpr std::size_t kMostDraws = 100'000'000;
+
+/// The standard distributions differ between libraries; the engine does not.
+std::size_t below(std::size_t count, std::mt19937_64& random) {
+  return static_cast<std::size_t>(random() % count);
+}
+
+Gluings draw(std::size_t tetrahedra, std::mt19937_64& random) {
+  std::vector<std::size_t> faces(4 * tetrahedra);
+  for (std::size_t k = 0; k < faces.size(); ++k) faces[k] = k;
+  for (std::size_t k = faces.size(); k > 1; --k) std::swap(faces[k - 1], faces[below(k, random)]);
+  Gluings gluings(tetrahedra);
+  for (std::size_t k = 0; k < faces.size(); k += 2) {
+    const auto from = static_cast<int>(faces[k] % 4), to = static_cast<int>(faces[k + 1] % 4);
+    // All labels have one sign, so gluings are odd.
+    std::vector<Perm4> choices;
+    for (int rank = 0; rank < 24; ++rank)
+      if (const Perm4 p = Perm4::from_rank(rank); p.is_odd() && p(from) == to) choices.push_back(p);
+    gluings.glue(faces[k] / 4, from, static_cast<TetrahedronIndex>(faces[k + 1] / 4),
+                 choices[below(choices.size(), random)]);
+  }
+  return gluings;
+}
+
+}  // namespace
+
+Gluings random_gluings(std::size_t tetrahedra, LinkChoice links, std::mt19937_64& random,
+                       std::size_t* draws) {
+  if (tetrahedra < 1 || (tetrahedra < 2 && links == LinkChoice::kGeodesic))
+    throw InvalidInput("there is no such triangulation with " + std::to_string(tetrahedra) +
+                       " tetrahedra");
+  for (std::size_t count = 0; count < kMostDraws; ++count) {
+    Triangulation triangulation(draw(tetrahedra, random));
+    if (draws != nullptr) ++*draws;
+    if (triangulation.is_connected() && has_links(triangulation, links))
+      return triangulation.gluings();
+  }
+  throw InvalidInput("no triangulation with " + std::to_string(tetrahedra) +
+                     " tetrahedra and such links among " + std::to_string(kMostDraws) +
+                     " random ones");
+}
+
+}  // namespace tripus::topology

@@ -7,7 +7,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <ranges>
 
 #include <fmt/format.h>
 
@@ -155,11 +154,11 @@ void require_options(const SolveOptions& options) {
 }
 
 bool any_finite_vertex(const topology::Triangulation& triangulation, const SolveOptions& options) {
-  const std::size_t count = triangulation.vertex_count();
-  if (topology::all_full(options.cone_angles))
-    return std::ranges::any_of(std::views::iota(std::size_t{0}, count), [&](std::size_t v) {
-      return triangulation.link(v).euler_characteristic > 0;
-    });
+  if (topology::all_full(options.cone_angles)) {
+    for (std::size_t v = 0; v < triangulation.vertex_count(); ++v)
+      if (triangulation.link(v).euler_characteristic > 0) return true;
+    return false;
+  }
   return std::ranges::any_of(
       topology::orbifold_links(triangulation, options.cone_angles),
       [](const auto& link) { return link.kind == topology::VertexKind::kFinite; });

@@ -56,14 +56,17 @@ class Parameterisation:
 
     @property
     def energy(self) -> float:
+        """Half the sum over the edges of weight times squared distance."""
         return float(self._facts["energy"])
 
     @property
     def max_gradient(self) -> float:
+        """Largest entry of the gradient of the energy, 0 at the minimum."""
         return float(self._facts["max_gradient"])
 
     @property
     def converged(self) -> bool:
+        """Whether the gradient is below the tolerance."""
         return bool(self._core.converged())
 
     @property

@@ -162,7 +162,7 @@ struct Checker {
       const Arb share = any_sign ? Arb(kBoxShare) : Arb(kBoxShare) * x[e];
       const Arb some = Arb(kBoxRadii) * radius[e];
       const bool held = finite && arb_is_zero(radius[e].get()) != 0;
-      box.push_back(held ? Arb() : larger(share, some) ? share : some);
+      box.push_back(held ? Arb() : finite || !larger(share, some) ? some : share);
       if (!any_sign && !x[e].widened_by(box[e]).positive())
         return refuse(
             fmt::format("the length of edge class {} is not > 0 all around {}", e, shown(x[e])));

@@ -45,7 +45,7 @@ TEST(NumberField, OfARationalNumber) {
   const detail::Precision precision(kBits);
   const auto field = NumberField::guess(Arb(2.75), 5);
   ASSERT_TRUE(field);
-  EXPECT_EQ(field->polynomial(), "4*x - 11");
+  EXPECT_EQ(field->polynomial(), "4*x-11");
   EXPECT_EQ(field->degree(), 1);
   EXPECT_TRUE(field->guess_member(Arb(0.5)));
 }

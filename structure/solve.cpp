@@ -352,7 +352,11 @@ std::optional<Report> quick_outcome(const topology::Triangulation& triangulation
   SolveOptions few = options;
   few.max_iterations = kFewSteps;
   Report report = judged_run(triangulation, few);
-  if (report.outcome == Outcome::kGeometric) return report;
+  // At the limit of steps it may be a metric without all the digits that the method would reach.
+  if (report.outcome == Outcome::kGeometric) {
+    if (report.iterations >= kFewSteps) return std::nullopt;
+    return report;
+  }
   if (report.termination == solver::Termination::kTimeLimit ||
       report.termination == solver::Termination::kInterrupted)
     return std::nullopt;

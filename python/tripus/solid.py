@@ -10,6 +10,7 @@ from tripus import _core, interop
 from tripus._check import as_bytes, checked, one_of, real_array, whole_array
 from tripus._errors import InvalidInput
 from tripus._limits import Progress, limits
+from tripus._value import Value
 
 if TYPE_CHECKING:
     import numpy as np
@@ -18,16 +19,34 @@ else:
     from tripus._lazy import numpy as np
 
 
-class Parameterisation:
-    """The harmonic map of a solid; `parameterise` makes it.
+class Parameterisation(Value):
+    """The harmonic map of a solid; `parameterise` makes it, and pickles make it again.
 
     Every point of the mesh has a point of hyperbolic space, in a frame of its own. In a tetrahedron
     `t` of the mesh the four images are `deck_matrices[deck[t, i]] @ points_h3[cells[t, i]]`.
     """
 
-    def __init__(self, core: _core.Parameterisation) -> None:
+    def __init__(self, core: _core.Parameterisation, asked: tuple[Any, ...]) -> None:
         self._core = core
+        self._asked = asked
         self._facts: dict[str, Any] = json.loads(core.to_json())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _made, self._asked
+
+    def _key(self) -> Any:
+        return self.points_h3, self.deck, self.cells
+
+    def _rows(self) -> dict[str, str]:
+        facts = self._facts
+        return {
+            "tetrahedra": str(facts["tetrahedra"]),
+            "energy": f"{facts['energy']:.6g}",
+            "volume": f"{facts['manifold_volume']:.12g}",
+        }
+
+    def _picture(self) -> str:
+        return self.to_svg()
 
     @property
     def points_h3(self) -> npt.NDArray[np.float64]:
@@ -107,9 +126,6 @@ class Parameterisation:
                 return
         raise InvalidInput(f"{name!r}: the name must end with .vtu, .html or .svg")
 
-    def _repr_svg_(self) -> str:
-        return self.to_svg()
-
     def __repr__(self) -> str:
         facts = self._facts
         return (
@@ -146,16 +162,10 @@ def parameterise(
     one_of("parameterise", "method", method, ("newton", "ceres", "descent"))
     if not tolerance > 0 or tetrahedra < 0:
         raise InvalidInput("tolerance is > 0, and tetrahedra is >= 0")
-    options = (
-        weights == "uniform",
-        method,
-        tolerance,
-        tetrahedra,
-        seed,
-        limits(time_limit, 0, progress),
-    )
+    options = (weights == "uniform", method, tolerance, tetrahedra, seed)
+    limit = limits(time_limit, 0, progress)
     if isinstance(mesh, (str, os.PathLike)):
-        return Parameterisation(_core.parameterise_file(as_bytes(os.fspath(mesh)), *options))
+        return _made((as_bytes(os.fspath(mesh)),), options, limit)
     if isinstance(mesh, tuple) and len(mesh) == 2:
         points = real_array("points", mesh[0])
         cells = whole_array("cells", mesh[1], 0xFFFFFFFE, np.uint32)
@@ -168,4 +178,11 @@ def parameterise(
         )
     if points.ndim != 2 or cells.ndim != 2:
         raise InvalidInput("points are an array [n x 3], cells [m x 3] or [m x 4]")
-    return Parameterisation(_core.parameterise_mesh(points, cells, *options))
+    return _made((points, cells), options, limit)
+
+
+def _made(mesh: tuple[Any, ...], options: tuple[Any, ...], limit: Any = None) -> Parameterisation:
+    """Of a file, or of points and cells."""
+    limit = limits(None, 0, None) if limit is None else limit
+    make: Any = _core.parameterise_file if len(mesh) == 1 else _core.parameterise_mesh
+    return Parameterisation(make(*mesh, *options, limit), (mesh, options))

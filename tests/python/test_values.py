@@ -3,12 +3,16 @@ notebooks."""
 
 import copy
 import html.parser
+import pathlib
 import pickle
 
 import pytest
 
 import tripus
 from tripus import study, view
+
+
+SOLID = pathlib.Path(__file__).resolve().parents[2] / "examples/surfaces/knotted-y.off"
 
 
 def every_kind_of_object():
@@ -27,6 +31,7 @@ def every_kind_of_object():
         M.basmajian_discs(length=2), M.shortest_return_path(), tripus.AbelianGroup(0),
         tripus.Diagram("PD: X[4,2,5,1] X[8,6,1,5] X[6,3,7,4] X[2,7,3,8] Cone[1,4]"),
         study.convergence(["cPcbbbihq"], methods=["newton"], samples=1),
+        tripus.parameterise(SOLID),
     ]
 
 

@@ -277,8 +277,8 @@ class Viewer {
     last_took_ = took.count();
     if (moving_) quality_ = next_quality(quality, last_took_);
     std::array<char, 160> line{};
-    std::snprintf(line.data(), line.size(), "%zu cells, %.0f ms%s", scene_.cells.size(),
-                  last_took_, help_ ? "" : "     H: help");
+    std::snprintf(line.data(), line.size(), "%zu cells, %.0f ms%s", scene_.cells.size(), last_took_,
+                  help_ ? "" : "     H: help");
     const int scale = std::max(1, height / 500);
     draw_text(scene_.title + ": " + line.data() + (message_.empty() ? "" : "     " + message_), 10,
               10, scale, width, height);

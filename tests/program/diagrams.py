@@ -210,6 +210,37 @@ class Table(ProgramTest):
         run = self.run_program("table", "knots", "4_7")
         self.assertEqual(run.status, 2)
         self.assertIn("nearest names", run.err)
+        run = self.run_program("table", "knots", "5_1 theta")
+        self.assertEqual(run.status, 2)
+        self.assertIn('is in another table: tripus table theta-curves "5_1 theta"', run.err)
+
+    def test_names_of_mirror_images(self):
+        run = self.run_program("table", "handlebody-knots", "hk5_3m")
+        self.assertEqual(run.status, 0)
+        self.assertEqual(run.text, self.run_program("table", "handlebody-knots", "hk5_3").text)
+        self.assertIn('"hk5_3m" is the mirror image of hk5_3', run.err)
+
+    def test_slips_get_the_nearest_names(self):
+        for name, nearest in (("Knot[8,19]", "8_19"), ("!4_1", "4_1"), ("4_1!", "4_1"),
+                              ("5_1 tehta", "5_1 theta"), ("Knot[8,77]", "8_7")):
+            for verb in ("info", "draw"):
+                run = self.run_program(verb, name)
+                self.assertEqual(run.status, 2)
+                self.assertIn(f"the nearest names there are {nearest}", run.err)
+
+    def test_all_that_the_tables_call_not_hyperbolic(self):
+        rows = [row for table in ("theta-curves", "handlebody-knots")
+                for row in json.loads(self.run_program("table", table, "--json").text)["rows"]]
+        self.write("names", "".join(row["name"] + "\n" for row in rows))
+        answers = self.run_program("solve", "--batch", "names", "--json").text.splitlines()
+        self.assertEqual(len(answers), len(rows))
+        for row, answer in zip(rows, map(json.loads, answers)):
+            says = "The manifold is not hyperbolic" in answer["message"]
+            self.assertEqual(says, row["hyperbolic"] is False, row["name"])
+        answer = self.run_program("solve", "hk7_64", "--retriangulate").text
+        self.assertIn("The manifold is not hyperbolic: the tables have it as the exterior of hk7_64",
+                      answer)
+        self.assertNotIn("its manifold may", answer)
 
 
 class DiagramHabits(ProgramTest):

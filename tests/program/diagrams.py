@@ -228,20 +228,6 @@ class Table(ProgramTest):
                 self.assertEqual(run.status, 2)
                 self.assertIn(f"the nearest names there are {nearest}", run.err)
 
-    def test_all_that_the_tables_call_not_hyperbolic(self):
-        rows = [row for table in ("theta-curves", "handlebody-knots")
-                for row in json.loads(self.run_program("table", table, "--json").text)["rows"]]
-        self.write("names", "".join(row["name"] + "\n" for row in rows))
-        answers = self.run_program("solve", "--batch", "names", "--json").text.splitlines()
-        self.assertEqual(len(answers), len(rows))
-        for row, answer in zip(rows, map(json.loads, answers)):
-            says = "The manifold is not hyperbolic" in answer["message"]
-            self.assertEqual(says, row["hyperbolic"] is False, row["name"])
-        answer = self.run_program("solve", "hk7_64", "--retriangulate").text
-        self.assertIn("The manifold is not hyperbolic: the tables have it as the exterior of hk7_64",
-                      answer)
-        self.assertNotIn("its manifold may", answer)
-
 
 class DiagramHabits(ProgramTest):
     EIGHT = "PD: X[4,2,5,1] X[8,6,1,5] X[6,3,7,4] X[2,7,3,8]"

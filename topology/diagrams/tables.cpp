@@ -5,7 +5,6 @@
 #include <map>
 #include <mutex>
 #include <numeric>
-#include <ranges>
 #include <utility>
 
 #include "base/error.hpp"
@@ -278,9 +277,9 @@ bool is_nearly_diagram_name(std::string_view text) {
   constexpr std::size_t kLongest = 40;  // longer ones are near no name
   if (text.size() > kLongest) return false;
   const std::string name = unknown_name(text);
-  return std::ranges::any_of(std::views::keys(by_name()), [&](const std::string& known) {
-    const std::size_t changes = edit_distance(name, known);
-    return changes <= 2 && 2 * changes < known.size();
+  return std::ranges::any_of(by_name(), [&](const auto& known) {
+    const std::size_t changes = edit_distance(name, known.first);
+    return changes <= 2 && 2 * changes < known.first.size();
   });
 }
 

@@ -35,7 +35,7 @@ tube::Strands trefoil_strands() {
 void BM_Sampling(benchmark::State& state) {
   const tube::Strands strands = trefoil_strands();
   const double cell = 9.0 / double(state.range(0));
-  const tube::Region region(strands, 0.4, 0.35);
+  const tube::TubeRegion region(strands, 0.4, 0.35);
   std::size_t triangles = 0;
   for (auto _ : state) triangles = tube::march(region, cell, 1u << 24, nullptr).triangles.size();
   state.counters["triangles"] = double(triangles);
@@ -47,7 +47,7 @@ BENCHMARK(BM_Sampling)->Arg(32)->Arg(64)->Arg(128)->Unit(benchmark::kMillisecond
 void BM_SamplingDenseBaseline(benchmark::State& state) {
   const tube::Strands strands = trefoil_strands();
   const double cell = 9.0 / double(state.range(0));
-  const tube::Region region(strands, 0.4, 0.35);
+  const tube::TubeRegion region(strands, 0.4, 0.35);
   const std::size_t triangles = tube::march(region, cell, 1u << 24, nullptr).triangles.size();
   for (auto _ : state) {
     double sum = 0;

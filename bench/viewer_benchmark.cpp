@@ -50,7 +50,7 @@ void register_all() {
   using viewer::RendererKind;
   for (const RendererKind kind : {RendererKind::kFaces, RendererKind::kOpenCsg}) {
     const bool faces = kind == RendererKind::kFaces;
-    for (const Model model : {Model::kUpperHalfSpace, Model::kPoincareBall, Model::kKleinBall}) {
+    for (const Model model : geometry::kModels) {
       const std::string name = "frame_800x600/" + std::string(geometry::to_string(model)) +
                                (faces ? "/faces" : "/opencsg");
       auto* all = benchmark::RegisterBenchmark(name.c_str(), frame, model, kind);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <limits>
 #include <map>
 #include <unordered_set>
 #include <vector>
@@ -20,7 +19,6 @@ using topology::Gluings;
 using topology::Perm4;
 using topology::Triangulation;
 
-constexpr FlagIndex kNone = std::numeric_limits<FlagIndex>::max();
 
 /// Swaps of neighbouring places: p * kSwap[i] exchanges p(i) and p(i + 1).
 constexpr std::array<Perm4, 3> kSwap{Perm4::from_images(1, 0, 2, 3), Perm4::from_images(0, 2, 1, 3),
@@ -146,7 +144,7 @@ class FlagBuilder {
   }
 
   void number_flags() {
-    number_.assign(24 * triangulation_.tetrahedron_count(), kNone);
+    number_.assign(24 * triangulation_.tetrahedron_count(), kNoFlag);
     for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
       for (int rank = 0; rank < 24; ++rank) {
         const Place place{t, Perm4::from_rank(rank)};
@@ -180,11 +178,11 @@ class FlagBuilder {
 
   static void number_orbits(const Decomposition& result, std::initializer_list<int> steps,
                             std::vector<std::uint32_t>& orbit) {
-    orbit.assign(result.component_.size(), kNone);
+    orbit.assign(result.component_.size(), kNoFlag);
     std::uint32_t count = 0;
     std::vector<FlagIndex> todo;
     for (FlagIndex start = 0; start < orbit.size(); ++start) {
-      if (orbit[start] != kNone) continue;
+      if (orbit[start] != kNoFlag) continue;
       orbit[start] = count;
       todo.push_back(start);
       while (!todo.empty()) {
@@ -192,7 +190,7 @@ class FlagBuilder {
         todo.pop_back();
         for (const int i : steps) {
           const FlagIndex next = result.step(i, flag);
-          if (orbit[next] != kNone) continue;
+          if (orbit[next] != kNoFlag) continue;
           orbit[next] = count;
           todo.push_back(next);
         }
@@ -203,11 +201,11 @@ class FlagBuilder {
 
   /// From numbers of vertices all over to numbers in each cell, by first appearance.
   static void number_vertices_in_cells(Decomposition& result) {
-    std::vector<std::uint32_t> in_cell(result.vertex_.size(), kNone);
+    std::vector<std::uint32_t> in_cell(result.vertex_.size(), kNoFlag);
     std::vector<std::uint32_t> count(result.cell_start_.size());
     for (FlagIndex flag = 0; flag < result.vertex_.size(); ++flag) {
       std::uint32_t& local = in_cell[result.vertex_[flag]];
-      if (local == kNone) local = count[result.cell_[flag]]++;
+      if (local == kNoFlag) local = count[result.cell_[flag]]++;
       result.vertex_[flag] = local;
     }
   }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,6 +15,7 @@
 namespace tripus::canonical {
 
 using FlagIndex = std::uint32_t;
+inline constexpr FlagIndex kNoFlag = std::numeric_limits<FlagIndex>::max();
 
 /// A decomposition into polyhedra that are glued along whole faces, as a set of flags.
 ///

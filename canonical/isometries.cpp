@@ -1,6 +1,5 @@
 #include "canonical/isometries.hpp"
 
-#include <limits>
 #include <numeric>
 
 #include "base/stopped.hpp"
@@ -9,7 +8,6 @@
 namespace tripus::canonical {
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// Orders flags breadth first from a start, comparing the code with the best so far as it grows.
 class Orderer {
@@ -17,13 +15,13 @@ class Orderer {
   explicit Orderer(const Decomposition& decomposition)
       : decomposition_(decomposition),
         width_(decomposition.cone_angles().empty() ? 4 : 5),
-        number_(decomposition.flag_count(), kNone) {
+        number_(decomposition.flag_count(), kNoFlag) {
     queue_.reserve(decomposition.flag_count());
   }
 
   /// Less, equal or greater than the best code; the best is replaced if less.
   int compare_from(FlagIndex start, CanonicalOrder& best) {
-    for (const FlagIndex flag : queue_) number_[flag] = kNone;
+    for (const FlagIndex flag : queue_) number_[flag] = kNoFlag;
     queue_.assign(1, start);
     number_[start] = 0;
     bool less = best.code.empty();
@@ -47,7 +45,7 @@ class Orderer {
   /// The place of the flag that a step leads to, which takes the next one if it has none yet.
   std::uint32_t place_after(int step, FlagIndex flag) {
     const FlagIndex next = decomposition_.step(step, flag);
-    if (number_[next] == kNone) {
+    if (number_[next] == kNoFlag) {
       number_[next] = static_cast<std::uint32_t>(queue_.size());
       queue_.push_back(next);
     }

@@ -59,9 +59,9 @@ constexpr const char* kFilePrefix = "cover-";
 
 /// Where covers go: lines to standard output, a file or after an earlier run's (--resume), or a
 /// file each to a folder as well.
-class Sink {
+class CoverSink {
  public:
-  Sink(const CoverCommand& command, const std::vector<topology::BatchLine>& inputs)
+  CoverSink(const CoverCommand& command, const std::vector<topology::BatchLine>& inputs)
       : path_(command.output),
         resumed_(command.common.resume, asked(command.common), inputs, AnswersPerLine::kAnyNumber) {
     if (path_.empty()) return;
@@ -256,7 +256,7 @@ class DistinctManifolds {
 };
 
 /// Writes the covers of one INPUT; the exit status it deserves.
-int write_covers(const CoverCommand& command, const std::string& input, Sink& sink,
+int write_covers(const CoverCommand& command, const std::string& input, CoverSink& sink,
                  Progress& progress) {
   const topology::NamedGluings loaded = load_manifold_input(input, interruptible());
   const topology::Triangulation base(loaded.gluings);
@@ -305,7 +305,7 @@ int run(const CoverCommand& command) {
   if (!command.common.resume.empty()) declare_output("--resume", command.common.resume);
   std::vector<topology::BatchLine> inputs{{0, command.common.input}};
   if (batch) inputs = read_batch_file(command.common.batch);
-  Sink sink(command, inputs);
+  CoverSink sink(command, inputs);
   require_not_written(command.common.batch);
   int status = kSuccess, worst = kSuccess;
   for (std::size_t i = sink.first(); i < inputs.size(); ++i) {
@@ -350,7 +350,7 @@ int run(const CoverCommand& command) {
   return batch ? worst : status;
 }
 
-constexpr const char* kFooter =
+constexpr const char* kCoverFooter =
     "\nEach line is a signature and, after #, what it is, so that the covers can be piped:\n"
     "  tripus cover cPcbbbihq --degree 3 | tripus solve --batch - --json\n"
     "Tetrahedron t of INPUT, with T tetrahedra, is number t + T k on sheet k in the table that\n"
@@ -408,7 +408,7 @@ void add_cover(CLI::App& program, Command& chosen) {
       ->check(problem_of_name);
   add_input_options(*verb, command->common, "their covers follow one another");
   verb->add_flag("--json", command->common.json, "one JSON object for each cover, one a line");
-  verb->footer(std::string(kInputHelp) + kFooter);
+  verb->footer(std::string(kInputHelp) + kCoverFooter);
   verb->final_callback([command, cyclic, degree, &chosen] {
     if (cyclic->count() + degree->count() == 0 && !command->orientable)
       throw CLI::RequiredError("--cyclic N or --degree N or --orientable");

@@ -115,7 +115,7 @@ std::string circle_figure(const EmbeddedSubject& embedded) {
                   counted(embedded.cover.cells.size(), "cell", "cells")));
 }
 
-void write_file(const EmbedCommand& command, EmbeddedSubject& embedded, OutputFile& file) {
+void write_embedding(const EmbedCommand& command, EmbeddedSubject& embedded, OutputFile& file) {
   const std::string extension = extension_of(file.path());
   if (const embedding::MeshFormat* format = find_mesh_format(file.path())) {
     write_mesh(command, embedded, *format, file);
@@ -146,7 +146,7 @@ Outcome embed_one(const EmbedCommand& command, const std::string& input) {
   embedding::Embedding placed = embedding::embed(subject.triangulation, report.edge_lengths);
   embedding::UniversalCover cover = cells_of(command, subject, placed);
   EmbeddedSubject embedded{subject, report, std::move(placed), std::move(cover)};
-  if (file) write_file(command, embedded, *file);
+  if (file) write_embedding(command, embedded, *file);
   if (circles) {
     circles->open() << circle_figure(embedded);
     circles->close();

@@ -48,9 +48,9 @@ struct Lines {
 };
 
 /// Where the lines go: standard output, or a file that is whole or absent.
-class Sink {
+class ListSink {
  public:
-  explicit Sink(const EnumerateCommand& command) : count_only_(command.count_only) {
+  explicit ListSink(const EnumerateCommand& command) : count_only_(command.count_only) {
     if (command.output.empty()) return;
     declare_output("-o", command.output);
     file_.emplace(command.output);
@@ -93,7 +93,7 @@ LinkChoice parse_links(const std::string& text) {
 /// What `make(k)` gives for k = 0 ... count - 1, in that order. False if it was interrupted.
 template <class Make>
 bool write_in_order(const EnumerateCommand& command, std::size_t count, const Make& make,
-                    Sink& sink) {
+                    ListSink& sink) {
   Progress progress(!command.quiet);
   const std::atomic<bool>& stop = interrupt_requested();
   const std::size_t done = in_order(
@@ -113,7 +113,7 @@ bool write_in_order(const EnumerateCommand& command, std::size_t count, const Ma
   return done == count;
 }
 
-bool write_all(const EnumerateCommand& command, const Shard& shard, Sink& sink) {
+bool write_all(const EnumerateCommand& command, const Shard& shard, ListSink& sink) {
   const auto tetrahedra = static_cast<std::size_t>(command.tetrahedra);
   const LinkChoice links = parse_links(command.links);
   std::vector<topology::EnumerationPiece> pieces;
@@ -132,7 +132,7 @@ bool write_all(const EnumerateCommand& command, const Shard& shard, Sink& sink) 
       sink);
 }
 
-bool write_random(const EnumerateCommand& command, const Shard& shard, Sink& sink) {
+bool write_random(const EnumerateCommand& command, const Shard& shard, ListSink& sink) {
   const auto wanted = static_cast<std::size_t>(*command.random);
   const LinkChoice links = parse_links(command.links);
   const std::size_t parts = (wanted + kDrawnAtOnce - 1) / kDrawnAtOnce;
@@ -153,7 +153,7 @@ bool write_random(const EnumerateCommand& command, const Shard& shard, Sink& sin
 }
 
 /// What Regina's program finds, in its order.
-bool write_tricensus(const EnumerateCommand& command, Sink& sink) {
+bool write_tricensus(const EnumerateCommand& command, ListSink& sink) {
   Lines lines;
   const bool whole =
       for_each_of_tricensus(static_cast<std::size_t>(command.tetrahedra),
@@ -173,7 +173,7 @@ int run(const EnumerateCommand& command) {
                        ": write tripus or tricensus");
   if (command.engine == "tricensus" && (command.shard || command.random))
     throw InvalidInput("--engine tricensus knows neither --shard nor --random");
-  Sink sink(command);
+  ListSink sink(command);
   const auto rest = [&] { return fmt::format(" after {} triangulations", sink.count()); };
   set_last_words(command.output.empty() ? " before all triangulations were written"
                                         : "; no file was written");
@@ -191,7 +191,7 @@ int run(const EnumerateCommand& command) {
   return kSuccess;
 }
 
-constexpr const char* kFooter =
+constexpr const char* kEnumerateFooter =
     "\nEach line is an isomorphism signature; mirror images count as one. The order is fixed,\n"
     "whatever the threads, and the shards together have every line once. The list is what\n"
     "`tripus census --from` and --batch of other verbs take; docs/census.md tells how long it "
@@ -238,7 +238,7 @@ void add_enumerate(CLI::App& program, Command& chosen) {
       ->check(whole_number(1024));
   verb->add_flag("--quiet", command->quiet, "no progress and no number on standard error")
       ->option_text(" ");
-  verb->footer(kFooter);
+  verb->footer(kEnumerateFooter);
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 

@@ -32,7 +32,7 @@ struct HyperbolicCommandOptions {
 
 /// What Python runs. It ends with status 3, as for every failure of the system, where the package
 /// is not installed.
-constexpr const char* kProgram = R"py(
+constexpr const char* kPythonCode = R"py(
 import json, sys
 try:
     from tripus.hyperbolic.__main__ import main
@@ -84,7 +84,7 @@ void require_python(const std::string& program) {
 
 std::vector<std::string> arguments_for_python(const HyperbolicCommandOptions& command) {
   const std::string chosen = chosen_python();
-  std::vector<std::string> arguments{chosen.empty() ? "python3" : chosen, "-c", kProgram};
+  std::vector<std::string> arguments{chosen.empty() ? "python3" : chosen, "-c", kPythonCode};
   const auto add = [&](const std::string& name, const std::string& value) {
     if (!value.empty()) arguments.push_back(name + "=" + value);
   };

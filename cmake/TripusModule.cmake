@@ -1,13 +1,13 @@
-# tripus_add_module(<name> [SOURCES ...] [PUBLIC lib ...] [PRIVATE lib ...])
+# tripus_add_module(<name> [UNITED] [SOURCES ...] [PUBLIC lib ...] [PRIVATE lib ...])
 #
 # One library a module folder: target tripus_<name>, alias tripus::<name>,
 # exported as tripus::<name>. PUBLIC names what its headers need, PRIVATE what
-# only its sources need. Headers lie beside their sources and are included from
+# only its sources need. UNITED: see TripusUnity.cmake. Headers lie beside their sources and are included from
 # the root of the repository ("topology/triangulation.hpp").
 include(GNUInstallDirs)
 
 function(tripus_add_module name)
-  cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "UNITED" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target tripus_${name})
   if(arg_SOURCES)
     add_library(${target} ${arg_SOURCES})  # static, or shared with BUILD_SHARED_LIBS
@@ -25,6 +25,9 @@ function(tripus_add_module name)
   target_link_libraries(${target} ${scope} ${arg_PUBLIC})
   if(arg_PRIVATE)
     target_link_libraries(${target} PRIVATE ${arg_PRIVATE})
+  endif()
+  if(arg_UNITED)
+    tripus_unite(${target})
   endif()
   install(TARGETS ${target} EXPORT tripusTargets
           ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include <Eigen/Core>
@@ -50,6 +51,8 @@ enum class Model {
   kPoincareBall,
   kKleinBall,
 };
+inline constexpr std::array<Model, 3> kModels{Model::kUpperHalfSpace, Model::kPoincareBall,
+                                              Model::kKleinBall};
 
 /// "upper", "ball", "klein".
 std::string_view to_string(Model model);

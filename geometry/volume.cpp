@@ -11,13 +11,12 @@
 namespace tripus::geometry {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 
 /// The difference S(z-) - S(z+) of docs/theory.md for the two roots z = exp(i phi).
 double clausen_sum(double phi, const double (&faces)[3], const double (&vertices)[4]) {
   double sum = clausen2(phi);
   for (const double x : faces) sum += clausen2(phi + x);
-  for (const double x : vertices) sum -= clausen2(phi + kPi + x);
+  for (const double x : vertices) sum -= clausen2(phi + std::numbers::pi + x);
   return sum;
 }
 
@@ -37,7 +36,7 @@ double volume(std::span<const double, 6> theta) {
   const std::complex<double> denominator = unit(A + D) + unit(B + E) + unit(C + F) +
                                            unit(A + B + F) + unit(A + C + E) + unit(B + C + D) +
                                            unit(D + E + F) + unit(A + B + C + D + E + F);
-  const double centre = kPi - std::arg(denominator);
+  const double centre = std::numbers::pi - std::arg(denominator);
   const double spread = std::atan2(std::sqrt(minus_det), numerator);
   const double face_sums[3] = {A + B + D + E, A + C + D + F, B + C + E + F};
   const double vertex_sums[4] = {A + B + C, A + E + F, B + D + F, C + D + E};

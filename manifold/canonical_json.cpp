@@ -13,16 +13,6 @@ namespace {
 using canonical::CanonicalManifold;
 using canonical::CensusEntry;
 
-void append_text_key(JsonText& out, std::string_view key, std::string_view value) {
-  fmt::format_to(std::back_inserter(out), ", \"{}\": ", key);
-  append_string(out, value);
-}
-
-void append_number_key(JsonText& out, std::string_view key, double value) {
-  fmt::format_to(std::back_inserter(out), ", \"{}\": ", key);
-  append_number(out, value);
-}
-
 void append_indices(JsonText& out, const std::vector<std::uint32_t>& values) {
   append_array(out, values, [](JsonText& to, std::uint32_t value) {
     fmt::format_to(std::back_inserter(to), "{}", value);

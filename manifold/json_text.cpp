@@ -23,6 +23,16 @@ void append_numbers(JsonText& out, std::span<const double> values) {
   append_array(out, values, append_number);
 }
 
+void append_text_key(JsonText& out, std::string_view key, std::string_view value) {
+  fmt::format_to(std::back_inserter(out), ", \"{}\": ", key);
+  append_string(out, value);
+}
+
+void append_number_key(JsonText& out, std::string_view key, double value) {
+  fmt::format_to(std::back_inserter(out), ", \"{}\": ", key);
+  append_number(out, value);
+}
+
 void append_header(JsonText& out, std::string_view input) {
   append(out, "{\"tripus\": ");
   append_string(out, kVersion);

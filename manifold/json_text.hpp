@@ -37,6 +37,10 @@ void append_array(JsonText& out, const Range& items, AppendItem&& append_item) {
 
 void append_numbers(JsonText& out, std::span<const double> values);
 
+/// A further member of an object, `, "key": value`.
+void append_text_key(JsonText& out, std::string_view key, std::string_view value);
+void append_number_key(JsonText& out, std::string_view key, double value);
+
 /// {"tripus": ..., "input": ..., the start of every answer; no closing brace.
 void append_header(JsonText& out, std::string_view input);
 

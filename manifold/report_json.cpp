@@ -8,11 +8,6 @@ namespace {
 using structure::Report;
 using structure::VertexReport;
 
-void append_number_key(JsonText& out, std::string_view key, double value) {
-  fmt::format_to(std::back_inserter(out), ", \"{}\": ", key);
-  append_number(out, value);
-}
-
 void append_vertex(JsonText& out, const VertexReport& vertex) {
   fmt::format_to(std::back_inserter(out),
                  "{{\"link_euler_characteristic\": {}, \"genus\": {}, \"kind\": \"{}\"",

@@ -18,27 +18,27 @@ using detail::Places;
 using topology::Gluings;
 using topology::Perm4;
 
-struct Face {
+struct SolidFace {
   std::array<std::uint32_t, 3> corners;  ///< sorted
   std::uint32_t place;                   ///< 4 * tetrahedron + face
 };
 
-std::string face_name(const Face& face) {
+std::string face_name(const SolidFace& face) {
   return "face " + std::to_string(face.corners[0]) + "-" + std::to_string(face.corners[1]) + "-" +
          std::to_string(face.corners[2]);
 }
 
-std::vector<Face> sorted_faces(const TetrahedralMesh& mesh) {
-  std::vector<Face> faces;
+std::vector<SolidFace> sorted_faces(const TetrahedralMesh& mesh) {
+  std::vector<SolidFace> faces;
   faces.reserve(4 * mesh.tetrahedra.size());
   for (std::uint32_t t = 0; t < mesh.tetrahedra.size(); ++t)
     for (std::uint32_t f = 0; f < 4; ++f) {
       const Tetrahedron& corners = mesh.tetrahedra[t];
-      Face face{{corners[(f + 1) % 4], corners[(f + 2) % 4], corners[(f + 3) % 4]}, 4 * t + f};
+      SolidFace face{{corners[(f + 1) % 4], corners[(f + 2) % 4], corners[(f + 3) % 4]}, 4 * t + f};
       std::sort(face.corners.begin(), face.corners.end());
       faces.push_back(face);
     }
-  std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
+  std::sort(faces.begin(), faces.end(), [](const SolidFace& a, const SolidFace& b) {
     return a.corners != b.corners ? a.corners < b.corners : a.place < b.place;
   });
   return faces;
@@ -115,7 +115,7 @@ void require_different(const TetrahedralMesh& mesh, const Places& places) {
                          " have the same corners; remove one of them");
 }
 
-Gluings glue(const TetrahedralMesh& mesh, const std::vector<Face>& faces, const Places& places) {
+Gluings glue(const TetrahedralMesh& mesh, const std::vector<SolidFace>& faces, const Places& places) {
   Gluings gluings(mesh.tetrahedra.size());
   for (std::size_t i = 0, end = 0; i < faces.size(); i = end) {
     while (end < faces.size() && faces[end].corners == faces[i].corners) ++end;
@@ -141,7 +141,7 @@ void require_no_overlap(const Gluings& gluings, const TetrahedralMesh& mesh, con
       if (gluings.is_open(t, f) || gluings.gluing(t, f).is_odd()) continue;
       const Tetrahedron& c = mesh.tetrahedra[t];
       const auto g = static_cast<std::size_t>(f);
-      Face face{{c[(g + 1) % 4], c[(g + 2) % 4], c[(g + 3) % 4]}, 0};
+      SolidFace face{{c[(g + 1) % 4], c[(g + 2) % 4], c[(g + 3) % 4]}, 0};
       std::sort(face.corners.begin(), face.corners.end());
       throw InvalidInput(places.cell(t) + " and " + places.cell(gluings.neighbour(t, f)) +
                          " overlap: they lie on the same side of their common " + face_name(face) +
@@ -152,7 +152,7 @@ void require_no_overlap(const Gluings& gluings, const TetrahedralMesh& mesh, con
 /// Numbers of tetrahedra, faces and edges at every point: triangles, edges and vertices of its
 /// link.
 std::vector<std::int64_t> link_characteristics(const TetrahedralMesh& mesh,
-                                               const std::vector<Face>& faces) {
+                                               const std::vector<SolidFace>& faces) {
   std::vector<std::int64_t> characteristic(mesh.points.size(), 0);
   for (const Tetrahedron& t : mesh.tetrahedra)
     for (const std::uint32_t corner : t) ++characteristic[corner];
@@ -175,18 +175,18 @@ std::vector<std::int64_t> link_characteristics(const TetrahedralMesh& mesh,
 
 struct Boundary {
   std::vector<Triangle> triangles;
-  std::vector<Face> faces;  ///< [triangles]
+  std::vector<SolidFace> faces;  ///< [triangles]
 };
 
-Boundary boundary_of(const std::vector<Face>& faces) {
+Boundary boundary_of(const std::vector<SolidFace>& faces) {
   Boundary boundary;
   for (std::size_t i = 0, end = 0; i < faces.size(); i = end) {
     while (end < faces.size() && faces[end].corners == faces[i].corners) ++end;
     if (end - i == 1) boundary.faces.push_back(faces[i]);
   }
   std::sort(boundary.faces.begin(), boundary.faces.end(),
-            [](const Face& a, const Face& b) { return a.place < b.place; });
-  for (const Face& face : boundary.faces) boundary.triangles.push_back(face.corners);
+            [](const SolidFace& a, const SolidFace& b) { return a.place < b.place; });
+  for (const SolidFace& face : boundary.faces) boundary.triangles.push_back(face.corners);
   return boundary;
 }
 
@@ -210,7 +210,7 @@ std::vector<int> genera(const Boundary& boundary, const detail::Connectivity& co
   return result;
 }
 
-void require_balls(const TetrahedralMesh& mesh, const std::vector<Face>& faces,
+void require_balls(const TetrahedralMesh& mesh, const std::vector<SolidFace>& faces,
                    const Boundary& boundary, const Places& places) {
   std::vector<bool> outside(mesh.points.size(), false);
   for (const Triangle& t : boundary.triangles)
@@ -230,7 +230,7 @@ Solid require_valid(TetrahedralMesh mesh, const SourceLines& lines) {
   require_corners(mesh, places);
   order_corners(mesh, places);
   require_different(mesh, places);
-  const std::vector<Face> faces = sorted_faces(mesh);
+  const std::vector<SolidFace> faces = sorted_faces(mesh);
   Solid solid;
   solid.gluings = glue(mesh, faces, places);
   require_no_overlap(solid.gluings, mesh, places);
@@ -257,7 +257,7 @@ topology::Gluings gluings_of(const TetrahedralMesh& mesh, const SourceLines& lin
 
 std::vector<Triangle> boundary_triangles(const TetrahedralMesh& mesh) {
   std::vector<Triangle> triangles;
-  for (const Face& face : boundary_of(sorted_faces(mesh)).faces) {
+  for (const SolidFace& face : boundary_of(sorted_faces(mesh)).faces) {
     const Tetrahedron& t = mesh.tetrahedra[face.place / 4];
     const std::size_t f = face.place % 4;
     Triangle corners{t[(f + 1) % 4], t[(f + 2) % 4], t[(f + 3) % 4]};

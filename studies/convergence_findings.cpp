@@ -37,16 +37,10 @@ std::vector<double> values_of(const Table& runs, const std::string& method, cons
   return values;
 }
 
-std::vector<double> column_of(const Table& table, const char* column) {
-  std::vector<double> values;
-  for (std::size_t r = 0; r < table.size(); ++r) values.push_back(table.number(r, column));
-  return values;
-}
-
 /// Largest |value / theory - 1|.
 double worst_deviation(const Table& table, const char* column, double theory = 1) {
   double worst = 0;
-  for (const double value : finite_sorted(column_of(table, column)))
+  for (const double value : finite_sorted(table.numbers(column)))
     worst = std::max(worst, std::fabs(value / theory - 1));
   return worst;
 }
@@ -247,7 +241,7 @@ std::vector<Fact> facts(const std::vector<Table>& tables) {
     if (!theory.is(r, "degree", "1"))
       cover_error = std::max(cover_error, std::fabs(theory.number(r, "volume_error")));
   }
-  const std::vector<double> order = column_of(theory, "newton_order");
+  const std::vector<double> order = theory.numbers("newton_order");
   return {
       {"triangulations", double(theory.size()), "triangulations, covers included"},
       {"runs", double(runs.size()), "runs of a method on a triangulation"},
@@ -354,7 +348,7 @@ Findings convergence_findings(const std::vector<Table>& tables) {
       covers ? fmt::format(
                    " The volume of every cover, up to {:.0f} tetrahedra, is its degree times that "
                    "of the base, {}.",
-                   greatest(column_of(tables[kTheory], "tetrahedra")),
+                   greatest(tables[kTheory].numbers("tetrahedra")),
                    within(value("cover_volume_error")))
              : std::string());
   const std::vector<Law> demands = laws(findings.facts, covers);

@@ -106,7 +106,7 @@ std::vector<Row> triangulation_rows(const StudyInput& input, const Stop& stop) {
                  of_newton.volume, identity.signature, identity.cells, identity.isometries)}};
 }
 
-TableLayout layout() {
+TableLayout paper_layout() {
   return {
       "triangulations",
       "One triangulation. Where it carries a metric: the paper's flow and Newton's method "
@@ -142,7 +142,7 @@ TableLayout layout() {
 
 Plan plan_paper(const StudyOptions& options) {
   Plan plan;
-  plan.tables = {layout()};
+  plan.tables = {paper_layout()};
   // A sample of the inputs, in their order.
   std::vector<std::size_t> chosen(options.inputs.size());
   for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = i;

@@ -12,12 +12,6 @@ namespace {
 /// The bar that the paper sets for its errors.
 constexpr double kPaperBar = 1e-8;
 
-std::vector<double> column_of(const Table& table, const char* column) {
-  std::vector<double> values;
-  for (std::size_t r = 0; r < table.size(); ++r) values.push_back(table.number(r, column));
-  return values;
-}
-
 /// Part of the manifolds with an error up to x, against x.
 Figure error_figure(const Table& table) {
   Figure figure;
@@ -35,7 +29,7 @@ Figure error_figure(const Table& table) {
       {"Newton, angle", "newton_angle_error"}, {"Newton, volume", "newton_volume_error"}};
   for (const auto& [label, column] : lines) {
     Series series{label, Mark::kLine, {}, {}, -1};
-    const std::vector<double> errors = finite_sorted(column_of(table, column));
+    const std::vector<double> errors = finite_sorted(table.numbers(column));
     const std::size_t stride = std::max<std::size_t>(1, errors.size() / 400);
     for (std::size_t k = 0; k < errors.size(); k += stride)
       series.points.push_back(
@@ -47,16 +41,16 @@ Figure error_figure(const Table& table) {
   return figure;
 }
 
-Figure iterations_figure(const Table& table) {
+Figure paper_iterations_figure(const Table& table) {
   Figure figure;
   figure.name = "flow-iterations";
   figure.title = "Steps of the paper's flow and of Newton's method";
   figure.caption = fmt::format(
       "Every mark is one triangulation. The flow takes between {:.0f} and {:.0f} steps, Newton's "
       "method between {:.0f} and {:.0f}.",
-      least(column_of(table, "flow_iterations")), greatest(column_of(table, "flow_iterations")),
-      least(column_of(table, "newton_iterations")),
-      greatest(column_of(table, "newton_iterations")));
+      least(table.numbers("flow_iterations")), greatest(table.numbers("flow_iterations")),
+      least(table.numbers("newton_iterations")),
+      greatest(table.numbers("newton_iterations")));
   figure.x = {"volume", false, std::nan(""), std::nan(""), {}};
   figure.y = {"steps", true, std::nan(""), std::nan(""), {}};
   Series flow{"flow, Euler, to max|K| <= 1e-10", Mark::kPoint, {}, {}, 1};
@@ -101,7 +95,7 @@ Figure volumes_figure(const std::vector<VolumeGroup>& groups) {
 double worst_of(const Table& table, std::initializer_list<const char*> columns) {
   double worst = 0;
   for (const char* column : columns)
-    for (const double value : finite_sorted(column_of(table, column)))
+    for (const double value : finite_sorted(table.numbers(column)))
       worst = std::max(worst, value);
   return worst;
 }
@@ -113,10 +107,10 @@ std::size_t count(const Table& table, const char* column, const char* value) {
 }
 
 /// The worst of all triangulations.
-struct Errors {
+struct WorstErrors {
   double flow = 0, newton = 0, residual = 0;
 };
-Errors errors_of(const Table& table) {
+WorstErrors worst_errors(const Table& table) {
   return {worst_of(table, {"flow_length_error", "flow_angle_error", "flow_volume_error"}),
           worst_of(table, {"newton_length_error", "newton_angle_error", "newton_volume_error"}),
           worst_of(table, {"residual"})};
@@ -148,7 +142,7 @@ Findings paper_findings(const std::vector<Table>& tables) {
   const Table& table = tables[kTriangulations];
   const std::vector<Manifold> manifolds = manifolds_of(table);
   const std::vector<VolumeGroup> groups = volume_groups(manifolds);
-  const Errors errors = errors_of(table);
+  const WorstErrors errors = worst_errors(table);
   const Sharing sharing = sharing_of(groups);
   const std::size_t metrics = count(table, "outcome", "geometric"),
                     flows = count(table, "flow_found", "yes"),
@@ -165,9 +159,9 @@ Findings paper_findings(const std::vector<Table>& tables) {
       {"newton_error", errors.newton,
        "largest error of a length, angle or volume, Newton's method"},
       {"residual", errors.residual, "largest residual of the algebraic route"},
-      {"flow_iterations_median", median(column_of(table, "flow_iterations")),
+      {"flow_iterations_median", median(table.numbers("flow_iterations")),
        "median number of Euler steps"},
-      {"newton_iterations_median", median(column_of(table, "newton_iterations")),
+      {"newton_iterations_median", median(table.numbers("newton_iterations")),
        "median number of steps of Newton's method"},
       {"manifolds", double(manifolds.size()), "different manifolds, by isometry signature"},
       {"manifolds_by_moves", double(by_moves),
@@ -194,8 +188,8 @@ Findings paper_findings(const std::vector<Table>& tables) {
       "{} "
       "different volumes. {} volumes belong to several manifolds, {} in all; boundary and homology "
       "tell {} of these from the others of their volume, and {} need the canonical decomposition.",
-      metrics, table.size(), flows, median(column_of(table, "flow_iterations")),
-      median(column_of(table, "newton_iterations")), exact, std::max(errors.residual, 1e-60),
+      metrics, table.size(), flows, median(table.numbers("flow_iterations")),
+      median(table.numbers("newton_iterations")), exact, std::max(errors.residual, 1e-60),
       errors.flow, errors.newton, manifolds.size(),
       by_moves == 0
           ? std::string()
@@ -203,7 +197,7 @@ Findings paper_findings(const std::vector<Table>& tables) {
                         by_moves),
       groups.size(), sharing.volumes, sharing.manifolds, sharing.manifolds - sharing.need_canonical,
       sharing.need_canonical);
-  findings.figures = {error_figure(table), iterations_figure(table), volumes_figure(groups)};
+  findings.figures = {error_figure(table), paper_iterations_figure(table), volumes_figure(groups)};
   findings.tables = manifold_tables(manifolds, groups);
   return findings;
 }

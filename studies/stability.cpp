@@ -28,22 +28,22 @@ constexpr double kFlowTolerance = 1e-9;
 const char* const kPrecisions[] = {"float", "double", "long double"};
 
 /// An input that carries a metric, with what is known about it.
-struct Subject {
+struct MetricSubject {
   std::string name;
   topology::Triangulation triangulation;
   std::vector<double> lengths;
   double step;  ///< of the paper's flow: half of what is stable at the metric
 };
 
-std::shared_ptr<const Subject> make_subject(const StudyInput& input) {
+std::shared_ptr<const MetricSubject> make_subject(const StudyInput& input) {
   topology::Triangulation triangulation(input.gluings);
   const structure::Report metric = require_metric(triangulation, input.name);
   const double largest = spectrum(triangulation, metric.edge_lengths).largest;
-  return std::make_shared<Subject>(
-      Subject{input.name, std::move(triangulation), metric.edge_lengths, 1 / largest});
+  return std::make_shared<MetricSubject>(
+      MetricSubject{input.name, std::move(triangulation), metric.edge_lengths, 1 / largest});
 }
 
-bool near_metric(const Subject& subject, const std::vector<double>& lengths, double distance) {
+bool near_metric(const MetricSubject& subject, const std::vector<double>& lengths, double distance) {
   for (std::size_t e = 0; e < lengths.size(); ++e)
     if (!(std::fabs(lengths[e] - subject.lengths[e]) <= distance)) return false;
   return true;
@@ -54,14 +54,14 @@ template <class Real>
 constexpr Real kTolerance = Real(sizeof(Real) == sizeof(float) ? 1e-4 : kFlowTolerance);
 
 template <class Real>
-PaperRun paper_flow(const Subject& subject, const std::vector<double>& start, const Stop& stop) {
+PaperRun paper_flow(const MetricSubject& subject, const std::vector<double>& start, const Stop& stop) {
   return PaperRoute<Real>(subject.triangulation, stop)
       .flow(std::vector<Real>(start.begin(), start.end()), Real(subject.step), kTolerance<Real>,
             kPaperSteps);
 }
 
 template <class Real>
-PaperRun paper_newton(const Subject& subject, const std::vector<double>& start, const Stop& stop) {
+PaperRun paper_newton(const MetricSubject& subject, const std::vector<double>& start, const Stop& stop) {
   return PaperRoute<Real>(subject.triangulation, stop)
       .newton(std::vector<Real>(start.begin(), start.end()), kTolerance<Real>, 200);
 }
@@ -69,7 +69,7 @@ PaperRun paper_newton(const Subject& subject, const std::vector<double>& start, 
 /// One start, all methods.
 class StartRows {
  public:
-  StartRows(const Subject& subject, std::string kind, std::size_t number,
+  StartRows(const MetricSubject& subject, std::string kind, std::size_t number,
             const std::vector<std::string>& methods, const Stop& stop)
       : subject_(subject),
         kind_(std::move(kind)),
@@ -115,7 +115,7 @@ class StartRows {
                                     run.outcome, run.iterations)});
   }
 
-  const Subject& subject_;
+  const MetricSubject& subject_;
   std::string kind_;
   std::size_t number_;
   const std::vector<std::string>& methods_;
@@ -229,7 +229,7 @@ std::vector<Row> irregular_rows(int k, std::uint64_t seed) {
 
 /// The longest equal lengths from which the paper's flow reaches the metric.
 template <class Real>
-double flow_threshold(const Subject& subject, const Stop& stop) {
+double flow_threshold(const MetricSubject& subject, const Stop& stop) {
   const auto reaches = [&](double length) {
     const std::vector<double> start(subject.lengths.size(), length);
     return paper_flow<Real>(subject, start, stop).outcome == "metric";
@@ -240,7 +240,7 @@ double flow_threshold(const Subject& subject, const Stop& stop) {
   return bisect(base, 200, reaches);
 }
 
-std::vector<Row> flow_threshold_rows(const Subject& subject, const Stop& stop) {
+std::vector<Row> flow_threshold_rows(const MetricSubject& subject, const Stop& stop) {
   const double found[] = {flow_threshold<float>(subject, stop),
                           flow_threshold<double>(subject, stop),
                           flow_threshold<long double>(subject, stop)};
@@ -298,7 +298,7 @@ std::vector<TableLayout> layouts() {
   };
 }
 
-void add_start_items(Plan& plan, const std::shared_ptr<const Subject>& subject,
+void add_start_items(Plan& plan, const std::shared_ptr<const MetricSubject>& subject,
                      const StudyOptions& options,
                      const std::shared_ptr<const std::vector<std::string>>& methods) {
   for (std::size_t k = 0; k <= kDecades * kPerDecade; ++k) {

@@ -55,6 +55,12 @@ double Table::number(std::size_t row, std::string_view name) const {
                        : std::strtod(value.c_str(), nullptr);
 }
 
+std::vector<double> Table::numbers(std::string_view name) const {
+  std::vector<double> values;
+  for (std::size_t row = 0; row < size(); ++row) values.push_back(number(row, name));
+  return values;
+}
+
 std::string to_csv(const Table& table) {
   std::string out;
   const auto& columns = table.layout().columns;

@@ -56,6 +56,7 @@ class Table {
   const std::string& text(std::size_t row, std::string_view column) const;
   /// NaN for an empty cell.
   double number(std::size_t row, std::string_view column) const;
+  std::vector<double> numbers(std::string_view column) const;
   bool is(std::size_t row, std::string_view column, std::string_view value) const {
     return text(row, column) == value;
   }

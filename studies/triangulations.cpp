@@ -89,7 +89,7 @@ std::vector<Row> solve_rows(const std::string& input, const Found& found, const 
                     report.seconds)}};
 }
 
-TableLayout layout() {
+TableLayout triangulations_layout() {
   return {"triangulations",
           "One triangulation of the manifold, distinct from the others by its signature.",
           {{"input", "", "the triangulation that the walk started from"},
@@ -116,7 +116,7 @@ TableLayout layout() {
 
 Plan plan_triangulations(const StudyOptions& options) {
   Plan plan;
-  plan.tables = {layout()};
+  plan.tables = {triangulations_layout()};
   for (const StudyInput& input : options.inputs) {
     try {
       topology::require_geodesic_boundary(topology::Triangulation(input.gluings));

@@ -11,12 +11,12 @@
 namespace tripus::studies {
 namespace {
 
-using json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
 
-json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-json table_json(const Table& table) {
-  json columns = json::array();
+Json table_json(const Table& table) {
+  Json columns = Json::array();
   for (const Column& column : table.layout().columns) {
     columns.push_back({{"name", column.name},
                        {"unit", column.unit},
@@ -61,12 +61,12 @@ std::string columns_html(const Table& table) {
 
 std::string summary_json(const ReportSource& source) {
   const Machine machine = this_machine();
-  json inputs = json::array(), tables = json::array(), facts = json::object();
+  Json inputs = Json::array(), tables = Json::array(), facts = Json::object();
   for (const StudyInput& input : source.options.inputs) inputs.push_back(input.name);
   for (const Table& table : source.tables) tables.push_back(table_json(table));
   for (const Fact& fact : source.findings.facts)
     facts[fact.name] = {{"value", number(fact.value)}, {"description", fact.description}};
-  const json summary = {{"tripus", kVersion},
+  const Json summary = {{"tripus", kVersion},
                         {"study", source.study.name},
                         {"seed", source.options.seed},
                         {"samples", source.options.samples},
@@ -81,7 +81,7 @@ std::string summary_json(const ReportSource& source) {
                         {"facts", facts},
                         {"tables", tables},
                         {"inputs", inputs}};
-  return summary.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string report_html(const ReportSource& source) {

@@ -18,11 +18,11 @@
 namespace tripus::topology {
 namespace {
 
-constexpr std::uint32_t kUnset = 0xffffffffu;
+constexpr std::uint32_t kNoNumber = 0xffffffffu;
 
 /// The open faces in order, and the number of each.
 struct OpenFaceList {
-  explicit OpenFaceList(const Gluings& gluings) : number(4 * gluings.tetrahedron_count(), kUnset) {
+  explicit OpenFaceList(const Gluings& gluings) : number(4 * gluings.tetrahedron_count(), kNoNumber) {
     for (std::size_t t = 0; t < gluings.tetrahedron_count(); ++t)
       for (int f = 0; f < 4; ++f)
         if (gluings.is_open(t, f)) {
@@ -75,10 +75,10 @@ void add_cones(const OpenFaceList& open, std::size_t inside, Gluings& gluings) {
 /// Classes of the corners 4 t + v below the cones, in order of their first corners.
 std::vector<std::uint32_t> vertex_classes(const Gluings& gluings, std::size_t inside,
                                           std::vector<std::uint32_t>& first_corner) {
-  std::vector<std::uint32_t> classes(4 * inside, kUnset);
+  std::vector<std::uint32_t> classes(4 * inside, kNoNumber);
   std::vector<std::uint32_t> stack;
   for (std::uint32_t first = 0; first < 4 * inside; ++first) {
-    if (classes[first] != kUnset) continue;
+    if (classes[first] != kNoNumber) continue;
     const auto number = static_cast<std::uint32_t>(first_corner.size());
     first_corner.push_back(first);
     classes[first] = number;
@@ -92,7 +92,7 @@ std::vector<std::uint32_t> vertex_classes(const Gluings& gluings, std::size_t in
         if (f == v || other >= inside) continue;
         const std::uint32_t there =
             4 * other + static_cast<std::uint32_t>(gluings.gluing(here / 4, f)(v));
-        if (classes[there] != kUnset) continue;
+        if (classes[there] != kNoNumber) continue;
         classes[there] = number;
         stack.push_back(there);
       }

@@ -35,11 +35,11 @@ struct Frame {
   std::uint8_t labels;  ///< rank of old to new vertices
 };
 
-class Search {
+class Enumeration {
  public:
   using Take = std::function<void(const Gluings&, unsigned)>;
 
-  Search(std::size_t tetrahedra, LinkChoice links, const std::atomic<bool>* stop)
+  Enumeration(std::size_t tetrahedra, LinkChoice links, const std::atomic<bool>* stop)
       : count_(static_cast<int>(tetrahedra)),
         links_(links),
         // The Euler characteristics of the links add up to 2 E - 2 T.
@@ -384,14 +384,14 @@ std::vector<EnumerationPiece> enumeration_pieces(std::size_t tetrahedra, LinkCho
   require_tetrahedra(tetrahedra);
   // So long that there are enough for many workers, and so short that making them costs nothing.
   const std::size_t symbols = std::min<std::size_t>(tetrahedra, 6);
-  return Search(tetrahedra, links, nullptr).pieces(symbols);
+  return Enumeration(tetrahedra, links, nullptr).pieces(symbols);
 }
 
 std::uint64_t enumerate(std::size_t tetrahedra, LinkChoice links, const EnumerationPiece& piece,
                         const std::function<void(const Gluings&, unsigned)>& take,
                         const std::atomic<bool>* stop) {
   require_tetrahedra(tetrahedra);
-  return Search(tetrahedra, links, stop).run(piece, take);
+  return Enumeration(tetrahedra, links, stop).run(piece, take);
 }
 
 }  // namespace tripus::topology

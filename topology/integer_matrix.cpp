@@ -31,11 +31,11 @@ bool subtract_product(std::int64_t& x, std::int64_t factor, std::int64_t y) {
 
 bool is_unit(std::int64_t x) { return x == 1 || x == -1; }
 
-using Row = SparseRow<std::int64_t>;
+using IntegerRow = SparseRow<std::int64_t>;
 
 /// old - factor * row, or nothing on overflow.
-std::optional<Row> difference(const Row& old, std::int64_t factor, const Row& row) {
-  Row merged;
+std::optional<IntegerRow> difference(const IntegerRow& old, std::int64_t factor, const IntegerRow& row) {
+  IntegerRow merged;
   merged.reserve(old.size() + row.size());
   auto x = old.begin();
   for (const auto& y : row) {
@@ -51,7 +51,7 @@ std::optional<Row> difference(const Row& old, std::int64_t factor, const Row& ro
 
 class UnitEliminator {
  public:
-  UnitEliminator(std::vector<Row> rows, std::size_t column_count,
+  UnitEliminator(std::vector<IntegerRow> rows, std::size_t column_count,
                  const std::atomic<bool>* stop_requested)
       : stop_requested_(stop_requested),
         rows_(std::move(rows)),
@@ -86,7 +86,7 @@ class UnitEliminator {
     return pivots;
   }
 
-  std::vector<Row> take_rows() {
+  std::vector<IntegerRow> take_rows() {
     std::erase_if(rows_, [](const auto& row) { return row.empty(); });
     return std::move(rows_);
   }
@@ -117,7 +117,7 @@ class UnitEliminator {
 
   /// True if the divisor is a unit.
   bool merge_private_columns(std::uint32_t r) {
-    Row& row = rows_[r];
+    IntegerRow& row = rows_[r];
     std::int64_t divisor = 0;
     std::uint32_t kept = 0;
     for (const auto& entry : row)
@@ -143,11 +143,11 @@ class UnitEliminator {
 
   void drop_row(std::uint32_t r) {
     for (const auto& entry : rows_[r]) leave_column(entry.column);
-    Row().swap(rows_[r]);
+    IntegerRow().swap(rows_[r]);
   }
 
   /// The unit entry in the emptiest column, which makes the least fill.
-  const Entry<std::int64_t>* cheapest_unit(const Row& row) const {
+  const Entry<std::int64_t>* cheapest_unit(const IntegerRow& row) const {
     const Entry<std::int64_t>* best = nullptr;
     for (const auto& entry : row)
       if (is_unit(entry.value) && (!best || count_[entry.column] < count_[best->column]))
@@ -164,14 +164,14 @@ class UnitEliminator {
       waiting_.emplace(fill(r, *pivot), shuffled(r), r);
   }
 
-  static const Entry<std::int64_t>* find(const Row& row, std::uint32_t column) {
+  static const Entry<std::int64_t>* find(const IntegerRow& row, std::uint32_t column) {
     const auto place = std::ranges::lower_bound(row, column, {}, &Entry<std::int64_t>::column);
     return place != row.end() && place->column == column ? &*place : nullptr;
   }
 
   /// False on overflow: then rows were changed by multiples of row r only, which is harmless.
   bool eliminate(std::uint32_t r, std::uint32_t column) {
-    const Row pivot_row = rows_[r];
+    const IntegerRow pivot_row = rows_[r];
     const std::int64_t pivot = find(pivot_row, column)->value;
     const auto members = rows_of_[column];  // may hold rows that have lost the column
     for (const std::uint32_t other : members) {
@@ -183,15 +183,15 @@ class UnitEliminator {
     return true;
   }
 
-  bool subtract(std::uint32_t target, std::int64_t factor, const Row& row) {
+  bool subtract(std::uint32_t target, std::int64_t factor, const IntegerRow& row) {
     auto merged = difference(rows_[target], factor, row);
     if (!merged) return false;
     replace(target, std::move(*merged));
     return true;
   }
 
-  void replace(std::uint32_t target, Row merged) {
-    const Row& old = rows_[target];
+  void replace(std::uint32_t target, IntegerRow merged) {
+    const IntegerRow& old = rows_[target];
     for (const auto& entry : old)
       if (!find(merged, entry.column)) leave_column(entry.column);
     for (const auto& entry : merged)
@@ -207,7 +207,7 @@ class UnitEliminator {
   // Fill when queued, tie breaker, row.
   using Waiting = std::tuple<std::size_t, std::uint32_t, std::uint32_t>;
   const std::atomic<bool>* stop_requested_;
-  std::vector<Row> rows_;
+  std::vector<IntegerRow> rows_;
   std::vector<std::vector<std::uint32_t>> rows_of_;  // per column, possibly stale
   std::vector<std::uint32_t> count_;                 // per column, exact
   std::vector<std::uint32_t> single_;                // columns that may have one row only
@@ -228,14 +228,14 @@ void subtract(Vector& x, const BigInteger& factor, const Vector& y, std::size_t 
 
 /// At most k vectors that generate, modulo m, what the columns of k rows generate. Brought to
 /// echelon form one by one, as there may be many more columns than rows.
-std::vector<Vector> generating_columns(const std::vector<Row>& rows, std::size_t column_count,
+std::vector<Vector> generating_columns(const std::vector<IntegerRow>& rows, std::size_t column_count,
                                        const BigInteger& m,
                                        const std::atomic<bool>* stop_requested) {
-  std::vector<Row> columns(column_count);
+  std::vector<IntegerRow> columns(column_count);
   for (std::uint32_t r = 0; r < rows.size(); ++r)
     for (const auto& entry : rows[r]) columns[entry.column].push_back({r, entry.value});
   std::vector<Vector> basis(rows.size());  // by first place
-  for (const Row& column : columns) {
+  for (const IntegerRow& column : columns) {
     throw_if_stopped(stop_requested);
     Vector vector(rows.size());
     for (const auto& entry : column) vector[entry.column] = ((entry.value % m) + m) % m;

@@ -22,6 +22,12 @@ class Perm4 {
     return from_rank(6 * a + 2 * second + (c - third));
   }
 
+  /// Exchanges i and j; the identity if they are equal.
+  static constexpr Perm4 transposition(int i, int j) {
+    const auto at = [&](int k) { return k == i ? j : k == j ? i : k; };
+    return from_images(at(0), at(1), at(2), at(3));
+  }
+
   constexpr int rank() const { return rank_; }
   constexpr int operator()(int i) const { return (kWords[rank_] >> (2 * i)) & 3; }
 

@@ -8,7 +8,7 @@
 namespace tripus::meshing::detail {
 namespace {
 
-constexpr std::uint32_t kNone = UINT32_MAX;
+constexpr std::uint32_t kNoneYet = UINT32_MAX;
 
 struct Side {
   std::uint32_t low, high;  ///< the ends
@@ -47,7 +47,7 @@ struct Wrong {
 std::vector<std::uint32_t> mates(const std::vector<Triangle>& triangles, const Name& name,
                                  const Places& places) {
   const std::vector<Side> sides = sorted_sides(triangles);
-  std::vector<std::uint32_t> mate(sides.size(), kNone);
+  std::vector<std::uint32_t> mate(sides.size(), kNoneYet);
   Wrong open, crowded;
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
     while (end < sides.size() && sides[end].same_edge(sides[i])) ++end;
@@ -79,11 +79,11 @@ std::vector<std::uint32_t> mates(const std::vector<Triangle>& triangles, const N
 void require_fans(const std::vector<Triangle>& triangles, std::size_t point_count,
                   const std::vector<std::uint32_t>& mate, const Name& name, const Places& places) {
   std::vector<bool> seen(3 * triangles.size(), false);  // corners
-  std::vector<std::uint32_t> first(point_count, kNone);
+  std::vector<std::uint32_t> first(point_count, kNoneYet);
   for (std::uint32_t start = 0; start < 3 * triangles.size(); ++start) {
     if (seen[start]) continue;
     const std::uint32_t point = triangles[start / 3][start % 3];
-    if (first[point] != kNone)
+    if (first[point] != kNoneYet)
       throw InvalidInput(places.point(point) + " is not manifold: " + name(first[point] / 3) +
                          " and " + name(start / 3) +
                          " meet there without a chain of triangles around it; separate the parts "
@@ -105,11 +105,11 @@ void require_fans(const std::vector<Triangle>& triangles, std::size_t point_coun
 
 /// Components, and which triangles to turn round.
 void walk_components(const std::vector<Triangle>& triangles, const Name& name, Connectivity& c) {
-  c.component_of.assign(triangles.size(), kNone);
+  c.component_of.assign(triangles.size(), kNoneYet);
   c.turned.assign(triangles.size(), false);
   std::vector<std::uint32_t> todo;
   for (std::uint32_t start = 0; start < triangles.size(); ++start) {
-    if (c.component_of[start] != kNone) continue;
+    if (c.component_of[start] != kNoneYet) continue;
     c.component_of[start] = c.component_count;
     todo.push_back(start);
     while (!todo.empty()) {
@@ -120,7 +120,7 @@ void walk_components(const std::vector<Triangle>& triangles, const Name& name, C
         // Neighbours that agree run along the edge in opposite directions.
         const bool agree = triangles[t][k] != triangles[other][across % 3];
         const bool turn = c.turned[t] == agree;
-        if (c.component_of[other] == kNone) {
+        if (c.component_of[other] == kNoneYet) {
           c.component_of[other] = c.component_count;
           c.turned[other] = turn;
           todo.push_back(other);

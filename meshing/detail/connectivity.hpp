@@ -10,6 +10,13 @@
 
 namespace tripus::meshing::detail {
 
+/// Two numbers without their order, such as the ends of an edge, as one for tables.
+using PairKey = std::uint64_t;
+
+constexpr PairKey pair_key(std::uint32_t a, std::uint32_t b) {
+  return a < b ? PairKey{a} << 32 | b : PairKey{b} << 32 | a;
+}
+
 /// How the triangles of a closed surface hang together. Side k of a triangle runs from corner k to
 /// corner k+1; a side is written 3 * triangle + k.
 struct Connectivity {

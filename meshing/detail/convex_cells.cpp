@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "meshing/detail/connectivity.hpp"
 
 namespace tripus::meshing::detail {
 namespace {
@@ -85,14 +86,10 @@ ConvexCells::ConvexCells(const Point& low, const Point& high) {
   }
 }
 
-std::uint64_t ConvexCells::key(std::uint32_t a, std::uint32_t b) {
-  return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
-}
-
 std::uint32_t ConvexCells::add_face(Face face) {
   const auto number = static_cast<std::uint32_t>(faces_.size());
   for (std::size_t i = 0; i < face.loop.size(); ++i)
-    faces_at_[key(face.loop[i], face.loop[(i + 1) % face.loop.size()])].push_back(number);
+    faces_at_[pair_key(face.loop[i], face.loop[(i + 1) % face.loop.size()])].push_back(number);
   faces_.push_back(std::move(face));
   return number;
 }
@@ -101,18 +98,18 @@ void ConvexCells::split_edge(std::uint32_t a, std::uint32_t b, const RationalPla
   const auto middle = static_cast<std::uint32_t>(points_.size());
   points_.push_back(crossing(plane, points_[a], points_[b]));
   sides_.push_back(0);
-  auto node = faces_at_.extract(key(a, b));
+  auto node = faces_at_.extract(pair_key(a, b));
   for (const std::uint32_t f : node.mapped()) {
     auto& loop = faces_[f].loop;
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const std::size_t next = (i + 1) % loop.size();
-      if (key(loop[i], loop[next]) != key(a, b)) continue;
+      if (pair_key(loop[i], loop[next]) != pair_key(a, b)) continue;
       loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(i) + 1, middle);
       break;
     }
   }
-  faces_at_[key(a, middle)] = node.mapped();
-  faces_at_[key(middle, b)] = std::move(node.mapped());
+  faces_at_[pair_key(a, middle)] = node.mapped();
+  faces_at_[pair_key(middle, b)] = std::move(node.mapped());
 }
 
 void ConvexCells::split_face(std::uint32_t face) {
@@ -132,9 +129,9 @@ void ConvexCells::split_face(std::uint32_t face) {
   positive.loop.assign(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(end) + 1);
   std::vector<std::uint32_t> negative(loop.begin() + static_cast<std::ptrdiff_t>(end), loop.end());
   negative.push_back(from);
-  for (std::size_t i = 0; i < end; ++i) std::erase(faces_at_[key(loop[i], loop[i + 1])], face);
+  for (std::size_t i = 0; i < end; ++i) std::erase(faces_at_[pair_key(loop[i], loop[i + 1])], face);
   faces_[face].loop = std::move(negative);
-  faces_at_[key(from, to)].push_back(face);
+  faces_at_[pair_key(from, to)].push_back(face);
   const std::array<std::uint32_t, 2> cells = positive.cells;
   const std::uint32_t fresh = add_face(std::move(positive));
   for (const std::uint32_t c : cells)

@@ -64,7 +64,6 @@ class ConvexCells {
   const std::vector<Cell>& cells() const { return cells_; }
 
  private:
-  static std::uint64_t key(std::uint32_t a, std::uint32_t b);
   std::uint32_t add_face(Face face);
   void split_edge(std::uint32_t a, std::uint32_t b, const RationalPlane& plane);
   void split_face(std::uint32_t face);

@@ -6,16 +6,13 @@
 #include <unordered_set>
 #include <vector>
 
+#include "meshing/detail/connectivity.hpp"
 #include "meshing/detail/quad_diagonals.hpp"
 #include "meshing/predicates.hpp"
 #include "meshing/self_intersection.hpp"
 
 namespace tripus::meshing::detail {
 namespace {
-
-using Key = std::uint64_t;
-
-Key key_of(std::uint32_t a, std::uint32_t b) { return a < b ? Key{a} << 32 | b : Key{b} << 32 | a; }
 
 /// The diagonal between two triangles (x, y, u) and (y, x, v) of one face.
 struct Diagonal {
@@ -32,7 +29,7 @@ class Diagonals {
   /// The diagonal at side k of a triangle, if there is one.
   std::optional<Diagonal> at(std::size_t t, std::size_t k) const {
     const std::uint32_t x = corner(t, k), y = corner(t, k + 1);
-    for (const std::size_t other : edges_.at(key_of(x, y))) {
+    for (const std::size_t other : edges_.at(pair_key(x, y))) {
       if (other == t || !same_face_(t, other)) continue;
       for (std::size_t j = 0; j < 3; ++j)
         if (corner(other, j) == y && corner(other, j + 1) == x)
@@ -41,12 +38,12 @@ class Diagonals {
     return std::nullopt;
   }
 
-  bool is_crowded(const Diagonal& d) const { return edges_.at(key_of(d.x, d.y)).size() > 2; }
+  bool is_crowded(const Diagonal& d) const { return edges_.at(pair_key(d.x, d.y)).size() > 2; }
 
   /// Whether the other diagonal is no edge yet, and makes no flat triangle.
   bool can_turn(const Diagonal& d) const {
     if (d.u == d.v) return false;
-    const auto there = edges_.find(key_of(d.u, d.v));
+    const auto there = edges_.find(pair_key(d.u, d.v));
     if (there != edges_.end() && !there->second.empty()) return false;
     const auto& p = mesh_.points;
     return projection_axis(p[d.u], p[d.x], p[d.v]) >= 0 &&
@@ -68,16 +65,16 @@ class Diagonals {
  private:
   std::uint32_t corner(std::size_t t, std::size_t k) const { return mesh_.triangles[t][k % 3]; }
   void enter(std::size_t t) {
-    for (std::size_t k = 0; k < 3; ++k) edges_[key_of(corner(t, k), corner(t, k + 1))].push_back(t);
+    for (std::size_t k = 0; k < 3; ++k) edges_[pair_key(corner(t, k), corner(t, k + 1))].push_back(t);
   }
   void leave(std::size_t t) {
     for (std::size_t k = 0; k < 3; ++k)
-      std::erase(edges_[key_of(corner(t, k), corner(t, k + 1))], t);
+      std::erase(edges_[pair_key(corner(t, k), corner(t, k + 1))], t);
   }
 
   SurfaceMesh& mesh_;
   const SameFace& same_face_;
-  std::unordered_map<Key, std::vector<std::size_t>> edges_;
+  std::unordered_map<PairKey, std::vector<std::size_t>> edges_;
 };
 
 class Uncrossing {
@@ -128,7 +125,7 @@ class Uncrossing {
   /// Where nothing helps at once, one that does no harm, each once only.
   std::size_t turn_unseen(const std::vector<Diagonal>& candidates) {
     for (const Diagonal& d : candidates) {
-      const Key face = Key{std::min(d.first, d.second)} << 32 | std::max(d.first, d.second);
+      const PairKey face = pair_key(static_cast<std::uint32_t>(d.first), static_cast<std::uint32_t>(d.second));
       if (gain_of(d, nullptr) < 0 || !unhelpful_.insert(face).second) continue;
       diagonals_.turn(d);
       return 1;
@@ -185,7 +182,7 @@ class Uncrossing {
 
   SurfaceMesh& mesh_;
   Diagonals diagonals_;
-  std::unordered_set<Key> unhelpful_;
+  std::unordered_set<PairKey> unhelpful_;
 };
 
 }  // namespace

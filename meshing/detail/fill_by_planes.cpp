@@ -20,7 +20,7 @@
 namespace tripus::meshing::detail {
 namespace {
 
-constexpr std::uint32_t kNone = ConvexCells::kNone;
+constexpr std::uint32_t kNoCell = ConvexCells::kNone;
 
 /// Bytes for a cell with its share of faces, edges and points; measured, and doubled.
 constexpr std::uint64_t kBytesPerCell = 20'000;
@@ -64,7 +64,7 @@ class PlaneFiller {
 
  private:
   struct Node {
-    std::uint32_t plane = kNone;  ///< kNone: a leaf
+    std::uint32_t plane = kNoCell;  ///< kNoCell: a leaf
     std::uint32_t negative = 0;   ///< child, or the cell of a leaf
     std::uint32_t positive = 0;
   };
@@ -119,7 +119,7 @@ class PlaneFiller {
       const std::uint32_t n = todo.back().first;
       Polygon polygon = std::move(todo.back().second);
       todo.pop_back();
-      if (nodes_[n].plane == kNone) {
+      if (nodes_[n].plane == kNoCell) {
         cut_leaf(n, plane);
         continue;
       }
@@ -143,8 +143,8 @@ class PlaneFiller {
     const std::uint32_t cell = nodes_[n].negative;
     const std::uint32_t fresh = cells_.cut(cell, planes_[plane], plane);
     const auto child = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.push_back({kNone, cell, 0});
-    nodes_.push_back({kNone, fresh, 0});
+    nodes_.push_back({kNoCell, cell, 0});
+    nodes_.push_back({kNoCell, fresh, 0});
     nodes_[n] = {plane, child, child + 1};
   }
 
@@ -161,11 +161,11 @@ class PlaneFiller {
   }
 
   void find_surface_faces() {
-    component_at_.assign(cells_.faces().size(), kNone);
+    component_at_.assign(cells_.faces().size(), kNoCell);
     for (std::size_t f = 0; f < cells_.faces().size(); ++f) {
       if (f % 1024 == 0) tick();
       const ConvexCells::Face& face = cells_.faces()[f];
-      if (face.plane == kNone) continue;
+      if (face.plane == kNoCell) continue;
       const std::size_t axis = axis_of(planes_[face.plane]);
       const RationalPoint inside = point_within(face.loop, axis);
       for (const std::uint32_t t : triangles_on_[face.plane])
@@ -244,8 +244,8 @@ class PlaneFiller {
       for (const std::uint32_t f : cells_.cells()[c].faces) {
         const auto& sides = cells_.faces()[f].cells;
         const std::uint32_t next = sides[0] == c ? sides[1] : sides[0];
-        if (next == kNone) continue;
-        if (component_at_[f] != kNone)
+        if (next == kNoCell) continue;
+        if (component_at_[f] != kNoCell)
           at_surface(component_at_[f], next);
         else
           todo.push_back(next);
@@ -256,7 +256,7 @@ class PlaneFiller {
   void find_inside() {
     std::vector<std::uint32_t> outermost, behind;
     for (const ConvexCells::Face& face : cells_.faces())
-      if (face.plane == kNone) outermost.push_back(face.cells[0]);
+      if (face.plane == kNoCell) outermost.push_back(face.cells[0]);
     std::vector<bool> outside(cells_.cells().size());
     flood(outermost, outside, [&](std::uint32_t component, std::uint32_t next) {
       if (component == region_.outermost) behind.push_back(next);
@@ -287,14 +287,14 @@ class PlaneFiller {
   /// Cells get a point in the middle, and faces with more than three corners.
   TetrahedralMesh tetrahedra() const {
     TetrahedralMesh mesh;
-    std::vector<std::uint32_t> numbers(cells_.points().size(), kNone);
-    std::vector<std::uint32_t> face_middles(cells_.faces().size(), kNone);
+    std::vector<std::uint32_t> numbers(cells_.points().size(), kNoCell);
+    std::vector<std::uint32_t> face_middles(cells_.faces().size(), kNoCell);
     const auto add = [&](const Point& p) {
       mesh.points.push_back(p);
       return static_cast<std::uint32_t>(mesh.points.size() - 1);
     };
     const auto number = [&](std::uint32_t v) {
-      if (numbers[v] == kNone) numbers[v] = add(cells_.points()[v].near);
+      if (numbers[v] == kNoCell) numbers[v] = add(cells_.points()[v].near);
       return numbers[v];
     };
     for (std::size_t c = 0; c < cells_.cells().size(); ++c) {
@@ -307,7 +307,7 @@ class PlaneFiller {
         // Counterclockwise as seen from the center is the positive order.
         const bool forward = runs_around_normal(face) == (side_of(corners, face) > 0);
         const std::size_t count = face.loop.size();
-        if (count > 3 && face_middles[f] == kNone) face_middles[f] = add(middle(face.loop));
+        if (count > 3 && face_middles[f] == kNoCell) face_middles[f] = add(middle(face.loop));
         for (std::size_t i = 0; i < (count == 3 ? 1 : count); ++i) {
           Tetrahedron t{number(face.loop[i]), number(face.loop[(i + 1) % count]),
                         count == 3 ? number(face.loop[2]) : face_middles[f], center};
@@ -337,7 +337,7 @@ class PlaneFiller {
   std::vector<std::uint32_t> plane_of_;                   // [triangles]
   std::vector<std::vector<std::uint32_t>> triangles_on_;  // [planes]
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> component_at_;  // [faces] of the surface; kNone off it
+  std::vector<std::uint32_t> component_at_;  // [faces] of the surface; kNoCell off it
   std::vector<bool> inside_;                 // [cells]
 };
 

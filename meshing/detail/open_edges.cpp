@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "base/tolerances.hpp"
+#include "meshing/detail/connectivity.hpp"
 #include "meshing/detail/polygon.hpp"
 
 namespace tripus::meshing::detail {
@@ -111,12 +112,11 @@ class Candidates {
 }  // namespace
 
 Edges edges_of(const std::vector<Triangle>& triangles) {
-  std::vector<std::pair<std::uint64_t, OpenEdge>> sides;
+  std::vector<std::pair<PairKey, OpenEdge>> sides;
   sides.reserve(3 * triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
-      sides.push_back({std::uint64_t{low} << 32 | high, {t, k}});
+      sides.push_back({pair_key(triangles[t][k], triangles[t][(k + 1) % 3]), {t, k}});
     }
   std::sort(sides.begin(), sides.end(),
             [](const auto& x, const auto& y) { return x.first < y.first; });

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "meshing/detail/connectivity.hpp"
 #include "meshing/detail/triangle_tree.hpp"
 #include "meshing/detail/two_choices.hpp"
 #include "meshing/predicates.hpp"
@@ -16,36 +17,32 @@ namespace tripus::meshing::detail {
 namespace {
 
 using Answer = TwoChoices::Answer;
-using Key = std::uint64_t;
-
-Key key_of(std::uint32_t a, std::uint32_t b) { return a < b ? Key{a} << 32 | b : Key{b} << 32 | a; }
-
 /// A face of two triangles, as they are (0) and with the other diagonal (1).
 struct Quad {
   std::array<std::size_t, 2> places;
   std::array<std::array<Triangle, 2>, 2> triangles;
-  std::array<Key, 2> diagonals;
+  std::array<PairKey, 2> diagonals;
 };
 
 std::vector<Quad> quads_of(const SurfaceMesh& mesh, const SameFace& same_face) {
-  std::unordered_map<Key, std::vector<std::uint32_t>> at_edge;
+  std::unordered_map<PairKey, std::vector<std::uint32_t>> at_edge;
   const auto corner = [&](std::size_t t, std::size_t k) { return mesh.triangles[t][k % 3]; };
   const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
   for (std::uint32_t t = 0; t < count; ++t)
     for (std::size_t k = 0; k < 3; ++k)
-      at_edge[key_of(corner(t, k), corner(t, k + 1))].push_back(t);
+      at_edge[pair_key(corner(t, k), corner(t, k + 1))].push_back(t);
   // The sides of each triangle that are diagonals: one in each half of a quadrilateral.
   std::vector<std::uint8_t> sides(count, 0);
   std::vector<Quad> quads;
   for (std::uint32_t t = 0; t < count; ++t)
     for (std::size_t k = 0; k < 3; ++k)
-      for (const std::uint32_t other : at_edge.at(key_of(corner(t, k), corner(t, k + 1))))
+      for (const std::uint32_t other : at_edge.at(pair_key(corner(t, k), corner(t, k + 1))))
         if (other != t && same_face(t, other)) ++sides[t];
   for (std::uint32_t t = 0; t < count; ++t) {
     if (sides[t] != 1) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t x = corner(t, k), y = corner(t, k + 1), u = corner(t, k + 2);
-      for (const std::uint32_t other : at_edge.at(key_of(x, y))) {
+      for (const std::uint32_t other : at_edge.at(pair_key(x, y))) {
         if (other <= t || sides[other] != 1 || !same_face(t, other)) continue;
         for (std::size_t j = 0; j < 3; ++j) {
           const std::uint32_t v = corner(other, j + 2);
@@ -54,7 +51,7 @@ std::vector<Quad> quads_of(const SurfaceMesh& mesh, const SameFace& same_face) {
           quad.places = {t, other};
           quad.triangles[0] = {mesh.triangles[t], mesh.triangles[other]};
           quad.triangles[1] = {Triangle{u, x, v}, Triangle{v, y, u}};
-          quad.diagonals = {key_of(x, y), key_of(u, v)};
+          quad.diagonals = {pair_key(x, y), pair_key(u, v)};
           quads.push_back(quad);
         }
       }
@@ -64,9 +61,9 @@ std::vector<Quad> quads_of(const SurfaceMesh& mesh, const SameFace& same_face) {
 }
 
 /// All triangles that there may be, and whose answers they are.
-class Candidates {
+class TriangleChoices {
  public:
-  Candidates(const SurfaceMesh& mesh, const std::vector<Quad>& quads) : choices_(quads.size()) {
+  TriangleChoices(const SurfaceMesh& mesh, const std::vector<Quad>& quads) : choices_(quads.size()) {
     all_.points = mesh.points;
     std::vector<std::uint8_t> is_half(mesh.triangles.size(), 0);
     for (std::uint32_t q = 0; q < quads.size(); ++q)
@@ -107,7 +104,7 @@ class Candidates {
   }
   /// Diagonals that are edges of other triangles as well.
   void exclude_crowded(const std::vector<Quad>& quads) {
-    std::unordered_map<Key, std::vector<Answer>> by_diagonal;
+    std::unordered_map<PairKey, std::vector<Answer>> by_diagonal;
     for (std::uint32_t q = 0; q < quads.size(); ++q)
       for (std::uint32_t a = 0; a < 2; ++a) by_diagonal[quads[q].diagonals[a]].push_back(2 * q + a);
     for (const auto& [key, answers] : by_diagonal)
@@ -116,7 +113,7 @@ class Candidates {
     for (std::size_t t = 0; t < all_.triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k) {
         const Triangle& c = all_.triangles[t];
-        const auto found = by_diagonal.find(key_of(c[k], c[(k + 1) % 3]));
+        const auto found = by_diagonal.find(pair_key(c[k], c[(k + 1) % 3]));
         if (found == by_diagonal.end()) continue;
         for (const Answer answer : found->second)
           if (answer != answer_[t]) exclude(answer, answer_[t]);
@@ -150,7 +147,7 @@ class Candidates {
 
 std::size_t choose_diagonals(SurfaceMesh& mesh, const SameFace& same_face) {
   const std::vector<Quad> quads = quads_of(mesh, same_face);
-  const auto answers = Candidates(mesh, quads).answers(quads);
+  const auto answers = TriangleChoices(mesh, quads).answers(quads);
   if (!answers) return 0;
   std::size_t turned = 0;
   for (std::size_t q = 0; q < quads.size(); ++q) {

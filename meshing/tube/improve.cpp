@@ -15,14 +15,14 @@ constexpr double kGrowth = 2;
 constexpr double kLongest = 4;
 
 /// Length that an edge at p should have, as a multiple of one on the tube.
-double relative_size(const Region& region, const Point& p) {
+double relative_size(const TubeRegion& region, const Point& p) {
   const double r = region.radius(), far = r * (1 + kGrowth * (kLongest - 1));
   return 1 + std::max(region.graph_distance(p, far) - r, 0.0) / (kGrowth * r);
 }
 
 class Coarsener {
  public:
-  Coarsener(GuardedSurface& surface, const Region& region) : surface_(surface) {
+  Coarsener(GuardedSurface& surface, const TubeRegion& region) : surface_(surface) {
     sizes_.reserve(surface.point_count());
     for (std::uint32_t v = 0; v < surface.point_count(); ++v)
       sizes_.push_back(relative_size(region, surface.point(v)));
@@ -85,7 +85,7 @@ Point middle_of_ring(const GuardedSurface& surface, std::uint32_t v) {
 
 }  // namespace
 
-void relax(GuardedSurface& surface, const Region& region, int sweeps, const Pulse& pulse) {
+void relax(GuardedSurface& surface, const TubeRegion& region, int sweeps, const Pulse& pulse) {
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (std::uint32_t v = 0; v < surface.point_count(); ++v) {
       if (v % 1024 == 0) pulse();
@@ -97,7 +97,7 @@ void relax(GuardedSurface& surface, const Region& region, int sweeps, const Puls
     }
 }
 
-void coarsen(GuardedSurface& surface, const Region& region, std::size_t target,
+void coarsen(GuardedSurface& surface, const TubeRegion& region, std::size_t target,
              const Pulse& pulse) {
   if (surface.triangle_count() > target) Coarsener(surface, region).run(target, pulse);
 }

@@ -34,7 +34,7 @@ struct LatticePoint {
 
 class Marcher {
  public:
-  Marcher(const Region& region, double cell, std::size_t most_triangles, const Pulse& pulse)
+  Marcher(const TubeRegion& region, double cell, std::size_t most_triangles, const Pulse& pulse)
       : region_(region), cell_(cell), most_triangles_(most_triangles), pulse_(pulse) {
     const Bounds bounds = region.bounds();
     double size = 0;
@@ -66,7 +66,7 @@ class Marcher {
     const Point center = place({2 * low[0] + size, 2 * low[1] + size, 2 * low[2] + size});
     // The tetrahedra at a block's edges reach half a cell beyond it; fillets go beyond the tube.
     const double reach =
-        std::sqrt(3.0) * 0.5 * double(size + 1) * cell_ + Region::kFilletHeight * region_.fillet();
+        std::sqrt(3.0) * 0.5 * double(size + 1) * cell_ + TubeRegion::kFilletHeight * region_.fillet();
     if (std::abs(region_.full_value(center)) > 1.0001 * reach) return;
     if (size == kBlock) return sample(low);
     const std::uint64_t half = size / 2;
@@ -180,7 +180,7 @@ class Marcher {
     }
   }
 
-  const Region& region_;
+  const TubeRegion& region_;
   double cell_;
   std::size_t most_triangles_;
   const Pulse& pulse_;
@@ -194,7 +194,7 @@ class Marcher {
 
 }  // namespace
 
-SurfaceMesh march(const Region& region, double cell, std::size_t most_triangles,
+SurfaceMesh march(const TubeRegion& region, double cell, std::size_t most_triangles,
                   const Pulse& pulse) {
   return Marcher(region, cell, most_triangles, pulse).run();
 }

@@ -6,7 +6,7 @@ namespace tripus::meshing::tube {
 namespace {
 
 /// The face of a box that is nearest by signed distance: axis and side (0 low, 1 high).
-struct Face {
+struct OuterFace {
   int axis = 0, side = 0;
   double value = -std::numeric_limits<double>::infinity();
 };
@@ -15,8 +15,8 @@ double face_value(const OuterBox& box, const Point& p, int axis, int side) {
   return side == 0 ? box.low[axis] - p[axis] : p[axis] - box.high[axis];
 }
 
-Face nearest_face(const OuterBox& box, const Point& p) {
-  Face best;
+OuterFace nearest_face(const OuterBox& box, const Point& p) {
+  OuterFace best;
   for (int axis = 0; axis < 3; ++axis)
     for (int side = 0; side < 2; ++side)
       if (const double value = face_value(box, p, axis, side); value > best.value)
@@ -40,7 +40,7 @@ Point OuterSurface::normal(const Point& p) const {
   }
   Point n{0, 0, 0};
   if (const auto* box = std::get_if<OuterBox>(&shape_)) {
-    const Face face = nearest_face(*box, p);
+    const OuterFace face = nearest_face(*box, p);
     n[face.axis] = face.side == 0 ? -1 : 1;
   }
   return n;
@@ -65,7 +65,7 @@ double OuterSurface::distance_from_rim(const Point& p) const {
   const auto* box = std::get_if<OuterBox>(&shape_);
   double least = std::numeric_limits<double>::infinity();
   if (box == nullptr) return least;
-  const Face nearest = nearest_face(*box, p);
+  const OuterFace nearest = nearest_face(*box, p);
   for (int axis = 0; axis < 3; ++axis)
     for (int side = 0; side < 2; ++side)
       if (axis != nearest.axis || side != nearest.side)

@@ -23,14 +23,14 @@ double squared_distance(const Point& p, const std::array<Point, 2>& segment) {
 
 }  // namespace
 
-Region::Region(const Strands& strands, double radius, double depth, double fillet)
+TubeRegion::TubeRegion(const Strands& strands, double radius, double depth, double fillet)
     : outer_(strands.outer), radius_(radius), depth_(depth), fillet_(fillet) {
   for (const Segment& s : strands.segments) segments_.push_back({s.a, s.b});
   cells_.reserve(2 * segments_.size());
   build(0, std::uint32_t(segments_.size()));
 }
 
-std::uint32_t Region::build(std::uint32_t first, std::uint32_t last) {
+std::uint32_t TubeRegion::build(std::uint32_t first, std::uint32_t last) {
   const auto index = std::uint32_t(cells_.size());
   Cell cell{{}, first, last, 0};
   for (std::uint32_t s = first; s < last; ++s)
@@ -50,7 +50,7 @@ std::uint32_t Region::build(std::uint32_t first, std::uint32_t last) {
   return index;
 }
 
-Region::Nearest Region::nearest(const Point& p, double beyond) const {
+TubeRegion::Nearest TubeRegion::nearest(const Point& p, double beyond) const {
   Nearest best{beyond * beyond, kNone};
   std::array<std::uint32_t, kDeepest> todo;
   std::size_t count = 0;
@@ -71,12 +71,12 @@ Region::Nearest Region::nearest(const Point& p, double beyond) const {
   return best;
 }
 
-double Region::graph_distance(const Point& p, double beyond) const {
+double TubeRegion::graph_distance(const Point& p, double beyond) const {
   return std::sqrt(nearest(p, beyond).squared);
 }
 
 template <class Visit>
-void Region::for_segments_within(const Point& p, double distance, Visit&& visit) const {
+void TubeRegion::for_segments_within(const Point& p, double distance, Visit&& visit) const {
   std::array<std::uint32_t, kDeepest> todo;
   std::size_t count = 0;
   todo[count++] = 0;
@@ -96,7 +96,7 @@ void Region::for_segments_within(const Point& p, double distance, Visit&& visit)
 /// A smooth minimum of the distances d, e from two segments is d - (k - (e - d))^2 / 4k where they
 /// differ by less than k. It counts as far as the segments are seen in different directions, so
 /// that the joints of a bent strand stay as they are.
-double Region::rounding(const Point& p, const Nearest& near) const {
+double TubeRegion::rounding(const Point& p, const Nearest& near) const {
   const double d = std::sqrt(near.squared);
   if (near.segment == kNone || d == 0 || !(std::abs(d - radius_) < fillet_)) return 0;
   const Point to_near = (1 / d) * (foot(p, segments_[near.segment]) - p);
@@ -111,7 +111,7 @@ double Region::rounding(const Point& p, const Nearest& near) const {
   return most;
 }
 
-double Region::value(const Point& p) const {
+double TubeRegion::value(const Point& p) const {
   const double outer = outer_.value(p);
   if (outer_.exists() && outer >= depth_) return outer;  // no matter how far from the tube
   const Nearest near = nearest(p, radius_ + depth_);
@@ -119,12 +119,12 @@ double Region::value(const Point& p) const {
   return outer_.exists() ? std::max({outer, tube, -depth_}) : std::min(-tube, depth_);
 }
 
-double Region::full_value(const Point& p) const {
+double TubeRegion::full_value(const Point& p) const {
   const double tube = radius_ - std::sqrt(nearest(p, HUGE_VAL).squared);
   return outer_.exists() ? std::max(outer_.value(p), tube) : -tube;
 }
 
-Point Region::projected(Point p) const {
+Point TubeRegion::projected(Point p) const {
   const double sign = outer_.exists() ? 1 : -1;
   for (int step = 0; step < 3; ++step) {
     const double outer = outer_.value(p);
@@ -140,7 +140,7 @@ Point Region::projected(Point p) const {
   return p;
 }
 
-Bounds Region::bounds() const {
+Bounds TubeRegion::bounds() const {
   if (outer_.exists()) return outer_.bounds();
   Bounds result;
   const Point r{radius_, radius_, radius_};

@@ -11,7 +11,7 @@
 //
 // Where strands part at an acute angle the space between their tubes is a cleft, and the sample may
 // fall to pieces there at every cell side: the few lattice directions may all lead out of the
-// cleft. If the sample's genus is wrong, the next ones are of the region with fillets (Region), as
+// cleft. If the sample's genus is wrong, the next ones are of the region with fillets (TubeRegion), as
 // large as the lattice resolves. They lie where -kFilletHeight * kFilletCells * h <= F <= 0; the
 // cells are chosen so that the levels down to there less h are regular too.
 //
@@ -69,7 +69,7 @@ constexpr double kWideSphere = 1.5;
 constexpr double kLeastRoom = 1e-12;
 
 constexpr double kUsualEdgesAround = 10;
-constexpr std::size_t kMostTriangles = std::size_t{1} << 23;
+constexpr std::size_t kMostTubeTriangles = std::size_t{1} << 23;
 constexpr double kMostCellsAlongAxis = 1 << 18;
 constexpr int kSweepsBefore = 1, kSweepsAfter = 4;
 
@@ -200,12 +200,12 @@ std::string advice_on_radius(const TubeOptions& options, double radius, double r
 }
 
 /// Refuses tubes that are too thin for the size of the whole, before any memory is taken.
-void require_feasible(const Strands& strands, const Clearance& clearance, const Region& region,
+void require_feasible(const Strands& strands, const Clearance& clearance, const TubeRegion& region,
                       double area, double cell, const std::string& advice) {
   const Point size = region.bounds().high - region.bounds().low;
   const double most = std::max({size[0], size[1], size[2]});
   if (most > kMostCellsAlongAxis * cell ||
-      kTrianglesPerCell * area > double(kMostTriangles) * cell * cell)
+      kTrianglesPerCell * area > double(kMostTubeTriangles) * cell * cell)
     throw InvalidInput(
         std::string(region.radius() > kUsualPartOfRoom * clearance.room
                         ? "what a tube of this radius leaves free"
@@ -228,7 +228,7 @@ std::size_t usual_triangles(const Strands& strands, double radius, double edges_
   const double edge = 2 * std::numbers::pi * radius / edges_around;
   const double triangle = std::sqrt(3.0) / 4 * edge * edge;
   const double count = (tube_area(strands, radius) + outer_area(strands) / 4) / triangle;
-  return std::size_t(std::min(count, double(kMostTriangles)));
+  return std::size_t(std::min(count, double(kMostTubeTriangles)));
 }
 
 /// Tells what is going on now, and again as often as it is called.
@@ -284,12 +284,12 @@ bool make_surface(const Strands& strands, const Clearance& clearance, const Tube
     const bool plain = sample < kPlainSamples;
     if (!plain)
       cell = std::min(cell, kLargestCell * (tube.room - tube.radius) /
-                                (1 + Region::kFilletHeight * kFilletCells));
-    const Region region(strands, tube.radius, depth, plain ? 0 : kFilletCells * cell);
+                                (1 + TubeRegion::kFilletHeight * kFilletCells));
+    const TubeRegion region(strands, tube.radius, depth, plain ? 0 : kFilletCells * cell);
     require_feasible(strands, clearance, region, area, cell,
                      advice_on_radius(options, tube.radius, tube.room));
     SurfaceMesh sampled = march(
-        region, cell, kMostTriangles,
+        region, cell, kMostTubeTriangles,
         start(options,
               "sampling in cells of " + as_text(cell) + ", so small because " +
                   (cell < kNextCell * depth ? "so many triangles are wanted" : clearance.place)));

@@ -85,7 +85,7 @@ CellComplex universal_cover(const HeldMetric& self, std::size_t cells,
 
 geometry::Model model_of(const std::string& name) {
   using geometry::Model;
-  for (const Model model : {Model::kUpperHalfSpace, Model::kPoincareBall, Model::kKleinBall})
+  for (const Model model : geometry::kModels)
     if (name == geometry::to_string(model)) return model;
   throw InvalidInput("the models are upper, ball and klein, not " + quoted(name));
 }

@@ -149,7 +149,7 @@ int disc_by_ray(const Drawn& drawn, const View& view, double x, double y, const 
 }
 
 TEST(WallDiscs, AreDrawnWhereRaysMeetThem) {
-  for (const Model model : {Model::kUpperHalfSpace, Model::kPoincareBall, Model::kKleinBall}) {
+  for (const Model model : geometry::kModels) {
     for (const char* name : {"cPcbbbihq", "dLQabccjkjn", testing::kNonOrientable[0]}) {
       Drawn picture = drawn(name, model, 12, 4.5);
       // Hollow pictures are faster.

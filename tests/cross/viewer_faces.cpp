@@ -16,7 +16,7 @@
 namespace tripus::viewer {
 namespace {
 
-constexpr Model kModels[] = {Model::kUpperHalfSpace, Model::kPoincareBall, Model::kKleinBall};
+using geometry::kModels;
 constexpr int kWidth = 200, kHeight = 150;
 
 Scene scene_of(const testing::Embedded& manifold, std::size_t cells, Model model) {

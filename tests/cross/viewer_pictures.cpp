@@ -172,7 +172,7 @@ std::string name_of(const ::testing::TestParamInfo<Case>& info) {
 std::vector<Case> cases() {
   std::vector<Case> result;
   for (const RendererKind renderer : {RendererKind::kFaces, RendererKind::kOpenCsg}) {
-    for (const Model model : {Model::kUpperHalfSpace, Model::kPoincareBall, Model::kKleinBall}) {
+    for (const Model model : geometry::kModels) {
       for (const std::size_t cells : {1, 2, 20})
         result.push_back({"cPcbbbihq", cells, model, renderer});
       // So many cells are thinner than a pixel in the Klein ball.

@@ -63,7 +63,7 @@ TEST(ExtremeShapes, RegularTetrahedraOfEverySize) {
       EXPECT_NEAR(tetrahedron.vertices[i][3] / tetrahedron.vertices[0][3], 1, 1e-13);
     const CellShape shape = cell_shape(tetrahedron, 2);
     for (const Vector4& point : shape.points)
-      for (const Model model : {Model::kUpperHalfSpace, Model::kPoincareBall, Model::kKleinBall})
+      for (const Model model : geometry::kModels)
         EXPECT_TRUE(to_model(model, point).allFinite()) << l;
   }
 }

@@ -23,14 +23,14 @@ struct BadInput {
 
 void PrintTo(const BadInput& bad, std::ostream* out) { *out << bad.label; }
 
-class BadInputs : public testing::TestWithParam<BadInput> {};
+class BadInputs : public ::testing::TestWithParam<BadInput> {};
 
 TEST_P(BadInputs, AreRefusedWithTheirPlace) {
   try {
     require_geodesic_boundary(Triangulation(read_triangulation(GetParam().text).gluings));
     FAIL() << "accepted";
   } catch (const InvalidInput& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr(GetParam().message));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr(GetParam().message));
   }
 }
 
@@ -46,7 +46,7 @@ std::string y_with(const std::string& from, const std::string& to) {
 
 INSTANTIATE_TEST_SUITE_P(
     General, BadInputs,
-    testing::Values(BadInput{"empty", "", "the input is empty"},
+    ::testing::Values(BadInput{"empty", "", "the input is empty"},
                     BadInput{"blank", " \n\t", "the input is empty"},
                     BadInput{"prose", "hello, world",
                              "unrecognised input, starting with \"hello, world\""},
@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Isosig, BadInputs,
-    testing::Values(
+    ::testing::Values(
         BadInput{"short", "cPcbbb", "character 7: the signature ends here; expected a gluing"},
         BadInput{"no_joins", "cPc", "expected 3 destinations and as many permutations"},
         BadInput{"actions", "c3c", "character 2: face action 3"},
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Json, BadInputs,
-    testing::Values(
+    ::testing::Values(
         BadInput{"syntax", R"({"gluings": [})", "JSON: syntax error at byte 14"},
         BadInput{"no_gluings", R"({"name": "x"})", "an array \"gluings\""},
         BadInput{"array", "[1, 2]", "an array of 2"},
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     SnappeaAndRegina, BadInputs,
-    testing::Values(
+    ::testing::Values(
         BadInput{"orb", "% orb\nx\n", "expected \"% orb\""},
         BadInput{"no_count", "% Triangulation\nx\n", "the number of tetrahedra is missing"},
         BadInput{"huge", "% Triangulation\nx\n99999999999\n", "more than the file has lines for"},
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(
 // 3-sphere, the Gieseking manifold.
 INSTANTIATE_TEST_SUITE_P(
     Unsolvable, BadInputs,
-    testing::Values(BadInput{"disconnected", "cPcbbbihqcPcbbbihq", "has 2 components"},
+    ::testing::Values(BadInput{"disconnected", "cPcbbbihqcPcbbbihq", "has 2 components"},
                     BadInput{
                         "cusp", "cPcbbbiht",
                         "the link of vertex class 0 (vertex 0 of tetrahedron 0) is a torus; a metric"},

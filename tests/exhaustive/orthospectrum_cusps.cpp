@@ -43,22 +43,9 @@ std::vector<Cusped> cusped() {
   return result;
 }
 
-double boundary_area(const structure::Report& report) {
-  double area = 0;
-  for (const structure::VertexReport& vertex : report.vertices)
-    if (vertex.kind == topology::VertexKind::kHyperideal) area += vertex.area;
-  return area;
-}
-
 std::vector<double> lengths_up_to(const Triangulation& triangulation,
                                   const structure::Report& report, double length) {
   return testing::lengths_of(testing::spectrum_of(triangulation, report, length));
-}
-
-void expect_same_lengths(const std::vector<double>& first, const std::vector<double>& second,
-                         const std::string& name) {
-  ASSERT_EQ(first.size(), second.size()) << name;
-  for (std::size_t n = 0; n < first.size(); ++n) ASSERT_NEAR(first[n], second[n], 1e-9) << name;
 }
 
 // O2
@@ -66,7 +53,7 @@ TEST(OrthospectrumCusps, PartialSumsStayBelowAndTailsAgree) {
   const auto manifolds = cusped();
   EXPECT_GE(manifolds.size(), 31u);
   for (const Cusped& each : manifolds) {
-    const double area = boundary_area(each.report), volume = each.report.volume;
+    const double area = testing::boundary_area(each.report), volume = each.report.volume;
     for (const double length : {2.0, 5.0, 7.0}) {
       SpectrumOptions options;
       options.length = length;
@@ -106,7 +93,7 @@ TEST(OrthospectrumCusps, TriangulationsByMovesHaveTheSameSpectrum) {
     const auto report = metric_on(other);
     if (!report) continue;
     ++pairs;
-    expect_same_lengths(lengths_up_to(each.triangulation, each.report, 5),
+    testing::expect_same_lengths(lengths_up_to(each.triangulation, each.report, 5),
                         lengths_up_to(other, *report, 5), each.name);
   }
 }

@@ -23,25 +23,13 @@ std::vector<std::string> manifolds() {
   return names;
 }
 
-double boundary_area(const structure::Report& report) {
-  double area = 0;
-  for (const structure::VertexReport& vertex : report.vertices) area += vertex.area;
-  return area;
-}
-
-void expect_same_lengths(const std::vector<double>& first, const std::vector<double>& second,
-                         const std::string& name) {
-  ASSERT_EQ(first.size(), second.size()) << name;
-  for (std::size_t n = 0; n < first.size(); ++n) ASSERT_NEAR(first[n], second[n], 1e-9) << name;
-}
-
 // O2
 TEST(OrthospectrumManifolds, PartialSumsStayBelowAndTailsAgree) {
   std::size_t with_estimates = 0;
   for (const std::string& name : manifolds()) {
     const auto manifold = testing::try_embed(name);
     ASSERT_TRUE(manifold) << name;
-    const double area = boundary_area(manifold->report), volume = manifold->report.volume;
+    const double area = testing::boundary_area(manifold->report), volume = manifold->report.volume;
     for (const double length : {1.0, 3.0, 5.0, 6.0, 6.5, 7.0}) {
       SpectrumOptions options;
       options.length = length;
@@ -114,7 +102,7 @@ TEST(OrthospectrumManifolds, TwoHundredTriangulationsByMovesHaveTheSameSpectrum)
     if (report.outcome != structure::Outcome::kGeometric) continue;
     ++pairs;
     larger += other.tetrahedron_count() > manifold->triangulation.tetrahedron_count();
-    expect_same_lengths(
+    testing::expect_same_lengths(
         testing::lengths_of(testing::spectrum_of(manifold->triangulation, manifold->report, 4.5)),
         testing::lengths_of(testing::spectrum_of(other, report, 4.5)),
         name + " seed " + std::to_string(seed));
@@ -189,7 +177,7 @@ TEST(OrthospectrumManifolds, MirrorImagesAndNewLabelsChangeNothing) {
          {topology::relabelled(gluings, mirror), topology::random_relabelling(gluings, n)}) {
       const topology::Triangulation triangulation(other);
       const structure::Report report = structure::solve(triangulation);
-      expect_same_lengths(
+      testing::expect_same_lengths(
           lengths, testing::lengths_of(testing::spectrum_of(triangulation, report, 5)), names[n]);
     }
   }
@@ -212,7 +200,7 @@ TEST(OrthospectrumManifolds, IsometriesCarryTheArcsOfOneTileToThoseOfAnother) {
         const Tile image{
             map.tetrahedron_images[tile.tetrahedron],
             static_cast<std::uint32_t>(map.perms[tile.tetrahedron](static_cast<int>(tile.vertex)))};
-        expect_same_lengths(lengths, ends.at(image), name);
+        testing::expect_same_lengths(lengths, ends.at(image), name);
       }
     }
   }

@@ -11,16 +11,13 @@
 #include "structure/detail/existence_routes.hpp"
 #include "structure/existence.hpp"
 #include "tests/support/data_files.hpp"
+#include "tests/support/triangulations.hpp"
 #include "topology/cyclic_cover.hpp"
 #include "topology/isomorphism.hpp"
 #include "topology/isosig.hpp"
 
 namespace tripus::structure {
 namespace {
-
-topology::Triangulation decode(const std::string& signature) {
-  return topology::Triangulation(topology::decode_isosig(signature));
-}
 
 std::string kind_of(const Existence& existence) {
   if (std::holds_alternative<StrictAngles>(existence)) return "strict";
@@ -43,11 +40,11 @@ struct Counts {
   int strict = 0, semi = 0, none = 0;
 };
 
-Counts count(const std::string& file) {
+Counts count_certificates(const std::string& file) {
   std::map<std::string, int> counts;
   for (const auto& signature : testing::data_lines(file)) {
     SCOPED_TRACE(signature);
-    const auto triangulation = decode(signature);
+    const auto triangulation = testing::decode(signature);
     const Existence found = existence(triangulation);
     expect_proof(triangulation, found);
     ++counts[kind_of(found)];
@@ -58,10 +55,10 @@ Counts count(const std::string& file) {
 // An earlier floating-point classification of all four lists together: 6,035 geometric and 14 flat
 // minimisers with a strict structure; 213 + 1,463 with semi-angle structures only; 3,633 with none.
 TEST(Lists, HaveTheCountsOfTheFloatingPointClassification) {
-  const Counts two = count("triangulations-2.txt");
-  const Counts three = count("triangulations-3.txt");
-  const Counts four = count("triangulations-4.txt");
-  const Counts cusped = count("triangulations-cusped.txt");
+  const Counts two = count_certificates("triangulations-2.txt");
+  const Counts three = count_certificates("triangulations-3.txt");
+  const Counts four = count_certificates("triangulations-4.txt");
+  const Counts cusped = count_certificates("triangulations-cusped.txt");
   EXPECT_EQ(two.strict, 8);
   EXPECT_EQ(three.strict, 166);
   EXPECT_EQ(three.semi, 24);
@@ -77,7 +74,7 @@ TEST(Lists, HaveTheCountsOfTheFloatingPointClassification) {
 void expect_margins(const std::string& file) {
   for (const auto& row : testing::data_table(file)) {
     SCOPED_TRACE(row.at("isosig"));
-    const auto triangulation = decode(row.at("isosig"));
+    const auto triangulation = testing::decode(row.at("isosig"));
     const double listed = std::strtod(row.at("angle_margin").c_str(), nullptr);
     EXPECT_NEAR(deepest_angle_structure(triangulation).margin, listed, 1e-5);
     EXPECT_EQ(kind_of(existence(triangulation)),
@@ -95,7 +92,7 @@ TEST(Routes, Agree) {
   const auto signatures = testing::data_lines("triangulations-4.txt");
   for (std::size_t k = 0; k < signatures.size(); k += 7) {
     SCOPED_TRACE(signatures[k]);
-    const auto triangulation = decode(signatures[k]);
+    const auto triangulation = testing::decode(signatures[k]);
     detail::AngleProgramme programme(triangulation);
     ASSERT_TRUE(programme.solve());
     const auto rounded = detail::by_rounding(triangulation, programme);
@@ -116,7 +113,7 @@ TEST(Routes, TheRationalSimplexMethodNeedsNoStart) {
   const auto signatures = testing::data_lines("triangulations-4.txt");
   for (std::size_t k = 0; k < signatures.size(); k += 97) {
     SCOPED_TRACE(signatures[k]);
-    const auto triangulation = decode(signatures[k]);
+    const auto triangulation = testing::decode(signatures[k]);
     detail::AngleProgramme programme(triangulation);
     ASSERT_TRUE(programme.solve_exactly());
     const auto exact = detail::by_exact_basis(triangulation, programme);
@@ -155,7 +152,7 @@ TEST(TamperedCertificates, AreRejected) {
   int rejected = 0;
   for (std::size_t k = 0; k < signatures.size(); k += 11) {
     SCOPED_TRACE(signatures[k]);
-    const auto triangulation = decode(signatures[k]);
+    const auto triangulation = testing::decode(signatures[k]);
     Existence found = existence(triangulation);
     auto* certificate = std::get_if<Certificate>(&found);
     if (certificate == nullptr) continue;
@@ -192,7 +189,7 @@ TEST(TamperedCertificates, AreRejected) {
 TEST(TamperedAngles, AreRejected) {
   for (const auto& signature : testing::data_lines("triangulations-3.txt")) {
     SCOPED_TRACE(signature);
-    const auto triangulation = decode(signature);
+    const auto triangulation = testing::decode(signature);
     Existence found = existence(triangulation);
     auto* angles = std::get_if<StrictAngles>(&found);
     if (angles == nullptr) continue;
@@ -212,7 +209,7 @@ TEST(Kind, IsThatOfTheRelabelledTriangulation) {
   const auto signatures = testing::data_lines("triangulations-4.txt");
   for (std::size_t k = 0; k < signatures.size(); k += 3) {
     SCOPED_TRACE(signatures[k]);
-    const auto original = decode(signatures[k]);
+    const auto original = testing::decode(signatures[k]);
     const topology::Triangulation shuffled(
         topology::random_relabelling(original.gluings(), 1000 + k));
     ASSERT_EQ(kind_of(existence(original)), kind_of(existence(shuffled)));
@@ -224,7 +221,7 @@ TEST(Kind, IsThatOfEveryRegularCover) {
   for (const std::size_t degree : {2u, 7u}) {
     for (const auto& signature : testing::data_lines("triangulations-3.txt")) {
       SCOPED_TRACE(signature);
-      const auto base = decode(signature);
+      const auto base = testing::decode(signature);
       const auto shifts = topology::primitive_class(base);
       if (!shifts) continue;
       const topology::Triangulation cover(topology::random_relabelling(
@@ -240,7 +237,7 @@ TEST(Kind, OfLargeCovers) {
       {{"dLQbcbcmens", "strict"}, {"dLQbcbcaekw", "semi"}, {"dLQbcbcmebs", "none"}}};
   for (const auto& [signature, kind] : examples) {
     SCOPED_TRACE(signature);
-    const auto base = decode(signature);
+    const auto base = testing::decode(signature);
     const auto shifts = topology::primitive_class(base);
     ASSERT_TRUE(shifts);
     const topology::Triangulation cover(
@@ -259,7 +256,7 @@ TEST(Threads, DoNotDisturbEachOther) {
   for (auto& mine : kinds) {
     threads.emplace_back([&mine, &signatures] {
       for (const auto& signature : signatures)
-        mine.push_back(kind_of(existence(decode(signature))));
+        mine.push_back(kind_of(existence(testing::decode(signature))));
     });
   }
   for (auto& thread : threads) thread.join();

@@ -7,25 +7,22 @@
 
 #include "structure/closed_bigon.hpp"
 #include "tests/support/data_files.hpp"
+#include "tests/support/triangulations.hpp"
 #include "topology/isomorphism.hpp"
 #include "topology/isosig.hpp"
 
 namespace tripus::structure {
 namespace {
 
-topology::Triangulation decode(const std::string& signature) {
-  return topology::Triangulation(topology::decode_isosig(signature));
-}
-
 std::string consequence_of(const topology::Triangulation& triangulation) {
   const auto bigon = closed_bigon(triangulation);
   return bigon ? std::string(to_string(bigon->consequence)) : "no closed bigon";
 }
 
-std::map<std::string, int> count(const std::string& file) {
+std::map<std::string, int> consequences(const std::string& file) {
   std::map<std::string, int> counts;
   for (const std::string& signature : testing::data_lines(file))
-    ++counts[consequence_of(decode(signature))];
+    ++counts[consequence_of(testing::decode(signature))];
   return counts;
 }
 
@@ -39,11 +36,11 @@ std::set<std::string> hyperbolic_triangulations() {
 
 TEST(ClosedBigons, HaveTheCountsOfTheDocs) {
   using Counts = std::map<std::string, int>;
-  EXPECT_EQ(count("triangulations-2.txt"), (Counts{{"no closed bigon", 8}}));
-  EXPECT_EQ(count("triangulations-3.txt"),
+  EXPECT_EQ(consequences("triangulations-2.txt"), (Counts{{"no closed bigon", 8}}));
+  EXPECT_EQ(consequences("triangulations-3.txt"),
             (Counts{{"essential annulus", 21}, {"no closed bigon", 219}}));
   // 760 + 574 + 225 = 1,559: a separate search found as many patterns.
-  EXPECT_EQ(count("triangulations-4.txt"), (Counts{{"essential annulus", 574},
+  EXPECT_EQ(consequences("triangulations-4.txt"), (Counts{{"essential annulus", 574},
                                                    {"moebius band", 760},
                                                    {"no closed bigon", 9489},
                                                    {"none", 225}}));
@@ -55,7 +52,7 @@ TEST(ClosedBigons, AreInNoHyperbolicManifold) {
   const std::set<std::string> hyperbolic = hyperbolic_triangulations();
   EXPECT_EQ(hyperbolic.size(), 6381u);
   for (const std::string& signature : hyperbolic)
-    EXPECT_EQ(consequence_of(decode(signature)), "no closed bigon") << signature;
+    EXPECT_EQ(consequence_of(testing::decode(signature)), "no closed bigon") << signature;
 }
 
 TEST(ClosedBigons, DoNotDependOnLabels) {
@@ -64,7 +61,7 @@ TEST(ClosedBigons, DoNotDependOnLabels) {
   for (const std::string& signature : testing::data_lines("triangulations-4.txt")) {
     if (++number % 10 != 0) continue;
     SCOPED_TRACE(signature);
-    const auto triangulation = decode(signature);
+    const auto triangulation = testing::decode(signature);
     const auto relabelled =
         topology::Triangulation(topology::random_relabelling(triangulation.gluings(), random()));
     EXPECT_EQ(consequence_of(relabelled), consequence_of(triangulation));

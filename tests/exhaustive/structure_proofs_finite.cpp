@@ -18,12 +18,12 @@ namespace {
 
 using topology::Triangulation;
 
-struct Proved {
+struct ProvedFinite {
   Report report;
   Proof proof;
 };
 
-Proved proved(const testing::Labelled& example) {
+ProvedFinite proved(const testing::Labelled& example) {
   SolveOptions options;
   options.cone_angles = example.cone_angles;
   Report report = solve(example.triangulation, options);

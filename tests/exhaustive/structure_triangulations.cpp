@@ -10,15 +10,12 @@
 #include "geometry/volume.hpp"
 #include "structure/solve.hpp"
 #include "tests/support/data_files.hpp"
+#include "tests/support/triangulations.hpp"
 #include "topology/isomorphism.hpp"
 #include "topology/isosig.hpp"
 
 namespace tripus::structure {
 namespace {
-
-topology::Triangulation decode(const std::string& signature) {
-  return topology::Triangulation(topology::decode_isosig(signature));
-}
 
 void expect_finite(const Report& report) {
   EXPECT_TRUE(std::isfinite(report.volume) && std::isfinite(report.max_curvature));
@@ -58,7 +55,7 @@ void expect_metric(const topology::Triangulation& triangulation, const Report& r
 TEST(TwoTetrahedra, AreAllGeometric) {
   for (const auto& signature : testing::data_lines("triangulations-2.txt")) {
     SCOPED_TRACE(signature);
-    const auto triangulation = decode(signature);
+    const auto triangulation = testing::decode(signature);
     const Report report = solve(triangulation);
     ASSERT_EQ(report.outcome, Outcome::kGeometric);
     expect_metric(triangulation, report);
@@ -74,7 +71,7 @@ TEST(ThreeTetrahedra, AreGeometricExactlyWhereTheListSays) {
   int geometric = 0;
   for (const auto& signature : signatures) {
     SCOPED_TRACE(signature);
-    const auto triangulation = decode(signature);
+    const auto triangulation = testing::decode(signature);
     const Report report = solve(triangulation);
     expect_finite(report);
     ASSERT_EQ(report.outcome == Outcome::kGeometric, !nongeometric.contains(signature))
@@ -94,7 +91,7 @@ TEST(FourTetrahedra, NeverCallWhatIsNoMetricGeometric) {
   ASSERT_EQ(signatures.size(), 11048u);
   for (const auto& signature : signatures) {
     SCOPED_TRACE(signature);
-    const auto triangulation = decode(signature);
+    const auto triangulation = testing::decode(signature);
     const Report report = solve(triangulation);
     expect_finite(report);
     if (report.outcome != Outcome::kGeometric) continue;
@@ -110,7 +107,7 @@ TEST(Relabelling, ChangesNeitherTheOutcomeNorTheVolumeNorTheLengths) {
   const auto signatures = testing::data_lines("triangulations-4.txt");
   for (std::size_t k = 0; k < signatures.size(); k += 23) {
     SCOPED_TRACE(signatures[k]);
-    const auto original = decode(signatures[k]);
+    const auto original = testing::decode(signatures[k]);
     const topology::Triangulation shuffled(
         topology::random_relabelling(original.gluings(), 1000 + k));
     const Report a = solve(original), b = solve(shuffled);

@@ -20,7 +20,7 @@ using ::testing::IsEmpty;
 using tripus::testing::data_lines;
 using tripus::testing::decode;
 
-tripus::testing::VerdictCounts count(const std::string& file) {
+tripus::testing::VerdictCounts count_verdicts(const std::string& file) {
   tripus::testing::VerdictCounts counts;
   for (const auto& signature : data_lines(file)) {
     const auto triangulation = decode(signature);
@@ -32,7 +32,7 @@ tripus::testing::VerdictCounts count(const std::string& file) {
 // Nothing is unresolved, and every verdict has its evidence: fault_of checks certificates and
 // strict angles exactly, and minimisers with flat tetrahedra by formulae of its own.
 TEST(Verdicts, OfTwoAndThreeTetrahedra) {
-  const auto two = count("triangulations-2.txt"), three = count("triangulations-3.txt");
+  const auto two = count_verdicts("triangulations-2.txt"), three = count_verdicts("triangulations-3.txt");
   EXPECT_THAT(two.wrong, IsEmpty());
   EXPECT_THAT(three.wrong, IsEmpty());
   EXPECT_EQ(two.geometric, 8);
@@ -43,7 +43,7 @@ TEST(Verdicts, OfTwoAndThreeTetrahedra) {
 
 // Strict and semi add up to the counts of the angle programme in structure_certificates.cpp.
 TEST(Verdicts, OfFourTetrahedra) {
-  const auto four = count("triangulations-4.txt");
+  const auto four = count_verdicts("triangulations-4.txt");
   EXPECT_THAT(four.wrong, IsEmpty());
   EXPECT_EQ(four.triangulations, 11048);
   EXPECT_EQ(four.geometric, 5820);

@@ -21,7 +21,7 @@ namespace {
 using testing::expect_kept;
 using testing::ManifoldInvariants;
 
-struct List {
+struct CollapseList {
   const char* file;
   std::size_t stride;
 };
@@ -32,7 +32,7 @@ const std::vector<std::string> kOthers{
     "bkaagj",    "bkaagb", "dLQbcccajqs", "cMcabbjaj",         "cMcabbjak",
     "cMcabbjqs", "bkaaid", "cPcbbbiht",   "fvPQcdecedekrsnrs", "fvPQccdedeegovcfb"};
 
-std::vector<std::string> signatures(const List& list) {
+std::vector<std::string> signatures(const CollapseList& list) {
   const std::string file = list.file;
   const auto lines = file.empty() ? kOthers : testing::data_lines(file);
   std::vector<std::string> found;
@@ -81,7 +81,7 @@ void expect_consistent(const MutableTriangulation& m) {
   ASSERT_EQ(vertices.size(), anew.vertex_count());
 }
 
-class CollapseLists : public ::testing::TestWithParam<List> {
+class CollapseLists : public ::testing::TestWithParam<CollapseList> {
  protected:
   template <class Check>
   void for_each_shaken(std::size_t moves, std::size_t most, Check&& check) {
@@ -218,10 +218,10 @@ TEST_P(CollapseLists, RandomRunsKeepTheManifoldAndTheLabels) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Data, CollapseLists,
-                         ::testing::Values(List{"", 1}, List{"triangulations-2.txt", 1},
-                                           List{"triangulations-3.txt", 1},
-                                           List{"triangulations-4.txt", 40},
-                                           List{"triangulations-cusped.txt", 1}));
+                         ::testing::Values(CollapseList{"", 1}, CollapseList{"triangulations-2.txt", 1},
+                                           CollapseList{"triangulations-3.txt", 1},
+                                           CollapseList{"triangulations-4.txt", 40},
+                                           CollapseList{"triangulations-cusped.txt", 1}));
 
 }  // namespace
 }  // namespace tripus::topology

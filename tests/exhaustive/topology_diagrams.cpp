@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/data_files.hpp"
+#include "tests/support/triangulations.hpp"
 #include "topology/covers/cover_homology.hpp"
 #include "topology/diagrams/exterior.hpp"
 #include "topology/diagrams/small_exterior.hpp"
@@ -27,12 +28,6 @@ std::uint64_t subgroups(const Presentation& group, std::size_t degree) {
   return count;
 }
 
-AbelianGroup abelianized(const Presentation& group) {
-  TransitiveAction trivial{.degree = 1, .images = {}, .deck_group_order = 1};
-  trivial.images.assign(group.generator_count, {0});
-  return first_homology(group, trivial);
-}
-
 class EveryTable : public ::testing::TestWithParam<DiagramTable> {};
 
 TEST_P(EveryTable, ExteriorsHaveTheGroupThatWirtingerSays) {
@@ -41,8 +36,8 @@ TEST_P(EveryTable, ExteriorsHaveTheGroupThatWirtingerSays) {
     const Triangulation octahedra(exterior(entry.diagram).gluings);
     const Triangulation small(small_exterior({.name = {}, .diagram = entry.diagram}).gluings);
     const Presentation group = wirtinger_group(entry.diagram).presentation;
-    ASSERT_EQ(first_homology(octahedra), abelianized(group));
-    ASSERT_EQ(first_homology(small), abelianized(group));
+    ASSERT_EQ(first_homology(octahedra), testing::abelianized(group));
+    ASSERT_EQ(first_homology(small), testing::abelianized(group));
     const Presentation from_faces = fundamental_group(small).presentation;
     for (const std::size_t degree : {2u, 3u, 4u})
       ASSERT_EQ(subgroups(from_faces, degree), subgroups(group, degree)) << "index " << degree;

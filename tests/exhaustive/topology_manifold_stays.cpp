@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "tests/support/data_files.hpp"
+#include "tests/support/triangulations.hpp"
 #include "topology/covers/cover_homology.hpp"
 #include "topology/isomorphism.hpp"
 #include "topology/isosig.hpp"
@@ -62,14 +63,8 @@ std::vector<std::string> triangulations() {
   return found;
 }
 
-std::vector<MoveKind> every_kind() {
-  std::vector<MoveKind> kinds;
-  for (const MoveInfo& line : move_table()) kinds.push_back(line.kind);
-  return kinds;
-}
-
 TEST(ManifoldStays, UnderRandomMovesOfEveryKind) {
-  const auto kinds = every_kind();
+  const auto kinds = testing::every_kind_of_move();
   std::map<MoveKind, std::size_t> made;
   std::uint64_t seed = 20261122;
   for (const std::string& signature : triangulations()) {
@@ -103,7 +98,7 @@ std::size_t collapse_at_random(Gluings& gluings, std::size_t most, std::mt19937_
 }
 
 TEST(ManifoldStays, UnderCollapseSubdivisionAndSimplification) {
-  const auto kinds = every_kind();
+  const auto kinds = testing::every_kind_of_move();
   std::mt19937_64 random(20261122);
   std::size_t collapses = 0;
   std::size_t smaller = 0;

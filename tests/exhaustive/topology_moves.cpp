@@ -10,6 +10,7 @@
 
 #include "tests/support/data_folder.hpp"
 #include "tests/support/manifold_invariants.hpp"
+#include "tests/support/triangulations.hpp"
 #include "topology/isosig.hpp"
 #include "topology/moves/moves.hpp"
 
@@ -28,12 +29,6 @@ std::vector<std::string> signatures(const std::string& file, std::size_t stride)
   for (std::string line; std::getline(in, line);)
     if (!line.empty() && line[0] != '#' && number++ % stride == 0) found.push_back(line);
   return found;
-}
-
-std::vector<MoveKind> every_kind() {
-  std::vector<MoveKind> kinds;
-  for (const MoveInfo& line : move_table()) kinds.push_back(line.kind);
-  return kinds;
 }
 
 /// The change accounts for every number, and faces between tetrahedra that stay are glued as they
@@ -73,7 +68,7 @@ void check_every_move(const Gluings& gluings, bool search_for_inverses) {
   const Triangulation triangulation(gluings);
   const ManifoldInvariants before(triangulation);
   const std::string signature = isosig(gluings);
-  for (const Move& move : all_moves(triangulation, every_kind())) {
+  for (const Move& move : all_moves(triangulation, testing::every_kind_of_move())) {
     SCOPED_TRACE(signature + ": " + to_string(move));
     const MoveInfo& line = info(move.kind);
     Gluings moved = gluings;
@@ -95,12 +90,12 @@ void check_every_move(const Gluings& gluings, bool search_for_inverses) {
   }
 }
 
-struct List {
+struct ThinnedList {
   const char* file;
   std::size_t stride;
 };
 
-class MoveLists : public ::testing::TestWithParam<List> {};
+class MoveLists : public ::testing::TestWithParam<ThinnedList> {};
 
 TEST_P(MoveLists, EveryLegalMoveKeepsTheManifoldAndIsUndone) {
   const auto list = signatures(GetParam().file, GetParam().stride);
@@ -115,7 +110,7 @@ TEST_P(MoveLists, EveryLegalMoveKeepsTheManifoldAndIsUndone) {
 // tetrahedron glued to each other.
 TEST_P(MoveLists, RandomWalksKeepTheManifold) {
   const auto list = signatures(GetParam().file, GetParam().stride);
-  const auto kinds = every_kind();
+  const auto kinds = testing::every_kind_of_move();
   std::uint64_t seed = 1;
   for (const std::string& signature : list) {
     SCOPED_TRACE(signature + ", seed " + std::to_string(seed));
@@ -133,7 +128,7 @@ TEST_P(MoveLists, RandomWalksKeepTheManifold) {
 
 TEST_P(MoveLists, EveryLegalMoveAfterAWalkKeepsTheManifold) {
   const auto list = signatures(GetParam().file, 10 * GetParam().stride);
-  const auto kinds = every_kind();
+  const auto kinds = testing::every_kind_of_move();
   std::uint64_t seed = 1;
   for (const std::string& signature : list) {
     Gluings gluings = decode_isosig(signature);
@@ -144,10 +139,10 @@ TEST_P(MoveLists, EveryLegalMoveAfterAWalkKeepsTheManifold) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Data, MoveLists,
-                         ::testing::Values(List{"triangulations-2.txt", 1},
-                                           List{"triangulations-3.txt", 1},
-                                           List{"triangulations-4.txt", 22},
-                                           List{"triangulations-cusped.txt", 1}));
+                         ::testing::Values(ThinnedList{"triangulations-2.txt", 1},
+                                           ThinnedList{"triangulations-3.txt", 1},
+                                           ThinnedList{"triangulations-4.txt", 22},
+                                           ThinnedList{"triangulations-cusped.txt", 1}));
 
 }  // namespace
 }  // namespace tripus::topology

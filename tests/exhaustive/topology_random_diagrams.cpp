@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/triangulations.hpp"
 #include "topology/covers/cover_homology.hpp"
 #include "topology/diagrams/exterior.hpp"
 #include "topology/diagrams/random_diagram.hpp"
@@ -49,12 +50,6 @@ std::vector<int> genera_of_links(const Triangulation& triangulation) {
   return genera;
 }
 
-AbelianGroup abelianized(const Presentation& group) {
-  TransitiveAction trivial{.degree = 1, .images = {}, .deck_group_order = 1};
-  trivial.images.assign(group.generator_count, {0});
-  return first_homology(group, trivial);
-}
-
 // Seeds 0 to 999: up to 50 nodes, up to 6 of them vertices of degree 4.
 TEST(RandomDiagrams, AThousandUpToFiftyCrossings) {
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
@@ -65,7 +60,7 @@ TEST(RandomDiagrams, AThousandUpToFiftyCrossings) {
     const Triangulation octahedra(exterior(diagram).gluings);
     ASSERT_TRUE(octahedra.is_orientable());
     ASSERT_EQ(genera_of_links(octahedra), genera_of_graph(diagram));
-    ASSERT_EQ(first_homology(octahedra), abelianized(wirtinger_group(diagram).presentation));
+    ASSERT_EQ(first_homology(octahedra), testing::abelianized(wirtinger_group(diagram).presentation));
     if (seed % 20 != 0) continue;
     const Triangulation small(small_exterior({.name = {}, .diagram = diagram}).gluings);
     ASSERT_EQ(genera_of_links(small), genera_of_graph(diagram));

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "embedding/universal_cover.hpp"
 #include "orthospectrum/spectrum.hpp"
@@ -25,6 +28,20 @@ inline std::vector<double> lengths_of(const orthospectrum::Spectrum& spectrum) {
   std::vector<double> lengths;
   for (const orthospectrum::Arc& arc : spectrum.arcs) lengths.push_back(arc.length);
   return lengths;
+}
+
+/// Of the geodesic boundary, without cusps.
+inline double boundary_area(const structure::Report& report) {
+  double area = 0;
+  for (const structure::VertexReport& vertex : report.vertices)
+    if (vertex.kind == topology::VertexKind::kHyperideal) area += vertex.area;
+  return area;
+}
+
+inline void expect_same_lengths(const std::vector<double>& first,
+                                const std::vector<double>& second, const std::string& name) {
+  ASSERT_EQ(first.size(), second.size()) << name;
+  for (std::size_t n = 0; n < first.size(); ++n) ASSERT_NEAR(first[n], second[n], 1e-9) << name;
 }
 
 /// What every pair of planes says: for each plane near enough to that of a tile the length of the

@@ -11,6 +11,7 @@
 #include "structure/existence.hpp"
 #include "structure/retriangulate.hpp"
 #include "structure/solve.hpp"
+#include "tests/support/triangulations.hpp"
 #include "topology/homology.hpp"
 #include "topology/isosig.hpp"
 #include "topology/moves/moves.hpp"
@@ -20,10 +21,6 @@
 // tests/full/verdicts.cpp all.
 
 namespace tripus::testing {
-
-inline topology::Triangulation decode(const std::string& signature) {
-  return topology::Triangulation(topology::decode_isosig(signature));
-}
 
 inline bool is_finite(const structure::Report& report) {
   bool finite = std::isfinite(report.volume) && std::isfinite(report.max_curvature);

@@ -85,7 +85,7 @@ TEST(CensusTables, KeepWhatIsUnresolved) {
   EXPECT_EQ(back.manifolds, census.manifolds);
   // An annulus is seen in the first; of the second, a handlebody, nothing is.
   EXPECT_THAT(to_tsv(census),
-              testing::HasSubstr("# unresolved dLQbcbcaekw\tnot hyperbolic: essential annulus\n"
+              ::testing::HasSubstr("# unresolved dLQbcbcaekw\tnot hyperbolic: essential annulus\n"
                                  "# unresolved dLQbcbcmebs\n"));
   census.unresolved = {"no signature"};
   EXPECT_EQ(parse_tsv(to_tsv(census)).unresolved, census.unresolved);

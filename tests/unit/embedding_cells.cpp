@@ -46,7 +46,7 @@ class Cells : public ::testing::TestWithParam<const char*> {};
 TEST_P(Cells, AreClosedAndFaceOutward) {  // E6
   const testing::Embedded& m = sample(GetParam());
   const auto cells = universal_cover(m.embedding, m.triangulation, {.max_cells = 40});
-  for (const Model model : {Model::kUpperHalfSpace, Model::kPoincareBall, Model::kKleinBall}) {
+  for (const Model model : geometry::kModels) {
     const Tessellation tessellation(m.embedding, cells, {model, 0.02});
     std::size_t points = 0, triangles = 0;
     for (std::size_t c = 0; c < cells.size(); ++c) {

@@ -32,7 +32,7 @@ class HyperbolicSpace : public ::testing::Test {
 TEST_F(HyperbolicSpace, ModelsAreBijections) {
   for (int n = 0; n < 300; ++n) {
     const Vector4 point = random_point(n % 3 == 0 ? 0.1 : 4);
-    for (const Model model : {Model::kUpperHalfSpace, Model::kPoincareBall, Model::kKleinBall}) {
+    for (const Model model : kModels) {
       const Vector4 back = from_model(model, to_model(model, point));
       EXPECT_LT(hyperbolic_distance(point, back), 1e-11) << to_string(model);
     }

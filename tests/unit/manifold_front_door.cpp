@@ -107,7 +107,7 @@ TEST(FrontDoor, WhatAStopCutShortIsAskedAgain) {
 }
 
 TEST(FrontDoor, WritesJsonAndCells) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "tripus-front-door";
+  const auto folder = std::filesystem::path(::testing::TempDir()) / "tripus-front-door";
   std::filesystem::create_directories(folder);
   const Manifold M = load("cPcbbbihq");
   const auto json = nlohmann::json::parse(M.to_json());
@@ -218,7 +218,7 @@ TEST(FrontDoor, MakesTheCoverOfPermutations) {
 }
 
 TEST(OutputFile, IsWholeOrNotThere) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "tripus-output-file";
+  const auto folder = std::filesystem::path(::testing::TempDir()) / "tripus-output-file";
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   const std::string path = (folder / "file.txt").string();

@@ -5,16 +5,13 @@
 #include "structure/certificate.hpp"
 #include "structure/detail/candidate.hpp"
 #include "structure/detail/rational_system.hpp"
+#include "tests/support/triangulations.hpp"
 #include "topology/isosig.hpp"
 
 namespace tripus::structure {
 namespace {
 
 using ::testing::HasSubstr;
-
-topology::Triangulation decode(const std::string& signature) {
-  return topology::Triangulation(topology::decode_isosig(signature));
-}
 
 Certificate zero_certificate(const topology::Triangulation& triangulation, Certificate::Kind kind) {
   Certificate certificate;
@@ -39,7 +36,7 @@ Certificate low_valence_certificate(const topology::Triangulation& triangulation
 
 // Valences 16, 2 (data/nongeometric-3.tsv).
 TEST(CheckCertificate, AcceptsAnEdgeOfValenceTwoAsSemi) {
-  const auto triangulation = decode("dLQbcbcaekw");
+  const auto triangulation = testing::decode("dLQbcbcaekw");
   ASSERT_EQ(triangulation.valence(1), 2u);
   EXPECT_TRUE(
       check(triangulation, low_valence_certificate(triangulation, 1, Certificate::Kind::kSemi)));
@@ -50,7 +47,7 @@ TEST(CheckCertificate, AcceptsAnEdgeOfValenceTwoAsSemi) {
 }
 
 TEST(CheckCertificate, AcceptsAnEdgeOfValenceOneAsNone) {
-  const auto triangulation = decode("dLQbcbcmebs");
+  const auto triangulation = testing::decode("dLQbcbcmebs");
   std::size_t lonely = 0;
   while (lonely < triangulation.edge_count() && triangulation.valence(lonely) != 1) ++lonely;
   ASSERT_LT(lonely, triangulation.edge_count());
@@ -59,7 +56,7 @@ TEST(CheckCertificate, AcceptsAnEdgeOfValenceOneAsNone) {
 }
 
 TEST(CheckCertificate, NamesWhatFails) {
-  const auto triangulation = decode("dLQbcbcaekw");
+  const auto triangulation = testing::decode("dLQbcbcaekw");
   const Certificate good = low_valence_certificate(triangulation, 1, Certificate::Kind::kSemi);
   const auto reason = [&](const Certificate& certificate) {
     const CheckResult result = check(triangulation, certificate);
@@ -89,7 +86,7 @@ TEST(CheckCertificate, NamesWhatFails) {
 
 // Beyond 64 bits nothing wraps round: a multiple of a certificate is one, and 1 more is none.
 TEST(CheckCertificate, IsExactForLargeIntegers) {
-  const auto triangulation = decode("dLQbcbcaekw");
+  const auto triangulation = testing::decode("dLQbcbcaekw");
   Certificate certificate = low_valence_certificate(triangulation, 1, Certificate::Kind::kSemi);
   Integer factor;
   mpz_ui_pow_ui(factor.get_mpz_t(), 10, 400);
@@ -104,7 +101,7 @@ TEST(CheckCertificate, IsExactForLargeIntegers) {
 
 // One edge class of valence 12: the regular angles pi / 6.
 TEST(CheckStrictAngles, AcceptsRegularAnglesAndNamesWhatFails) {
-  const auto triangulation = decode("cPcbbbihq");
+  const auto triangulation = testing::decode("cPcbbbihq");
   ASSERT_EQ(triangulation.edge_count(), 1u);
   StrictAngles good;
   good.denominator = 6;
@@ -183,7 +180,7 @@ TEST(CertificateJson, RefusesWithThePlace) {
 }
 
 TEST(CertificateFrom, TakesTheLargestEdgeMultipliers) {
-  const auto triangulation = decode("dLQbcbcaekw");
+  const auto triangulation = testing::decode("dLQbcbcaekw");
   const Certificate expected = low_valence_certificate(triangulation, 1, Certificate::Kind::kSemi);
   const detail::AngleConstraints constraints(triangulation);
   auto w = expected.vertex;

@@ -4,6 +4,7 @@
 
 #include "structure/closed_bigon.hpp"
 #include "structure/solve.hpp"
+#include "tests/support/triangulations.hpp"
 #include "topology/isosig.hpp"
 #include "topology/moves/moves.hpp"
 
@@ -14,12 +15,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using Consequence = ClosedBigon::Consequence;
 
-topology::Triangulation decode(const std::string& signature) {
-  return topology::Triangulation(topology::decode_isosig(signature));
-}
-
 TEST(ClosedBigon, IsAnAnswerOfSolve) {
-  const Report report = solve(decode("dLQbcbcaekw"));
+  const Report report = solve(testing::decode("dLQbcbcaekw"));
   EXPECT_EQ(report.outcome, Outcome::kInfeasible);
   ASSERT_TRUE(report.closed_bigon);
   EXPECT_EQ(*report.closed_bigon, (ClosedBigon{Consequence::kEssentialAnnulus, 1, 0}));
@@ -31,11 +28,11 @@ TEST(ClosedBigon, IsAnAnswerOfSolve) {
 TEST(ClosedBigon, IsNotLookedForWithoutEvidence) {
   SolveOptions quick;
   quick.evidence = false;
-  EXPECT_FALSE(solve(decode("dLQbcbcaekw"), quick).closed_bigon);
+  EXPECT_FALSE(solve(testing::decode("dLQbcbcaekw"), quick).closed_bigon);
 }
 
 TEST(ClosedBigon, LeavesTheVerdictWithConeAnglesAlone) {
-  const auto triangulation = decode("dLQbcbcaekw");
+  const auto triangulation = testing::decode("dLQbcbcaekw");
   SolveOptions options;
   options.cone_angles.assign(triangulation.edge_count(), {});
   options.cone_angles[0] = topology::parse_cone_order("3");
@@ -43,13 +40,13 @@ TEST(ClosedBigon, LeavesTheVerdictWithConeAnglesAlone) {
 }
 
 TEST(ClosedBigon, NeedsAnEdgeOfValenceTwo) {
-  EXPECT_FALSE(closed_bigon(decode("cPcbbbihq")));
-  EXPECT_FALSE(closed_bigon(decode("dLQbcbcmebs")));  // valences 17 and 1
+  EXPECT_FALSE(closed_bigon(testing::decode("cPcbbbihq")));
+  EXPECT_FALSE(closed_bigon(testing::decode("dLQbcbcmebs")));  // valences 17 and 1
 }
 
 TEST(ClosedBigon, SaysNothingOutsideItsDomain) {
-  EXPECT_FALSE(closed_bigon(decode("bkaaid")));     // not orientable
-  EXPECT_FALSE(closed_bigon(decode("cMcabbgqs")));  // finite vertices
+  EXPECT_FALSE(closed_bigon(testing::decode("bkaaid")));     // not orientable
+  EXPECT_FALSE(closed_bigon(testing::decode("cMcabbgqs")));  // finite vertices
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "tests/support/cube_meshes.hpp"
+#include "tests/support/triangulations.hpp"
 #include "topology/cone.hpp"
 #include "topology/homology.hpp"
 #include "topology/isosig.hpp"
@@ -18,13 +19,6 @@ namespace {
 
 using testing::cube_mesh;
 using ::testing::HasSubstr;
-
-bool is_oriented(const Gluings& gluings) {
-  for (std::size_t t = 0; t < gluings.tetrahedron_count(); ++t)
-    for (int f = 0; f < 4; ++f)
-      if (!gluings.is_open(t, f) && !gluings.gluing(t, f).is_odd()) return false;
-  return true;
-}
 
 std::vector<int> genera(const Triangulation& triangulation) {
   std::vector<int> found;
@@ -50,7 +44,7 @@ TEST(Cone, OfATetrahedronIsTheSphereWithFiveVertices) {
   EXPECT_EQ(sphere.vertex_count(), 5u);
   EXPECT_EQ(sphere.edge_count(), 10u);
   for (std::size_t v = 0; v < 5; ++v) EXPECT_EQ(sphere.link(v).euler_characteristic, 2);
-  EXPECT_TRUE(is_oriented(sphere.gluings()));
+  EXPECT_TRUE(testing::is_oriented(sphere.gluings()));
 }
 
 TEST(Cone, OfAClosedTriangulationIsItself) {
@@ -181,8 +175,8 @@ TEST(Subdivision, HasTheVerticesThatItShould) {
 TEST(Subdivision, KeepsOrientedTablesOriented) {
   Gluings oriented(2);
   for (int f = 0; f < 4; ++f) oriented.glue(0, f, 1, Perm4::from_images(1, 0, 2, 3));
-  ASSERT_TRUE(is_oriented(oriented));
-  EXPECT_TRUE(is_oriented(barycentric_subdivision(oriented)));
+  ASSERT_TRUE(testing::is_oriented(oriented));
+  EXPECT_TRUE(testing::is_oriented(barycentric_subdivision(oriented)));
 }
 
 TEST(Subdivision, KeepsNonOrientability) {

@@ -41,7 +41,7 @@ TEST(ConeAngle, WrongOrdersAreRefusedWithTheRemedy) {
       parse_cone_order(order);
       ADD_FAILURE() << "accepted";
     } catch (const InvalidInput& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr("is not a cone order; write 1"));
+      EXPECT_THAT(error.what(), ::testing::HasSubstr("is not a cone order; write 1"));
     }
   }
 }
@@ -113,7 +113,7 @@ TEST(Requirements, WhatSolveTakesAndWhatItRefuses) {
   EXPECT_EQ(objection("bkaaid", {}), "");
   EXPECT_EQ(objection("bkaagj", {}), "");  // closed: finite vertices
   EXPECT_EQ(objection("cPcbbbihq", {"0"}), "");
-  EXPECT_THAT(objection("cPcbbbihqcPcbbbihq", {}), testing::HasSubstr("2 components"));
+  EXPECT_THAT(objection("cPcbbbihqcPcbbbihq", {}), ::testing::HasSubstr("2 components"));
 }
 
 // A parabolic edge makes its ends hyperideal unless other labels undo that: at a sphere with two
@@ -131,8 +131,8 @@ TEST(Requirements, AParabolicEdgeAtACuspIsRefusedWithItsPlace) {
     require_solvable(m, angles);
     ADD_FAILURE() << "accepted";
   } catch (const InvalidInput& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("edge class 0 is parabolic (cone angle 0)"));
-    EXPECT_THAT(error.what(), testing::HasSubstr("end at a cusp"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("edge class 0 is parabolic (cone angle 0)"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("end at a cusp"));
   }
   // (2, 3, infinity) is a hyperbolic triangle.
   for (int e = 1; e < 6; ++e) angles[m.edge_class(0, e)] = ConeAngle::rational(2, 3);
@@ -149,7 +149,7 @@ TEST(Requirements, BadOrbifoldsAndProjectivePlanesAreRefused) {
     require_solvable(m, angles);
     ADD_FAILURE() << "accepted";
   } catch (const InvalidInput& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("a sphere with one cone point"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("a sphere with one cone point"));
   }
   int projective = 0;
   std::mt19937_64 random(4);
@@ -181,7 +181,7 @@ TEST(ConeAngles, CompletedNamesTheEdgeClass) {
     completed(wrong, 2);
     ADD_FAILURE();
   } catch (const InvalidInput& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("edge class 1"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("edge class 1"));
   }
 }
 
@@ -229,7 +229,7 @@ TEST(Formats, BrokenOrbFilesAreRefusedWithTheirLine) {
       read_orb(text);
       ADD_FAILURE() << text;
     } catch (const InvalidInput& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr(part));
+      EXPECT_THAT(error.what(), ::testing::HasSubstr(part));
     }
   };
   refused("% orb", "expected \"% orb\", a name");

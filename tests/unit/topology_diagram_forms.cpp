@@ -17,7 +17,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-auto refused(const char* what) { return ThrowsMessage<InvalidInput>(HasSubstr(what)); }
+auto refused_form(const char* what) { return ThrowsMessage<InvalidInput>(HasSubstr(what)); }
 
 /// Of the octahedral triangulation itself: two diagrams have it in common if and only if they are
 /// the same up to numbering, on the sphere and with the same orientation.
@@ -30,8 +30,8 @@ TEST(Diagrams, KnotPysNotationIsRead) {
   EXPECT_EQ(read.diagram.crossing_count(), 2u);
   EXPECT_EQ(to_text(read.diagram), "V[1,2,3] V[1,4,5] X[2,5,6,7] X[7,6,4,3]");
   EXPECT_THAT([] { read_diagram("a=V(b0 b1) b=X(a0 a1 b3 b0)"); },
-              refused("not met from the other side"));
-  EXPECT_THAT([] { read_diagram("a=V(b0) b=Y(a0)"); }, refused("no kind of node"));
+              refused_form("not met from the other side"));
+  EXPECT_THAT([] { read_diagram("a=V(b0) b=Y(a0)"); }, refused_form("no kind of node"));
 }
 
 TEST(Diagrams, AppcontoursEmbeddingIsRead) {

@@ -269,7 +269,7 @@ TEST(DiagramTables, NamesAreFoundHoweverTheyAreWritten) {
                                                         {"L5a7", "L5a1, "},
                                                         {"theta 5_9", "5_1 theta"}}) {
     EXPECT_TRUE(is_diagram_name(name)) << name;
-    EXPECT_THAT(nearest_diagram_names(name), testing::StartsWith(nearest)) << name;
+    EXPECT_THAT(nearest_diagram_names(name), ::testing::StartsWith(nearest)) << name;
   }
 }
 

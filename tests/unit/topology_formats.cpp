@@ -52,7 +52,7 @@ Vertices:
   Tet  |  vertex:    0   1   2   3
 )";
 // The figure eight knot complement, as Regina 7.3 exports it.
-constexpr char kFigureEight[] = R"(% Triangulation
+constexpr char kSnapPeaFile[] = R"(% Triangulation
 Regina_Triangulation
 not_attempted 0.0
 unknown_orientability
@@ -118,7 +118,7 @@ TEST(Formats, LeavesNestedPacketsOfReginaAlone) {
 }
 
 TEST(Formats, ReadsSnappea) {
-  const NamedGluings knot = read_triangulation(kFigureEight);
+  const NamedGluings knot = read_triangulation(kSnapPeaFile);
   EXPECT_EQ(knot.name, "Regina_Triangulation");
   EXPECT_EQ(isosig(knot.gluings), "cPcbbbiht");  // Regina: Example3.figureEight().isoSig()
 }
@@ -161,7 +161,7 @@ TEST(Formats, SaysWhatIsNotRead) {
 TEST(Formats, ReadsSnapPeaPacketsOfRegina) {
   for (const char* element : {"snappeadata", "snappea"}) {
     const std::string text = std::string("<regina engine=\"7.4\"><") + element +
-                             " label=\"knot\">" + kFigureEight + "</" + element + "></regina>";
+                             " label=\"knot\">" + kSnapPeaFile + "</" + element + "></regina>";
     EXPECT_EQ(read_triangulation(text).name, "knot");
     EXPECT_EQ(isosig(read_triangulation(text).gluings), "cPcbbbiht");
   }
@@ -169,7 +169,7 @@ TEST(Formats, ReadsSnapPeaPacketsOfRegina) {
 
 // Fields instead of lines: all on one, and one on each.
 TEST(Formats, ReadsSnappeaInFreeForm) {
-  const std::string text = kFigureEight;
+  const std::string text = kSnapPeaFile;
   const std::size_t body = text.find("not_attempted");
   for (const char separator : {' ', '\n'}) {
     std::string free = text.substr(body);
@@ -189,7 +189,7 @@ TEST(Formats, ReadsSignaturesWithWhatProgramsAdd) {
 
 TEST(Formats, AreRecognisedByContent) {
   EXPECT_EQ(detect_format(kYJson), kJson);
-  EXPECT_EQ(detect_format(kFigureEight), "SnapPea triangulation");
+  EXPECT_EQ(detect_format(kSnapPeaFile), "SnapPea triangulation");
   EXPECT_EQ(detect_format(kThirdGeneration), kReginaDataFile);
   EXPECT_EQ(detect_format(kDetail), "Regina gluing table");
   EXPECT_EQ(detect_format("  cPcbbbihq\n"), kIsomorphismSignature);

@@ -27,10 +27,10 @@ TEST(Homology, OfKnownManifolds) {
 }
 
 TEST(AbelianGroup, IsWrittenAsReginaWritesIt) {
-  EXPECT_EQ(to_string({}), "0");
-  EXPECT_EQ(to_string({1, {}}), "Z");
-  EXPECT_EQ(to_string({2, {"3"}}), "2 Z + Z_3");
-  EXPECT_EQ(to_string({0, {"2", "2", "6"}}), "2 Z_2 + Z_6");
+  EXPECT_EQ(to_string(AbelianGroup{}), "0");
+  EXPECT_EQ(to_string(AbelianGroup{1, {}}), "Z");
+  EXPECT_EQ(to_string(AbelianGroup{2, {"3"}}), "2 Z + Z_3");
+  EXPECT_EQ(to_string(AbelianGroup{0, {"2", "2", "6"}}), "2 Z_2 + Z_6");
 }
 
 // diag(2, 3) is equivalent to diag(1, 6); big entries must not overflow.

@@ -72,7 +72,7 @@ TEST(Minors, AreThoseOfRandomMatrices) {
   for (std::size_t height = 1; height <= 5; ++height)
     for (std::size_t width = 1; width <= 5; ++width)
       for (int trial = 0; trial < 60; ++trial) {
-        SCOPED_TRACE(testing::Message() << height << " x " << width << ", trial " << trial);
+        SCOPED_TRACE(::testing::Message() << height << " x " << width << ", trial " << trial);
         const std::int64_t largest[] = {1, 3, 12, std::numeric_limits<std::int64_t>::max() / 4};
         std::uniform_int_distribution<std::int64_t> entry(-largest[trial % 4], largest[trial % 4]);
         Dense matrix(height, std::vector<std::int64_t>(width, 0));

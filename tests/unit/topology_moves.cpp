@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "tests/support/triangulations.hpp"
 #include "topology/isosig.hpp"
 #include "topology/moves/moves.hpp"
 
@@ -13,13 +14,6 @@ namespace tripus::topology {
 namespace {
 
 Gluings knotted_y() { return decode_isosig("cPcbbbihq"); }
-
-bool is_oriented(const Gluings& gluings) {
-  for (std::size_t t = 0; t < gluings.tetrahedron_count(); ++t)
-    for (int f = 0; f < 4; ++f)
-      if (!gluings.gluing(t, f).is_odd()) return false;
-  return true;
-}
 
 /// Made, then undone by the inverse that the change names; the result of the move.
 Gluings made_and_undone(const Gluings& before, const std::string& text) {
@@ -87,7 +81,7 @@ TEST(Moves, ZeroTwoSplitsTheValenceAsTheStepsSay) {
       // The new tetrahedra are 2 and 3, around their edge 01; the halves of the old one are 23.
       EXPECT_EQ(triangulation.valence(triangulation.edge_class(2, 0)), 2u);
       EXPECT_NE(triangulation.edge_class(2, 5), triangulation.edge_class(3, 5));
-      EXPECT_TRUE(is_oriented(four) || !is_oriented(knotted_y()));
+      EXPECT_TRUE(testing::is_oriented(four) || !testing::is_oriented(knotted_y()));
     }
 }
 
@@ -156,7 +150,7 @@ TEST(Moves, OrientedTablesStayOriented) {
   gluings.glue(0, 1, 1, Perm4::from_images(3, 0, 1, 2));
   gluings.glue(0, 2, 1, Perm4::from_images(0, 3, 2, 1));
   gluings.glue(0, 3, 1, Perm4::from_images(0, 2, 1, 3));
-  ASSERT_TRUE(is_oriented(gluings));
+  ASSERT_TRUE(testing::is_oriented(gluings));
   std::vector<MoveKind> kinds;
   for (const MoveInfo& line : move_table()) kinds.push_back(line.kind);
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -164,7 +158,7 @@ TEST(Moves, OrientedTablesStayOriented) {
     const auto made =
         randomize(walked, {.count = 100, .seed = seed, .kinds = kinds, .max_tetrahedra = 15});
     EXPECT_EQ(made.size(), 100u);
-    EXPECT_TRUE(is_oriented(walked));
+    EXPECT_TRUE(testing::is_oriented(walked));
     Gluings again = gluings;
     for (const Move& move : made) apply(again, move);
     EXPECT_EQ(again, walked);

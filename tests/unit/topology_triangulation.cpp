@@ -9,8 +9,8 @@
 namespace tripus::topology {
 namespace {
 
-/// The knotted Y as the paper glues it (docs: the gluing table of design section 2.1).
-Gluings knotted_y() {
+/// The knotted Y as the paper glues it.
+Gluings glued_knotted_y() {
   Gluings gluings(2);
   gluings.glue(0, 0, 1, Perm4::from_images(1, 2, 3, 0));  // A1 -> B2: b->c, d->a, c->d
   gluings.glue(0, 1, 1, Perm4::from_images(3, 0, 1, 2));
@@ -39,7 +39,7 @@ TEST(Perm4, RanksAreLexicographic) {
 }
 
 TEST(Triangulation, KnottedYHasOneEdgeAndOneVertexOfGenusTwo) {
-  const Triangulation y(knotted_y());
+  const Triangulation y(glued_knotted_y());
   EXPECT_EQ(y.tetrahedron_count(), 2u);
   ASSERT_EQ(y.edge_count(), 1u);
   EXPECT_EQ(y.valence(0), 12u);
@@ -55,7 +55,7 @@ TEST(Triangulation, KnottedYHasOneEdgeAndOneVertexOfGenusTwo) {
 
 // Law T3: consecutive corners share the face between them.
 TEST(Triangulation, CornersFollowOneAnotherAroundTheEdge) {
-  const Triangulation y(knotted_y());
+  const Triangulation y(glued_knotted_y());
   const auto corners = y.corners(0);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const EdgeCorner here = corners[i];
@@ -76,7 +76,7 @@ TEST(Triangulation, CornersFollowOneAnotherAroundTheEdge) {
 }
 
 TEST(Triangulation, ComponentsComeApart) {
-  const Gluings one = knotted_y();
+  const Gluings one = glued_knotted_y();
   Gluings two(4);
   for (std::size_t t = 0; t < 2; ++t)
     for (int f = 0; f < 4; ++f) {

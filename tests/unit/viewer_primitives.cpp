@@ -17,7 +17,7 @@
 namespace tripus::viewer {
 namespace {
 
-constexpr Model kModels[] = {Model::kUpperHalfSpace, Model::kPoincareBall, Model::kKleinBall};
+using geometry::kModels;
 
 Vector3 random_vector(std::mt19937& random) {
   std::normal_distribution<double> normal;

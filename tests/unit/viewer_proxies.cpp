@@ -16,7 +16,7 @@
 namespace tripus::viewer {
 namespace {
 
-constexpr Model kModels[] = {Model::kUpperHalfSpace, Model::kPoincareBall, Model::kKleinBall};
+using geometry::kModels;
 
 struct Placed {
   std::vector<embedding::Cell> cells;

@@ -33,9 +33,9 @@ void reduce_cyclically(Word& word) {
   word.erase(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(off));
 }
 
-class Reducer {
+class Rewriter {
  public:
-  explicit Reducer(const Presentation& presentation)
+  explicit Rewriter(const Presentation& presentation)
       : relators_(presentation.relators),
         relators_of_(presentation.generator_count),
         count_(presentation.generator_count, 0),
@@ -180,7 +180,7 @@ FundamentalGroup fundamental_group(const Triangulation& triangulation) {
 }
 
 ReducedPresentation reduced(const Presentation& presentation) {
-  return Reducer(presentation).run();
+  return Rewriter(presentation).run();
 }
 
 }  // namespace tripus::topology

@@ -187,9 +187,9 @@ struct Choice {
   std::size_t sheets;
 };
 
-class Search {
+class ActionSearch {
  public:
-  Search(const Presentation& presentation, std::size_t degree)
+  ActionSearch(const Presentation& presentation, std::size_t degree)
       : table_(presentation, degree), degree_(degree) {}
 
   SearchEnd run(const VisitAction& visit, const std::atomic<bool>* stop_requested) {
@@ -235,7 +235,7 @@ SearchEnd for_each_transitive_action(const Presentation& presentation, std::size
     throw InvalidInput("degree " + std::to_string(degree) +
                        "; all covers are searched for from 1 to " +
                        std::to_string(kLargestSearchDegree) + " sheets");
-  return Search(presentation, degree).run(visit, stop_requested);
+  return ActionSearch(presentation, degree).run(visit, stop_requested);
 }
 
 TransitiveAction extended(const TransitiveAction& action, const ReducedPresentation& reduced) {

@@ -14,16 +14,16 @@
 namespace tripus::topology::detail {
 namespace {
 
-struct Code {
+struct DtCode {
   std::vector<std::vector<std::int64_t>> components;
 };
 
 /// SnapPy's letters: crossings, components, entries in each, then the entries, b = 4, B = -4.
-Code from_letters(std::string_view letters, const Scanner& scan) {
+DtCode from_letters(std::string_view letters, const Scanner& scan) {
   std::vector<std::int64_t> values;
   for (const char c : letters) values.push_back(c >= 'a' ? c - 'a' + 1 : -(c - 'A' + 1));
   std::size_t next = 2;
-  Code code;
+  DtCode code;
   const bool counts = values.size() >= 3 && values[0] > 0 && values[1] > 0;
   if (counts)
     for (std::int64_t k = 0; k < values[1] && next < values.size(); ++k)
@@ -42,13 +42,13 @@ Code from_letters(std::string_view letters, const Scanner& scan) {
   return code;
 }
 
-Code parse(std::string_view text) {
+DtCode parse_dt(std::string_view text) {
   Scanner scan(text);
   scan.letters();  // DT, DTCode, or nothing
   scan.take(':');
   scan.take('=');
   Brackets brackets;
-  Code code;
+  DtCode code;
   bool fresh = true;
   while (!scan.at_end()) {
     const char c = scan.peek();
@@ -75,7 +75,7 @@ Code parse(std::string_view text) {
 }
 
 /// Crossing c has the positions 2 c and one that is odd, counted from 0.
-Positions positions_of(const Code& code) {
+Positions positions_of(const DtCode& code) {
   std::vector<std::int64_t> entries;
   Positions p;
   for (const auto& component : code.components) {
@@ -106,7 +106,7 @@ Positions positions_of(const Code& code) {
 }  // namespace
 
 NamedDiagram read_dt_code(std::string_view text) {
-  const Positions p = positions_of(parse(text));
+  const Positions p = positions_of(parse_dt(text));
   NamedDiagram result;
   result.diagram = Diagram(nodes_of(p, planar_choice(p)));
   result.orientation_known = false;

@@ -19,14 +19,14 @@ struct Passage {
   std::int64_t crossing;
   bool above;
 };
-struct Code {
+struct GaussCode {
   std::vector<std::vector<Passage>> components;
   std::map<std::int64_t, int> signs;  ///< of the crossings; empty: not said
 };
 
 /// O1-U2-O3-U1-...: over or under, crossing, its sign.
-Code from_letters(Scanner& scan) {
-  Code code;
+GaussCode from_letters(Scanner& scan) {
+  GaussCode code;
   code.components.emplace_back();
   while (!scan.at_end()) {
     if (scan.take(',')) continue;
@@ -37,7 +37,7 @@ Code from_letters(Scanner& scan) {
     const std::size_t at = scan.position();
     const char letter = scan.take_any();
     const bool above = letter == 'O' || letter == 'o';
-    if ((!above && letter != 'U' && letter != 'u') || !Scanner::is_digit(scan.peek_raw()))
+    if ((!above && letter != 'U' && letter != 'u') || !is_digit(scan.peek_raw()))
       scan.fail("expected O or U, a crossing and its sign, as in O1+U2+", at);
     const std::int64_t crossing = scan.integer();
     const char sign = scan.peek_raw();
@@ -96,8 +96,8 @@ Lists read_lists(Scanner& scan) {
 
 /// SageMath's [[[-1,2,...]], [1,1,...]]: the last list stands one bracket further out, and has the
 /// signs of the crossings in the order of their numbers.
-Code from_lists(Lists lists) {
-  Code code;
+GaussCode from_lists(Lists lists) {
+  GaussCode code;
   std::optional<std::vector<std::int64_t>> signs;
   if (lists.all.size() > 1 && lists.depth.back() + 1 == lists.depth.front()) {
     signs = std::move(lists.all.back());
@@ -127,7 +127,7 @@ Code from_lists(Lists lists) {
   return code;
 }
 
-Code parse(std::string_view text) {
+GaussCode parse_gauss(std::string_view text) {
   Scanner scan(text);
   const std::string_view word = scan.letters();
   if (Scanner::same_word(word, "Gauss")) (void)scan.take_whole_word("code");
@@ -139,7 +139,7 @@ Code parse(std::string_view text) {
 }
 
 /// The positions, and for each crossing its name.
-Positions positions_of(const Code& code, std::vector<std::int64_t>& names) {
+Positions positions_of(const GaussCode& code, std::vector<std::int64_t>& names) {
   Positions p;
   std::map<std::int64_t, std::vector<std::size_t>> places;
   for (const auto& component : code.components) {
@@ -173,7 +173,7 @@ Positions positions_of(const Code& code, std::vector<std::int64_t>& names) {
 // A crossing is positive if the direction of the strand above, turned counterclockwise, becomes
 // that of the strand below: then the one below comes in right behind the one above.
 NamedDiagram read_gauss_code(std::string_view text) {
-  const Code code = parse(text);
+  const GaussCode code = parse_gauss(text);
   std::vector<std::int64_t> names;
   const Positions p = positions_of(code, names);
   NamedDiagram result;

@@ -63,7 +63,7 @@ class PdReader {
             "a second diagram begins here; give one alone, or put one in a line and give the "
             "file to --batch",
             at);
-      if (!word.empty() && Scanner::is_digit(scan_.peek_raw())) return bare_node(word, at);
+      if (!word.empty() && is_digit(scan_.peek_raw())) return bare_node(word, at);
       if (word.empty() || !is_opening(scan_.peek()))
         scan_.fail(std::string(kExpectedNode) + scan_.found(), at);
       brackets_.open(scan_);
@@ -93,7 +93,7 @@ class PdReader {
     const bool is_word = !scan_.letters().empty();
     const char behind = scan_.peek_raw();
     scan_.go_to(at);
-    return is_word && (is_opening(behind) || behind == '_' || Scanner::is_digit(behind));
+    return is_word && (is_opening(behind) || behind == '_' || is_digit(behind));
   }
 
   /// X1425, X4,12,5,11: as the Knot Atlas shows them.

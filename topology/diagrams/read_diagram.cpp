@@ -32,7 +32,7 @@ bool starts_node(std::string_view text) {
   if (std::ranges::none_of(kWords, same)) return false;
   if (scan.peek_raw() == '_') scan.take_any();
   return detail::is_opening(scan.peek_raw()) ||
-         (word == "X" && Scanner::is_digit(scan.peek_raw()) &&
+         (word == "X" && detail::is_digit(scan.peek_raw()) &&
           text.find_first_of(" ,\n") != std::string_view::npos);
 }
 
@@ -61,7 +61,7 @@ bool is_bare_gauss(std::string_view text) {
 bool is_gauss(std::string_view text) {
   for (const std::string_view word : {"Gauss", "GaussCode"})
     if (detail::has_heading(text, word)) return true;
-  if ((text[0] == 'O' || text[0] == 'U') && text.size() > 2 && Scanner::is_digit(text[1])) {
+  if ((text[0] == 'O' || text[0] == 'U') && text.size() > 2 && detail::is_digit(text[1])) {
     const std::size_t sign = text.find_first_not_of("0123456789", 1);  // O1+U2+, no signature O1
     return sign + 1 < text.size() && (text[sign] == '+' || text[sign] == '-');
   }

@@ -62,8 +62,6 @@ Table read_table(DiagramTable table) {
   return diagrams;
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// What people call the most famous ones, normalized.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kNicknames{{
     {"unknot", "0_1"},
@@ -99,7 +97,7 @@ std::string squeezed(std::string_view name) {
       gap = true;
       continue;
     }
-    if (gap && !text.empty() && is_digit(text.back()) && is_digit(c)) text += '_';
+    if (gap && !text.empty() && detail::is_digit(text.back()) && detail::is_digit(c)) text += '_';
     gap = false;
     text += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   }
@@ -120,7 +118,7 @@ std::string as_in_tables(std::string text) {
        {"handcuff", "handcuff"},
        {"handcuffgraph", "handcuff"}}};
   for (const auto& [before, behind] : kKinds)
-    if (text.starts_with(before) && text.size() > before.size() && is_digit(text[before.size()]))
+    if (text.starts_with(before) && text.size() > before.size() && detail::is_digit(text[before.size()]))
       return text.substr(before.size()) + std::string(behind);
   return text;
 }
@@ -200,7 +198,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::string shape(std::string_view normalized_name) {
   std::string text;
   for (const char c : normalized_name)
-    if (!is_digit(c)) text += c;
+    if (!detail::is_digit(c)) text += c;
   return text;
 }
 
@@ -270,7 +268,7 @@ bool is_diagram_name(std::string_view text) {
   const std::string name = unknown_name(text);
   constexpr std::array<std::string_view, 6> kShapes{"_", "la", "ln", "_theta", "_handcuff", "hk_"};
   return std::ranges::find(kShapes, shape(name)) != kShapes.end() &&
-         std::ranges::any_of(name, is_digit) && (name[0] != '_' && name.back() != '_');
+         std::ranges::any_of(name, detail::is_digit) && (name[0] != '_' && name.back() != '_');
 }
 
 bool is_nearly_diagram_name(std::string_view text) {

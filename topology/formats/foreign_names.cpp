@@ -8,14 +8,12 @@
 namespace tripus::topology {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// A pattern of names: # stands for one or more digits, @ for "a" or "n", all else for itself.
 bool fits(std::string_view pattern, std::string_view text) {
   for (const char p : pattern) {
     if (p == '#') {
-      if (text.empty() || !is_digit(text.front())) return false;
-      while (!text.empty() && is_digit(text.front())) text.remove_prefix(1);
+      if (text.empty() || !detail::is_digit(text.front())) return false;
+      while (!text.empty() && detail::is_digit(text.front())) text.remove_prefix(1);
       continue;
     }
     const bool good = !text.empty() &&

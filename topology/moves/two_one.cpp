@@ -51,12 +51,6 @@ MoveRefusal refuse_two_one(const Gluings& gluings, const Move& move) {
   return MoveRefusal::kNone;
 }
 
-Perm4 transposition(int i, int j) {
-  std::array<int, 4> images{0, 1, 2, 3};
-  std::swap(images[static_cast<std::size_t>(i)], images[static_cast<std::size_t>(j)]);
-  return Perm4::from_images(images[0], images[1], images[2], images[3]);
-}
-
 // The new tetrahedron has the labels of the folded one, with w in the place of b.
 MoveChange apply_two_one(Gluings& gluings, const Move& move) {
   const EdgeWalk at = two_one_corner(move);
@@ -68,9 +62,9 @@ MoveChange apply_two_one(Gluings& gluings, const Move& move) {
   surgery.remove(other);
   const int merged = surgery.add();
   surgery.carry(t, at.b, merged, Perm4());
-  surgery.carry(other, p(at.b), merged, transposition(at.a, at.b) * p.inverse());
-  surgery.flatten(other, p(at.c), other, transposition(p(at.c), p(at.d)));
-  surgery.join(merged, at.c, merged, transposition(at.c, at.d));
+  surgery.carry(other, p(at.b), merged, Perm4::transposition(at.a, at.b) * p.inverse());
+  surgery.flatten(other, p(at.c), other, Perm4::transposition(p(at.c), p(at.d)));
+  surgery.join(merged, at.c, merged, Perm4::transposition(at.c, at.d));
   return surgery.apply(gluings);
 }
 
@@ -113,8 +107,8 @@ MoveChange apply_one_two(Gluings& gluings, const Move& move) {
   const auto t = static_cast<TetrahedronIndex>(at.t);
   const auto other = static_cast<TetrahedronIndex>(gluings.tetrahedron_count());
   gluings.resize(other + 1);
-  const Perm4 swap = transposition(at.c, at.d);
-  const Perm4 moved = transposition(at.a, at.b) * swap;  // old labels of face wcd in the new one
+  const Perm4 swap = Perm4::transposition(at.c, at.d);
+  const Perm4 moved = Perm4::transposition(at.a, at.b) * swap;  // old labels of face wcd in the new one
   const TetrahedronIndex behind = gluings.neighbour(t, at.a);
   const Perm4 p = gluings.gluing(t, at.a);
   gluings.glue(other, moved(at.a), behind, p * moved.inverse());

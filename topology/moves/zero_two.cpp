@@ -28,7 +28,7 @@ EdgeWalk first_seam(const Move& move) {
   return walk;
 }
 
-MoveRefusal refuse_edge(const Gluings& gluings, const Move& move) {
+MoveRefusal refuse_opening_edge(const Gluings& gluings, const Move& move) {
   const std::size_t count = valence(gluings, first_seam(move));
   if (count == 0) return MoveRefusal::kOpenFace;
   return move.steps < count ? MoveRefusal::kNone : MoveRefusal::kNoSuchPlace;
@@ -57,7 +57,7 @@ void cut_open(Gluings& gluings, std::size_t t, int f, TetrahedronIndex near, Per
 // In both new tetrahedra vertices 2 and 3 are the ends of the old edge; the ends p, q of the new
 // one are 0 and 1, the other way round in Y than in X. The first disc face has corner p, the
 // second q.
-MoveChange apply_edge(Gluings& gluings, const Move& move) {
+MoveChange open_edge(Gluings& gluings, const Move& move) {
   const EdgeWalk first = first_seam(move);
   EdgeWalk second = first;
   for (std::uint32_t i = 0; i < move.steps; ++i) second.step(gluings);
@@ -161,8 +161,8 @@ MoveInfo zero_two_edge_info() {
           .tetrahedra = 2,
           .finite_vertices = 0,
           .inverse = MoveKind::kTwoZeroEdge,
-          .refusal = refuse_edge,
-          .apply = apply_edge,
+          .refusal = refuse_opening_edge,
+          .apply = open_edge,
           .ball = nullptr,
           .candidates = edge_candidates_with_steps};
 }

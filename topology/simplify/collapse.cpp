@@ -52,12 +52,6 @@ int edge_number(int a, int b) {
   return kEdgeNumber[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
 }
 
-Perm4 transposition(int i, int j) {
-  std::array<int, 4> images{0, 1, 2, 3};
-  std::swap(images[static_cast<std::size_t>(i)], images[static_cast<std::size_t>(j)]);
-  return Perm4::from_images(images[0], images[1], images[2], images[3]);
-}
-
 }  // namespace
 
 std::string_view to_string(CollapseRefusal refusal) {
@@ -202,7 +196,7 @@ void EdgeCollapse::close_gap() {
       auto t = static_cast<TetrahedronIndex>(at.t);
       do {
         const auto& here = corners_[corner_of_[t] - 1];
-        map = transposition(here.a, here.b) * map;
+        map = Perm4::transposition(here.a, here.b) * map;
         const int leaving = map(out(f));
         const TetrahedronIndex next = m.gluings_.neighbour(t, leaving);
         map = m.gluings_.gluing(t, leaving) * map;

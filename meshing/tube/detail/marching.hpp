@@ -14,7 +14,7 @@ namespace tripus::meshing::tube {
 /// inside its own tetrahedron (see marching.cpp).
 /// The region must be less than 2^18 cells large. Throws InvalidInput if the surface has more than
 /// `most_triangles`, and Stopped.
-SurfaceMesh march(const Region& region, double cell, std::size_t most_triangles,
+SurfaceMesh march(const TubeRegion& region, double cell, std::size_t most_triangles,
                   const Pulse& pulse);
 
 }  // namespace tripus::meshing::tube

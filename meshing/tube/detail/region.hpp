@@ -9,12 +9,12 @@ namespace tripus::meshing::tube {
 
 /// The piece of space that the surface bounds: inside the outer surface, outside the tube; without
 /// an outer surface the tube itself.
-class Region {
+class TubeRegion {
  public:
   /// `depth` > 0: values below -depth count as -depth. `fillet` >= 0: `value` rounds the clefts
   /// between strands that part at an acute angle, by balls about as large as this; it grows there
   /// by at most kFilletHeight * fillet, and nowhere else.
-  Region(const Strands& strands, double radius, double depth, double fillet = 0);
+  TubeRegion(const Strands& strands, double radius, double depth, double fillet = 0);
 
   static constexpr double kFilletHeight = 0.25;
 

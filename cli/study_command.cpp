@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
-#include <thread>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/threads.hpp"
 #include "canonical/census.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
@@ -105,8 +105,7 @@ int run(StudyCommandOptions command) {
   Progress progress(!command.quiet);
   studies::RunOptions options;
   options.folder = command.folder;
-  options.threads =
-      command.threads == 0 ? std::max(1u, std::thread::hardware_concurrency()) : command.threads;
+  options.threads = thread_count(command.threads);
   options.stop_requested = &interrupt_requested();
   const auto rest = [](std::size_t done, std::size_t total) {
     return fmt::format(

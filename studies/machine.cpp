@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <fstream>
-#include <thread>
+
+#include "base/threads.hpp"
 
 namespace tripus::studies {
 
 Machine this_machine() {
-  Machine machine{"unknown", std::max(1u, std::thread::hardware_concurrency()), "unknown"};
+  Machine machine{"unknown", thread_count(0), "unknown"};
 #if defined(__clang__)
   machine.compiler = "clang " __clang_version__;
 #elif defined(__GNUC__)

@@ -141,7 +141,7 @@ StageRunner::StageRunner(const topology::Triangulation& triangulation,
       options_(options),
       halt_(halt),
       steps_(triangulation, edge_lengths),
-      threads_(threads != 0 ? threads : std::thread::hardware_concurrency()) {}
+      threads_(thread_count(threads)) {}
 
 std::optional<Stage> StageRunner::run(double length) {
   const Reach reach(length, shortest_);

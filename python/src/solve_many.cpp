@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
-#include <thread>
 
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 #include <tripus/tripus.hpp>
 
+#include "base/threads.hpp"
 #include "manifold/prepared.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
@@ -91,9 +91,8 @@ Row answer(const Question& question, bool prove, const Context& context) {
 std::vector<Row> answers(const std::vector<Question>& questions, bool prove,
                          const Context& context) {
   std::vector<Row> rows(questions.size());
-  const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
   const auto threads = unsigned(std::min<std::size_t>(
-      context.threads == 0 ? cores : context.threads, std::max<std::size_t>(1, questions.size())));
+      thread_count(context.threads), std::max<std::size_t>(1, questions.size())));
   std::atomic<std::size_t> next{0}, done{0};
   Context each = context;
   each.threads = 1;
@@ -107,8 +106,8 @@ std::vector<Row> answers(const std::vector<Question>& questions, bool prove,
     }
   };
   {
-    std::vector<std::jthread> others;
-    for (unsigned i = 1; i < threads; ++i) others.emplace_back(work, false);
+    const auto in_silence = [&] { work(false); };
+    const auto others = start_threads(threads - 1, in_silence);
     work(true);
   }
   context.report("solve", done);

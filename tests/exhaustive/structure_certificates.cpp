@@ -2,7 +2,6 @@
 #include <array>
 #include <cstdlib>
 #include <map>
-#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -246,21 +245,6 @@ TEST(Kind, OfLargeCovers) {
     EXPECT_EQ(kind_of(found), kind);
     expect_proof(cover, found);
   }
-}
-
-TEST(Threads, DoNotDisturbEachOther) {
-  const auto signatures = testing::data_lines("triangulations-3.txt");
-  std::array<std::vector<std::string>, 4> kinds;
-  std::vector<std::thread> threads;
-  threads.reserve(kinds.size());
-  for (auto& mine : kinds) {
-    threads.emplace_back([&mine, &signatures] {
-      for (const auto& signature : signatures)
-        mine.push_back(kind_of(existence(testing::decode(signature))));
-    });
-  }
-  for (auto& thread : threads) thread.join();
-  for (const auto& others : kinds) EXPECT_EQ(others, kinds[0]);
 }
 
 }  // namespace

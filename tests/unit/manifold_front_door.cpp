@@ -1,11 +1,10 @@
-// tripus::Manifold: the same answers as the libraries behind it, computed once, from many threads.
+// tripus::Manifold: the same answers as the libraries behind it, computed once.
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stop_token>
-#include <thread>
 #include <type_traits>
 #include <vector>
 
@@ -44,27 +43,6 @@ TEST(FrontDoor, CopiesShareWhatWasComputed) {
   const Manifold copy = M;
   EXPECT_EQ(M.metric(), copy.metric());
   EXPECT_EQ(&M.verdict(), &copy.verdict());
-}
-
-TEST(FrontDoor, EightThreadsSolveOnce) {
-  const Manifold M = load("dLQabccjkjn");
-  std::vector<const Metric*> metrics(8);
-  std::vector<const canonical::CanonizeAnswer*> answers(8);
-  {
-    std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < metrics.size(); ++i)
-      threads.emplace_back([&, i] {
-        metrics[i] = M.metric();
-        answers[i] = &M.canonical();
-        if (metrics[i] != nullptr) (void)metrics[i]->embedding();
-        (void)M.homology();
-        (void)M.to_json();
-      });
-  }
-  for (std::size_t i = 1; i < metrics.size(); ++i) {
-    EXPECT_EQ(metrics[i], metrics[0]);
-    EXPECT_EQ(answers[i], answers[0]);
-  }
 }
 
 TEST(FrontDoor, AVerdictIsNoMetric) {

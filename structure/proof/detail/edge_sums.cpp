@@ -81,10 +81,8 @@ struct EnclosingPass {
   void run() {
     const std::size_t count = triangulation.tetrahedron_count();
     const std::size_t chunks = (count + kTetrahedraOfChunk - 1) / kTetrahedraOfChunk;
-    const std::size_t wanted =
-        context.threads != 0 ? context.threads : std::thread::hardware_concurrency();
-    const std::size_t threads =
-        std::clamp<std::size_t>(wanted, 1, std::max<std::size_t>(1, chunks / 2));
+    const std::size_t threads = std::clamp<std::size_t>(thread_count(context.threads), 1,
+                                                        std::max<std::size_t>(1, chunks / 2));
     std::vector<Chunk> wave(std::min(chunks, threads == 1 ? 1 : threads * kChunksOfThread),
                             Chunk(geometry::block_count(std::min(count, kTetrahedraOfChunk))));
     for (std::size_t begin = 0; begin < chunks; begin += wave.size()) {

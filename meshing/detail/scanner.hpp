@@ -129,4 +129,9 @@ class Scanner {
   std::uint32_t line_ = 1;
 };
 
+/// The first word of a text with comments from #, if it is near enough to tell a format by.
+inline std::string_view first_word(std::string_view text) {
+  return Scanner("", text.substr(0, 4096), '#').word();
+}
+
 }  // namespace tripus::meshing::detail

@@ -32,4 +32,9 @@ inline std::string lowered(std::string_view word) {
   return low;
 }
 
+/// In any case of the letters; the ending in lower case.
+inline bool has_ending(std::string_view name, std::string_view ending) {
+  return name.size() >= ending.size() && lowered(name.substr(name.size() - ending.size())) == ending;
+}
+
 }  // namespace tripus::meshing::detail

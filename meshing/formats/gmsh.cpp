@@ -323,3 +323,21 @@ std::string write_gmsh(const TetrahedralMesh& mesh) {
 }
 
 }  // namespace tripus::meshing
+
+namespace tripus::meshing::registered_mesh_formats {
+namespace {
+
+bool matches(std::string_view content, std::string_view) {
+  const std::string_view word = detail::first_word(content);
+  return word == "$MeshFormat" ||
+         (word == "$Comments" && content.find("$MeshFormat") != std::string_view::npos);
+}
+
+}  // namespace
+
+std::span<const MeshFormat> gmsh() {
+  static constexpr MeshFormat kRows[] = {{"Gmsh mesh", matches, read_content<read_gmsh>, 6}};
+  return kRows;
+}
+
+}  // namespace tripus::meshing::registered_mesh_formats

@@ -130,3 +130,19 @@ std::string write_medit(const TetrahedralMesh& mesh) {
 }
 
 }  // namespace tripus::meshing
+
+namespace tripus::meshing::registered_mesh_formats {
+namespace {
+
+bool matches(std::string_view content, std::string_view) {
+  return detail::first_word(content) == "MeshVersionFormatted";
+}
+
+}  // namespace
+
+std::span<const MeshFormat> medit() {
+  static constexpr MeshFormat kRows[] = {{"Medit mesh", matches, read_content<read_medit>, 5}};
+  return kRows;
+}
+
+}  // namespace tripus::meshing::registered_mesh_formats

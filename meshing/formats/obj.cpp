@@ -151,3 +151,11 @@ std::string write_obj(const SurfaceMesh& mesh) {
 }
 
 }  // namespace tripus::meshing
+
+namespace tripus::meshing::registered_mesh_formats {
+std::span<const MeshFormat> obj() {
+  static constexpr MeshFormat kRows[] = {{"Wavefront OBJ", matches_content<starts_obj>, read_content<read_obj>, 8}};
+  return kRows;
+}
+
+}  // namespace tripus::meshing::registered_mesh_formats

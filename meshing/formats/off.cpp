@@ -324,3 +324,19 @@ std::string write_off(const SurfaceMesh& mesh) {
 }
 
 }  // namespace tripus::meshing
+
+namespace tripus::meshing::registered_mesh_formats {
+namespace {
+
+bool matches(std::string_view content, std::string_view name) {
+  return starts_off(content, detail::has_ending(name, ".off"));
+}
+
+}  // namespace
+
+std::span<const MeshFormat> off() {
+  static constexpr MeshFormat kRows[] = {{"OFF", matches, read_content<read_off>, 3}};
+  return kRows;
+}
+
+}  // namespace tripus::meshing::registered_mesh_formats

@@ -358,3 +358,19 @@ std::string write_ply(const SurfaceMesh& mesh) {
 }
 
 }  // namespace tripus::meshing
+
+namespace tripus::meshing::registered_mesh_formats {
+namespace {
+
+bool matches(std::string_view content, std::string_view) {
+  return detail::first_word(content) == "ply";
+}
+
+}  // namespace
+
+std::span<const MeshFormat> ply() {
+  static constexpr MeshFormat kRows[] = {{"PLY", matches, read_content<read_ply>, 4}};
+  return kRows;
+}
+
+}  // namespace tripus::meshing::registered_mesh_formats

@@ -2,11 +2,13 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "base/registry.hpp"
 #include "meshing/surface_mesh.hpp"
 #include "meshing/tetrahedral_mesh.hpp"
 
@@ -28,13 +30,37 @@ struct TetrahedralFile {
 
 using MeshFile = std::variant<SurfaceFile, TetrahedralFile>;
 
-/// The format of a mesh file, or nothing if it is none. Recognised by its content; the name decides
-/// only for TetGen's pair of files (.node, .ele), which have no mark, and for binary STL whose
-/// length does not fit.
-std::optional<std::string_view> detect_mesh_format(std::string_view content, std::string_view name);
-
 /// Reads another file by its name; for the other half of TetGen's pair.
 using ReadFile = std::function<std::string(const std::string& name)>;
+
+/// One line of the table of formats.
+struct MeshFormat {
+  std::string_view name;  ///< by which messages and documentation call it
+  /// Recognises it by the content, where that has no mark by the name of the file.
+  bool (*matches)(std::string_view content, std::string_view name);
+  /// As read_mesh.
+  MeshFile (*read)(std::string_view content, std::string_view name, const ReadFile& read_file);
+  int place = kAnyPlace;  ///< of two that match the lower is meant
+};
+
+/// Every format, one file in meshing/formats each, in the order in which they are tried.
+std::span<const MeshFormat> mesh_formats();
+
+/// What a MeshFormat has, of a format that is known by its content, and of one whose reader wants
+/// nothing else.
+template <bool (*Starts)(std::string_view)>
+bool matches_content(std::string_view content, std::string_view) {
+  return Starts(content);
+}
+template <auto Read>
+MeshFile read_content(std::string_view content, std::string_view, const ReadFile&) {
+  return Read(content);
+}
+
+/// The format of a mesh file, or nothing if it is none. Recognised by its content; the name decides
+/// only for TetGen's pair of files (.node, .ele), which have no mark, for OFF without its header
+/// and for binary STL whose length does not fit.
+std::optional<std::string_view> detect_mesh_format(std::string_view content, std::string_view name);
 
 /// Reads a surface or a tetrahedral mesh in whatever format the content has. Indices of points are
 /// checked, nothing else. Memory is bounded by a multiple of the size of the content, whatever

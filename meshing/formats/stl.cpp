@@ -203,3 +203,19 @@ std::string write_stl(const SurfaceMesh& mesh) {
 }
 
 }  // namespace tripus::meshing
+
+namespace tripus::meshing::registered_mesh_formats {
+namespace {
+
+bool matches(std::string_view content, std::string_view name) {
+  return starts_stl(content, detail::has_ending(name, ".stl"));
+}
+
+}  // namespace
+
+std::span<const MeshFormat> stl() {
+  static constexpr MeshFormat kRows[] = {{"STL", matches, read_content<read_stl>, 7}};
+  return kRows;
+}
+
+}  // namespace tripus::meshing::registered_mesh_formats

@@ -1,8 +1,14 @@
 #include "meshing/formats/tetgen_files.hpp"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <limits>
+#include <optional>
 
+#include "base/system_error.hpp"
 #include "meshing/detail/scanner.hpp"
+#include "meshing/detail/text.hpp"
 
 namespace tripus::meshing {
 namespace {
@@ -89,3 +95,62 @@ TetrahedralFile read_tetgen(std::string_view node_text, std::string_view ele_tex
 }
 
 }  // namespace tripus::meshing
+
+namespace tripus::meshing::registered_mesh_formats {
+namespace {
+
+bool is_number(std::string_view word) {
+  double value = 0;
+  if (word.starts_with('+')) word.remove_prefix(1);
+  return !word.empty() && std::from_chars(word.data(), word.data() + word.size(), value).ec !=
+                              std::errc::invalid_argument;
+}
+
+bool matches(std::string_view content, std::string_view name) {
+  return (detail::has_ending(name, ".node") || detail::has_ending(name, ".ele")) &&
+         is_number(detail::first_word(content));
+}
+
+/// Names for the other file of the pair: in the same case of the letters, .Node and .Ele, then in
+/// any other.
+std::array<std::string, 4> companions_of(std::string_view name) {
+  const std::size_t first = name.rfind('.') + 1;
+  const auto is_upper = [&](std::size_t i) { return name[i] >= 'A' && name[i] <= 'Z'; };
+  const std::string_view low = detail::has_ending(name, ".node") ? "ele" : "node";
+  const std::string before(name.substr(0, first));
+  std::string same(low), upper(low), capital(low);
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    upper[i] = static_cast<char>(low[i] - 'a' + 'A');
+    if (is_upper(std::min(first + i, name.size() - 1))) same[i] = upper[i];
+  }
+  capital[0] = upper[0];
+  return {before + same, before + std::string(low), before + upper, before + capital};
+}
+
+/// The first of them that can be read. Throws as for the first name if there is none.
+std::string read_companion(std::string_view name, const ReadFile& read_file) {
+  std::optional<UnusableFile> problem;
+  for (const std::string& companion : companions_of(name)) {
+    try {
+      return read_file(companion);
+    } catch (const UnusableFile& error) {
+      if (!problem) problem = error;
+    }
+  }
+  throw *problem;
+}
+
+MeshFile read(std::string_view content, std::string_view name, const ReadFile& read_file) {
+  const std::string companion = read_companion(name, read_file);
+  return detail::has_ending(name, ".node") ? read_tetgen(content, companion)
+                                           : read_tetgen(companion, content);
+}
+
+}  // namespace
+
+std::span<const MeshFormat> tetgen_files() {
+  static constexpr MeshFormat kRows[] = {{"TetGen .node and .ele", matches, read, kAnyPlace + 1}};
+  return kRows;
+}
+
+}  // namespace tripus::meshing::registered_mesh_formats

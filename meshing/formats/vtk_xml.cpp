@@ -253,3 +253,11 @@ MeshFile read_vtk_xml(std::string_view text) {
 }
 
 }  // namespace tripus::meshing
+
+namespace tripus::meshing::registered_mesh_formats {
+std::span<const MeshFormat> vtk_xml() {
+  static constexpr MeshFormat kRows[] = {{"VTK XML", matches_content<starts_vtk_xml>, read_content<read_vtk_xml>, 2}};
+  return kRows;
+}
+
+}  // namespace tripus::meshing::registered_mesh_formats

@@ -7,6 +7,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+SOURCE = Path(__file__).resolve().parents[2]
 PROGRAM = sys.argv.pop(1)
 VOLUME = 6.45199027083503287  # of cPcbbbihq, docs/theory.md (28)
 
@@ -50,6 +51,23 @@ class Extended(unittest.TestCase):
             self.assertIn("line 2", refused.stderr)
             file.write_text("two words")
             self.assertIn("comma-separated gluing table", run("info", str(file)).stderr)
+
+    def test_a_mesh_format_is_read_wherever_an_input_is(self):
+        off = Path(SOURCE, "examples/surfaces/knotted-y.off").read_text().split("\n")
+        points, triangles = (int(word) for word in off[1].split()[:2])
+        rows = off[2:2 + points + triangles]
+        corners = [row.split()[1:4] for row in rows[points:]]
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "y.raw")
+            file.write_text("\n".join(" ".join(rows[int(c)] for c in each) for each in corners))
+            answer = json.loads(run("solve", str(file), "--json").stdout)
+            self.assertAlmostEqual(answer["volume"], VOLUME, delta=1e-12)
+            file.write_text("0 0 0 1 0 0 0 1\n")
+            refused = run("info", str(file))
+            self.assertEqual(refused.returncode, 2)
+            self.assertIn("line 1: expected nine numbers", refused.stderr)
+            Path(folder, "y").write_text("two words")
+            self.assertIn("raw triangles", run("info", str(Path(folder, "y"))).stderr)
 
 
 if __name__ == "__main__":

@@ -93,8 +93,10 @@ TEST(OrthospectrumCusps, TriangulationsByMovesHaveTheSameSpectrum) {
     const auto report = metric_on(other);
     if (!report) continue;
     ++pairs;
-    testing::expect_same_lengths(lengths_up_to(each.triangulation, each.report, 5),
-                        lengths_up_to(other, *report, 5), each.name);
+    EXPECT_LT(testing::difference(lengths_up_to(each.triangulation, each.report, 5),
+                                  lengths_up_to(other, *report, 5)),
+              1e-9)
+        << each.name;
   }
 }
 

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
+#include <limits>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "embedding/universal_cover.hpp"
 #include "orthospectrum/spectrum.hpp"
@@ -38,10 +36,12 @@ inline double boundary_area(const structure::Report& report) {
   return area;
 }
 
-inline void expect_same_lengths(const std::vector<double>& first,
-                                const std::vector<double>& second, const std::string& name) {
-  ASSERT_EQ(first.size(), second.size()) << name;
-  for (std::size_t n = 0; n < first.size(); ++n) ASSERT_NEAR(first[n], second[n], 1e-9) << name;
+/// The largest difference of two lists of lengths; infinite if one is longer.
+inline double difference(const std::vector<double>& first, const std::vector<double>& second) {
+  double largest = first.size() == second.size() ? 0 : std::numeric_limits<double>::infinity();
+  for (std::size_t n = 0; n < std::min(first.size(), second.size()); ++n)
+    largest = std::max(largest, std::abs(first[n] - second[n]));
+  return largest;
 }
 
 /// What every pair of planes says: for each plane near enough to that of a tile the length of the

@@ -12,7 +12,7 @@ namespace tripus {
 namespace {
 
 TEST(ManifoldThreads, EightSolveOnce) {
-  for (const char* input : {"dLQabccjkjn", "cPcbbbiht", "dLQbcbcaekw"}) {
+  for (const char* input : {"dLQabccjkjn", "cPcbbbihq", "dLQbcbcaekw"}) {
     const Manifold M = load(input);
     std::vector<const structure::Report*> verdicts(8);
     std::vector<const Metric*> metrics(8);

@@ -306,7 +306,7 @@ void add_solve(CLI::App& program, Command& chosen) {
                                   "tabs, under a line of names; for long lists")
                      ->option_text("FORMAT")
                      ->check(CLI::IsMember({"tsv"}).description(""))
-                     ->excludes(verb->get_option("--json"))
+                     ->excludes(verb->get_option("--json")->option_text(" "))
                      ->excludes(verb->get_option("--prove"));
   verb->add_option("--fields", command->fields_list,
                    "what is in the record (default: input,outcome,volume); see below")

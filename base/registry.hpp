@@ -15,7 +15,7 @@ namespace tripus {
 /// The rows of a table that several source files share (cmake/TripusRegistry.cmake), by their
 /// `place`, and by name where that is the same. Throws InternalError if two have one name.
 template <class Row>
-std::vector<Row> in_order(std::initializer_list<std::span<const Row>> files) {
+std::vector<Row> rows_in_order(std::initializer_list<std::span<const Row>> files) {
   std::vector<Row> rows;
   for (const auto& file : files) rows.insert(rows.end(), file.begin(), file.end());
   std::ranges::sort(rows, [](const Row& a, const Row& b) {

@@ -73,7 +73,7 @@ bool shorter(const std::string& a, const std::string& b) {
 long long rounded_volume(const CensusEntry& entry) { return std::llround(entry.volume * 1e9); }
 
 /// The order of the names: the larger the genus, the fewer edges.
-bool in_order(const CensusEntry& a, const CensusEntry& b) {
+bool comes_before(const CensusEntry& a, const CensusEntry& b) {
   if (a.tetrahedra != b.tetrahedra) return a.tetrahedra < b.tetrahedra;
   if (a.boundary != b.boundary)
     return a.boundary.size() != b.boundary.size() ? a.boundary.size() > b.boundary.size()
@@ -163,7 +163,7 @@ Census make_census(const std::vector<CensusLine>& lines, CensusNames names) {
         entry.triangulations.push_back(line->triangulation);
     census.manifolds.push_back(std::move(entry));
   }
-  std::ranges::sort(census.manifolds, in_order);
+  std::ranges::sort(census.manifolds, comes_before);
   if (names == CensusNames::kNumbered) {
     number_manifolds(census);
   } else {

@@ -69,7 +69,7 @@ class Subdivider {
     if (decomposition_.cone_angles().empty()) return {};
     std::map<Pair, topology::ConeAngle> of_edge;
     for (const FlagIndex flag : order_.flags)
-      of_edge[in_order(vertex_[flag], vertex_[decomposition_.step(0, flag)])] =
+      of_edge[sorted_pair(vertex_[flag], vertex_[decomposition_.step(0, flag)])] =
           decomposition_.cone_angles()[decomposition_.label(flag)];
     std::vector<topology::ConeAngle> result(made.edge_count());
     for (std::size_t t = 0; t < tetrahedra_.size(); ++t) {
@@ -77,7 +77,7 @@ class Subdivider {
         const auto ends = topology::kEdgeEnds[static_cast<std::size_t>(e)];
         const auto& at = tetrahedra_[t].vertices;
         const auto found = of_edge.find(
-            in_order(at[static_cast<std::size_t>(ends[0])], at[static_cast<std::size_t>(ends[1])]));
+            sorted_pair(at[static_cast<std::size_t>(ends[0])], at[static_cast<std::size_t>(ends[1])]));
         if (found != of_edge.end()) result[made.edge_class(t, e)] = found->second;
       }
     }
@@ -192,7 +192,7 @@ class Subdivider {
   }
 
   using Pair = std::pair<std::uint32_t, std::uint32_t>;
-  static Pair in_order(std::uint32_t a, std::uint32_t b) { return std::minmax(a, b); }
+  static Pair sorted_pair(std::uint32_t a, std::uint32_t b) { return std::minmax(a, b); }
 
   using Triangle = std::array<std::uint32_t, 3>;
   struct FacePlace {

@@ -118,7 +118,7 @@ const RecordField& find_field(std::string_view name) {
 }
 
 template <class Text>
-std::string line(const std::vector<const RecordField*>& fields, const Text& text) {
+std::string record_line(const std::vector<const RecordField*>& fields, const Text& text) {
   std::string result;
   for (const RecordField* field : fields) {
     if (field != fields.front()) result += '\t';
@@ -144,16 +144,16 @@ std::vector<const RecordField*> parse_fields(std::string_view list) {
 }
 
 std::string record_header(const std::vector<const RecordField*>& fields) {
-  return line(fields, [](const RecordField& field) { return std::string(field.name); });
+  return record_line(fields, [](const RecordField& field) { return std::string(field.name); });
 }
 
 std::string record(const std::vector<const RecordField*>& fields, const Solved& solved) {
-  return line(fields, [&](const RecordField& field) { return field.text(solved); });
+  return record_line(fields, [&](const RecordField& field) { return field.text(solved); });
 }
 
 std::string refused_record(const std::vector<const RecordField*>& fields,
                            const std::string& input) {
-  return line(fields, [&](const RecordField& field) -> std::string {
+  return record_line(fields, [&](const RecordField& field) -> std::string {
     if (field.name == "input") return printable(input);
     return field.name == "outcome" ? "refused" : "";
   });

@@ -29,7 +29,7 @@ namespace registered_@table@ {
 @declarations@}
 
 std::span<const @row@> @table@() {
-  static const auto rows = in_order<@row@>({
+  static const auto rows = rows_in_order<@row@>({
 @calls@  });
   return rows;
 }

@@ -27,13 +27,13 @@ SpatialGraph trefoil() {
   return graph;
 }
 
-tube::Strands trefoil_strands() {
+tube::TubeStrands trefoil_strands() {
   return tube::make_strands(trefoil(), tube::OuterSurface(OuterSphere{{0, 0, 0}, 4.5}));
 }
 
 /// Cells along the sphere's diameter: state.range(0).
 void BM_Sampling(benchmark::State& state) {
-  const tube::Strands strands = trefoil_strands();
+  const tube::TubeStrands strands = trefoil_strands();
   const double cell = 9.0 / double(state.range(0));
   const tube::TubeRegion region(strands, 0.4, 0.35);
   std::size_t triangles = 0;
@@ -45,7 +45,7 @@ void BM_Sampling(benchmark::State& state) {
 BENCHMARK(BM_Sampling)->Arg(32)->Arg(64)->Arg(128)->Unit(benchmark::kMillisecond);
 
 void BM_SamplingDenseBaseline(benchmark::State& state) {
-  const tube::Strands strands = trefoil_strands();
+  const tube::TubeStrands strands = trefoil_strands();
   const double cell = 9.0 / double(state.range(0));
   const tube::TubeRegion region(strands, 0.4, 0.35);
   const std::size_t triangles = tube::march(region, cell, 1u << 24, nullptr).triangles.size();

@@ -44,13 +44,13 @@ Answer error_answer(const std::string& input, bool json, const std::exception& e
 namespace {
 
 /// What is said of an answer that may have been cut short; empty if there is nothing.
-std::string stop_message(const Outcome& outcome) {
+std::string stop_message(const Reply& outcome) {
   return outcome.status == kNoAnswer && is_work_over() ? stop_text() : "";
 }
 
 int answer_one(const CommonOptions& options,
-               const std::function<Outcome(const std::string&)>& answer) {
-  Outcome outcome;
+               const std::function<Reply(const std::string&)>& answer) {
+  Reply outcome;
   std::string message;
   set_last_words("; there is no answer yet", [&](std::string_view why, bool is_time_over) {
     if (!options.json) return std::string();
@@ -134,7 +134,7 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
 }
 
 int answer_lines(const CommonOptions& options,
-                 const std::function<Outcome(const topology::BatchLine&)>& answer,
+                 const std::function<Reply(const topology::BatchLine&)>& answer,
                  const BatchOutput::Earlier& earlier) {
   return run_batch(
       {options.batch, options.resume, asked(options), options.threads, options.quiet, earlier},
@@ -143,7 +143,7 @@ int answer_lines(const CommonOptions& options,
         topology::begin_work();
         try {
           require_not_written(line.text);
-          Outcome outcome = answer(line);
+          Reply outcome = answer(line);
           std::string& answered = outcome.text;
           if (!answered.empty() && answered.back() == '\n') answered.pop_back();
           return {std::move(answered), stop_message(outcome), kSuccess};
@@ -154,7 +154,7 @@ int answer_lines(const CommonOptions& options,
 }
 
 int answer_inputs(const CommonOptions& options,
-                  const std::function<Outcome(const std::string&)>& answer) {
+                  const std::function<Reply(const std::string&)>& answer) {
   if (options.batch.empty()) return answer_one(options, answer);
   return answer_lines(options, [&](const topology::BatchLine& line) {
     if (line.text == "-") throw InvalidInput(kNoStandardInput);

@@ -12,7 +12,7 @@
 namespace tripus::cli {
 
 /// The text that answers one INPUT, and the exit status that it deserves by itself.
-struct Outcome {
+struct Reply {
   std::string text;  ///< text for people ends with a line end, JSON does not
   int status = kSuccess;
 };
@@ -21,11 +21,11 @@ struct Outcome {
 /// `answer` throws becomes the error of that input: its JSON object or its message, and in a batch
 /// the next line goes on.
 int answer_inputs(const CommonOptions& options,
-                  const std::function<Outcome(const std::string& input)>& answer);
+                  const std::function<Reply(const std::string& input)>& answer);
 
 /// The same for every line of the file options.batch, with its number.
 int answer_lines(const CommonOptions& options,
-                 const std::function<Outcome(const topology::BatchLine& line)>& answer,
+                 const std::function<Reply(const topology::BatchLine& line)>& answer,
                  const BatchOutput::Earlier& earlier = {});
 
 /// An exception as an answer: a JSON object for standard output, a line for standard error.

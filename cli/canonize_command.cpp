@@ -60,7 +60,7 @@ std::string as_text(const Subject& subject, const canonical::CanonizeAnswer& ans
   return text;
 }
 
-Outcome canonize_one(const CanonicalCommand& command, const Subject& subject) {
+Reply canonize_one(const CanonicalCommand& command, const Subject& subject) {
   canonical::CanonizeOptions options = command.canonize;
   options.solve.cone_angles = subject.cone_angles;
   const auto answer = canonical::canonize(subject.triangulation, options);

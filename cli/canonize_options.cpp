@@ -36,7 +36,7 @@ const char* const kCanonicalStatusHelp =
 
 void add_canonical_verb(CLI::App& program, const char* name, const char* description,
                         Command& chosen,
-                        Outcome (*answer)(const CanonicalCommand& command, const Subject& subject),
+                        Reply (*answer)(const CanonicalCommand& command, const Subject& subject),
                         bool can_prove) {
   CLI::App* verb = program.add_subcommand(name, description);
   auto command = std::make_shared<CanonicalCommand>();

@@ -58,7 +58,7 @@ std::string as_json(const std::string& input, std::string_view kind, bool valid,
   return fmt::to_string(out);
 }
 
-Outcome outcome(const CheckOptions& options, std::string_view kind, bool valid,
+Reply outcome(const CheckOptions& options, std::string_view kind, bool valid,
                 const std::string& message) {
   if (!valid && is_work_over()) throw Stopped();  // which says nothing about the proof
   return {options.json ? as_json(options.input, kind, valid, message) : message + "\n",
@@ -73,7 +73,7 @@ bool same_labels(const Subject& subject, std::span<const topology::ConeAngle> co
                                subject.triangulation.edge_count());
 }
 
-Outcome check_one_proof(const CheckOptions& options, const std::string& text) {
+Reply check_one_proof(const CheckOptions& options, const std::string& text) {
   const structure::ProofText proof = parse_file(options.certificate, text, structure::parse_proof);
   const Subject subject = load_labelled_subject(options.input, Balls::kAllowed, interruptible());
   const structure::ProofCheck result =
@@ -83,7 +83,7 @@ Outcome check_one_proof(const CheckOptions& options, const std::string& text) {
   return outcome(options, structure::kind_of(proof), result.valid, proof_verdict(proof, result));
 }
 
-Outcome check_one_decomposition(const CheckOptions& options, const std::string& text) {
+Reply check_one_decomposition(const CheckOptions& options, const std::string& text) {
   const auto proof = parse_file(options.certificate, text, structure::parse_canonical_proof);
   const Subject subject = load_labelled_subject(options.input, Balls::kAllowed, interruptible());
   const structure::ProofCheck result = structure::check_canonical_proof(
@@ -106,7 +106,7 @@ std::string verdict(const Certificate& certificate, const structure::CheckResult
          "metric";
 }
 
-Outcome check_one(const CheckOptions& options) {
+Reply check_one(const CheckOptions& options) {
   if (options.certificate == "-" && options.input == "-")
     throw InvalidInput("the certificate and INPUT cannot both come from standard input");
   const std::string text = read_file(options.certificate);

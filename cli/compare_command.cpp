@@ -125,7 +125,7 @@ Comparison compare_subjects(const Subject& first, const Subject& second,
   }
 }
 
-Outcome compare_two(const CompareCommand& command) {
+Reply compare_two(const CompareCommand& command) {
   if (command.common.input == "-" && command.second == "-")
     throw InvalidInput("the two manifolds cannot both come from standard input");
   const auto load = [](const std::string& input) {

@@ -46,9 +46,9 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
-const embedding::MeshFormat* find_mesh_format(std::string path) {
+const embedding::CellFormat* find_mesh_format(std::string path) {
   for (char& c : path) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (const embedding::MeshFormat& format : embedding::mesh_formats())
+  for (const embedding::CellFormat& format : embedding::mesh_formats())
     if (path.ends_with(fmt::format(".{}", format.extension))) return &format;
   return nullptr;
 }
@@ -56,7 +56,7 @@ const embedding::MeshFormat* find_mesh_format(std::string path) {
 /// The format goes by the ending of the name.
 std::vector<std::string> known_endings() {
   std::vector<std::string> known{".json"};
-  for (const embedding::MeshFormat& format : embedding::mesh_formats())
+  for (const embedding::CellFormat& format : embedding::mesh_formats())
     known.push_back(fmt::format(".{}", format.extension));
   known.emplace_back(".svg");
   return known;
@@ -89,7 +89,7 @@ embedding::UniversalCover cells_of(const EmbedCommand& command, const Subject& s
 /// Ctrl-C leaves fewer cells, in the file and in the answer. One that came before, while the cells
 /// were found, has done its work: what was found is written.
 void write_mesh(const EmbedCommand& command, EmbeddedSubject& embedded,
-                const embedding::MeshFormat& format, OutputFile& file) {
+                const embedding::CellFormat& format, OutputFile& file) {
   const embedding::Tessellation tessellation(
       embedded.embedding, embedded.cover.cells,
       {model_named(command.model), command.error, stop_flag() ? nullptr : &stop_flag()});
@@ -117,7 +117,7 @@ std::string circle_figure(const EmbeddedSubject& embedded) {
 
 void write_embedding(const EmbedCommand& command, EmbeddedSubject& embedded, OutputFile& file) {
   const std::string extension = extension_of(file.path());
-  if (const embedding::MeshFormat* format = find_mesh_format(file.path())) {
+  if (const embedding::CellFormat* format = find_mesh_format(file.path())) {
     write_mesh(command, embedded, *format, file);
   } else if (extension == "svg") {
     file.open() << circle_figure(embedded);
@@ -127,7 +127,7 @@ void write_embedding(const EmbedCommand& command, EmbeddedSubject& embedded, Out
   file.close();
 }
 
-Outcome embed_one(const EmbedCommand& command, const std::string& input) {
+Reply embed_one(const EmbedCommand& command, const std::string& input) {
   std::optional<OutputFile> file, circles;
   if (!command.output.empty()) file.emplace(command.output);
   if (!command.circles.empty()) circles.emplace(command.circles);
@@ -196,7 +196,7 @@ void add_embed(CLI::App& program, Command& chosen) {
       ->transform(unshield())
       ->required();
   std::string formats = "write to a file; its name ends in\n.json      as --json prints it\n";
-  for (const embedding::MeshFormat& format : embedding::mesh_formats())
+  for (const embedding::CellFormat& format : embedding::mesh_formats())
     formats += fmt::format(".{:<9} {}\n", format.extension, format.summary);
   verb->add_option("-o,--output", command->output,
                    formats + ".svg       the circles at infinity, as --circles")

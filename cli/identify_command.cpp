@@ -64,7 +64,7 @@ std::string as_json(const Subject& subject, const Identification& found,
   return fmt::to_string(out);
 }
 
-Outcome identify_one(const IdentifyCommand& command, const Census& census,
+Reply identify_one(const IdentifyCommand& command, const Census& census,
                      const std::string& input) {
   const Subject subject =
       load_ideal_subject(input, Balls::kRefused, interruptible(), require_canonizable_with_remedy);

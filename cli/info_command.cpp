@@ -84,7 +84,7 @@ void add_info(CLI::App& program, Command& chosen) {
     chosen = [options] {
       return answer_inputs(*options, [options](const std::string& input) {
         const Subject subject = load_labelled_subject(input, Balls::kAllowed, interruptible());
-        return Outcome{options->json ? as_json(subject) : as_text(subject), kSuccess};
+        return Reply{options->json ? as_json(subject) : as_text(subject), kSuccess};
       });
     };
   });

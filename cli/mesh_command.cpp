@@ -75,7 +75,7 @@ void require_known_outputs(const MeshCommand& command) {
                        ": the name must end with .vtk, .mesh or .msh");
 }
 
-void write_outputs(const MeshCommand& command, const meshing::Manifold& manifold,
+void write_outputs(const MeshCommand& command, const meshing::MeshedManifold& manifold,
                    const Subject& subject) {
   if (!command.mesh_output.empty() && !manifold.mesh_is_exact)
     throw Unsupported(printable(subject.input) +
@@ -97,12 +97,12 @@ void write_outputs(const MeshCommand& command, const meshing::Manifold& manifold
 }
 
 /// What became of it, in a sentence.
-std::string message_of(const meshing::Manifold& manifold, const Subject& subject) {
+std::string message_of(const meshing::MeshedManifold& manifold, const Subject& subject) {
   if (manifold.has_only_spheres()) return meshing::ball_message(manifold) + ".";
   return one_line(subject.triangulation) + ".";
 }
 
-std::string as_json(const meshing::Manifold& manifold, const Subject& subject) {
+std::string as_json(const meshing::MeshedManifold& manifold, const Subject& subject) {
   JsonText out;
   append_header(out, subject.input);
   append_subject(out, subject);
@@ -114,7 +114,7 @@ std::string as_json(const meshing::Manifold& manifold, const Subject& subject) {
                  fmt::join(manifold.boundary_genera, ", "));
   for (std::size_t i = 0; i < meshing::kStageCount; ++i)
     fmt::format_to(to, "{}\"{}\": {}", i == 0 ? "" : ", ",
-                   meshing::stage_name(static_cast<meshing::Stage>(i)), manifold.tetrahedra[i]);
+                   meshing::stage_name(static_cast<meshing::MeshStage>(i)), manifold.tetrahedra[i]);
   append(out, "}, \"notes\": [");
   for (std::size_t i = 0; i < manifold.notes.size(); ++i) {
     if (i > 0) append(out, ", ");
@@ -131,7 +131,7 @@ std::string as_json(const meshing::Manifold& manifold, const Subject& subject) {
   return fmt::to_string(out);
 }
 
-std::string as_text(const meshing::Manifold& manifold, const Subject& subject) {
+std::string as_text(const meshing::MeshedManifold& manifold, const Subject& subject) {
   std::string text = printable(subject.input) + "\n";
   const auto line = [&](std::string_view label, const std::string& value) {
     text += fmt::format("  {:<14}{}\n", label, value);
@@ -147,7 +147,7 @@ std::string as_text(const meshing::Manifold& manifold, const Subject& subject) {
     genera.push_back(genus == 0 ? "sphere" : fmt::format("genus {}", genus));
   line("boundary", shortened(genera));
   for (std::size_t i = 0; i < meshing::kStageCount; ++i)
-    line(meshing::stage_name(static_cast<meshing::Stage>(i)),
+    line(meshing::stage_name(static_cast<meshing::MeshStage>(i)),
          counted(manifold.tetrahedra[i], "tetrahedron", "tetrahedra"));
   if (manifold.has_only_spheres()) {
     line("no metric", message_of(manifold, subject));
@@ -160,7 +160,7 @@ std::string as_text(const meshing::Manifold& manifold, const Subject& subject) {
   return text;
 }
 
-Outcome mesh_one(const MeshCommand& command, const std::string& input) {
+Reply mesh_one(const MeshCommand& command, const std::string& input) {
   meshing::MeshFile file = load_mesh(input);
   const std::string source = input == "-" ? "standard input" : tripus::quoted(input);
   Progress progress(!command.common.quiet && command.common.batch.empty());
@@ -174,7 +174,7 @@ Outcome mesh_one(const MeshCommand& command, const std::string& input) {
     progress.show(tetrahedra == 0 ? fmt::format("{}", activity)
                                   : fmt::format("{}: {} tetrahedra", activity, tetrahedra));
   };
-  meshing::Manifold manifold;
+  meshing::MeshedManifold manifold;
   try {
     manifold = meshing::manifold_of(std::move(file), options);
   } catch (const Unsupported& error) {

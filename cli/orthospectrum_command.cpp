@@ -86,7 +86,7 @@ void write_text(std::optional<OutputFile>& file, const std::string& text) {
   file->close();
 }
 
-Outcome spectrum_one(const OrthospectrumCommand& command, const std::string& input) {
+Reply spectrum_one(const OrthospectrumCommand& command, const std::string& input) {
   std::optional<OutputFile> table, picture, plot;
   if (!command.table.empty()) table.emplace(command.table);
   if (!command.picture.empty()) picture.emplace(command.picture);

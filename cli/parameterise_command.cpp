@@ -96,7 +96,7 @@ std::string as_text(const std::string& input, const Parameterisation& found) {
   return text;
 }
 
-Outcome parameterise_one(const ParameteriseCommand& command, const std::string& input) {
+Reply parameterise_one(const ParameteriseCommand& command, const std::string& input) {
   Progress progress(!command.common.quiet && command.common.batch.empty());
   Context context = interruptible();
   context.progress = [&](std::string_view activity, std::size_t tetrahedra) {

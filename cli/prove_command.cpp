@@ -38,7 +38,7 @@ std::string proof_table(const structure::ProofText& proof) {
   return text;
 }
 
-Outcome prove_one(const ProveCommandOptions& command, const std::string& input) {
+Reply prove_one(const ProveCommandOptions& command, const std::string& input) {
   const Subject subject =
       load_ideal_subject(input, Balls::kRefused, interruptible(), require_with_remedy);
   structure::SolveOptions solve;

@@ -138,7 +138,7 @@ topology::NamedGluings load_and_drill(const SimplifyCommand& command, const std:
   return loaded;
 }
 
-Outcome simplify_one(const SimplifyCommand& command, const std::string& input) {
+Reply simplify_one(const SimplifyCommand& command, const std::string& input) {
   Stages stages;
   topology::NamedGluings loaded = load_and_drill(command, input, stages);
   const topology::Gluings coned = topology::oriented(topology::cone_boundary(loaded.gluings));

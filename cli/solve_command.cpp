@@ -63,7 +63,7 @@ void write_solved(const SolveCommandOptions& command, const Solved& solved) {
 }
 
 /// The answer, with its proof if one is asked for.
-Outcome answer_of(const SolveCommandOptions& command, const Solved& solved) {
+Reply answer_of(const SolveCommandOptions& command, const Solved& solved) {
   if (!command.fields.empty())
     return {(command.common.batch.empty() ? record_header(command.fields) : "") +
                 record(command.fields, solved),
@@ -80,7 +80,7 @@ Outcome answer_of(const SolveCommandOptions& command, const Solved& solved) {
           solved.is_geometric() ? kSuccess : kNoAnswer};
 }
 
-Outcome solve_subject(const SolveCommandOptions& command, Subject subject) {
+Reply solve_subject(const SolveCommandOptions& command, Subject subject) {
   structure::SolveOptions options = command.solve;
   options.cone_angles = subject.cone_angles;
   std::optional<HistoryFile> history;
@@ -157,7 +157,7 @@ Subject load_subject_with(const SolveCommandOptions& command, const std::string&
 }
 
 /// As solve_subject, but says which component could not be solved.
-Outcome solve_component(const SolveCommandOptions& command, const std::string& component,
+Reply solve_component(const SolveCommandOptions& command, const std::string& component,
                         Subject subject) {
   try {
     require_with_remedy(subject.triangulation, subject.cone_angles);
@@ -170,9 +170,9 @@ Outcome solve_component(const SolveCommandOptions& command, const std::string& c
 }
 
 /// Each connected component by itself, in the order of their first tetrahedra.
-Outcome solve_components(const SolveCommandOptions& command, const std::string& input) {
+Reply solve_components(const SolveCommandOptions& command, const std::string& input) {
   topology::NamedGluings loaded = load_input(input, interruptible());
-  Outcome all;
+  Reply all;
   std::vector<std::string> answers;
   std::size_t number = 0;
   for (topology::Gluings& part : topology::components(loaded.gluings)) {
@@ -181,7 +181,7 @@ Outcome solve_components(const SolveCommandOptions& command, const std::string& 
     Subject subject = component_subject(label, loaded, std::move(part));
     assign_labels(command, subject);
     if (!command.output.empty()) require_format_for(command.output, subject.cone_angles);
-    const Outcome one = solve_component(command, component, std::move(subject));
+    const Reply one = solve_component(command, component, std::move(subject));
     all.status = std::max(all.status, one.status);
     answers.push_back(one.text);
   }
@@ -222,7 +222,7 @@ int run(SolveCommandOptions& command) {
   if (command.format == "tsv") command.fields = parse_fields(command.fields_list);
   if (!command.fields.empty() && !command.common.batch.empty()) {
     write_output(record_header(command.fields));
-    return answer_inputs(command.common, [&](const std::string& input) -> Outcome {
+    return answer_inputs(command.common, [&](const std::string& input) -> Reply {
       try {
         return solve_subject(command, load_subject_with(command, input));
       } catch (const InvalidInput& error) {

@@ -192,7 +192,7 @@ std::string as_json(const Subject& subject, const std::string& file, std::size_t
 }
 
 /// The answer to --png, of which so many cells are drawn.
-Outcome picture_written(const Developed& developed, const ViewCommand& command, std::size_t drawn) {
+Reply picture_written(const Developed& developed, const ViewCommand& command, std::size_t drawn) {
   const bool interrupted = drawn < command.cells && stop_flag();
   const int status = interrupted ? kNoAnswer : kSuccess;
   if (command.common.json) return {as_json(developed.subject, command.png, drawn), status};
@@ -204,7 +204,7 @@ Outcome picture_written(const Developed& developed, const ViewCommand& command, 
       status};
 }
 
-Outcome draw_picture(const Developed& developed, const ViewCommand& command) {
+Reply draw_picture(const Developed& developed, const ViewCommand& command) {
   const viewer::Scene scene = viewer::moved(
       command.picture.model, developed.scene(command.cells, command.picture.model), command.motion);
   const viewer::Image image =
@@ -220,7 +220,7 @@ PageRequest page_request(const ViewCommand& command) {
           command.common.json, command.search, command.disc_request};
 }
 
-Outcome view_one(const ViewCommand& command, const std::string& input) {
+Reply view_one(const ViewCommand& command, const std::string& input) {
   Subject loaded = load_solvable_subject(input, interruptible(), require_boundary_with_remedy);
   Solved solved = find_metric(std::move(loaded), {}, command.search);
   if (!solved.is_geometric()) {
@@ -284,7 +284,7 @@ int run(ViewCommand& command) {
   command.picture.labels = command.labels;
   command.picture.dark = command.dark;
   command.picture.lines = !command.no_lines;
-  if (command.hollow) command.picture.drawing = viewer::Drawing::kHollow;
+  if (command.hollow) command.picture.drawing = viewer::Material::kHollow;
   command.picture.cut_away = command.cut_away;
   command.picture.faces = !command.no_faces;
   command.picture.truncations = !command.no_truncations;
@@ -296,7 +296,7 @@ int run(ViewCommand& command) {
 void add_picture_options(CLI::App& verb, ViewCommand& command) {
   verb.add_option("--cells", command.cells, "cells of the universal cover (default: 20)")
       ->option_text("N")
-      ->check(CLI::Range(std::size_t{1}, viewer::kMostCells));
+      ->check(CLI::Range(std::size_t{1}, viewer::kMostDrawnCells));
   verb.add_option("--model", command.model,
                   "ball: the Poincare ball (default); upper: the upper half-space; klein")
       ->option_text("NAME")

@@ -68,7 +68,7 @@ std::string as_json(const Subject& subject, const structure::Report& report,
   return fmt::to_string(out);
 }
 
-Outcome page_written(const Subject& subject, const structure::Report& report,
+Reply page_written(const Subject& subject, const structure::Report& report,
                      const std::string& path, bool json, const std::string& file_checksum = {}) {
   if (json) return {as_json(subject, report, path, file_checksum), kSuccess};
   return {fmt::format("{}: page written to {}\n", printable(subject.input), printable(path)),
@@ -104,10 +104,10 @@ class Gallery {
     }
   }
   /// Throws what keeps the line from having a page, after it is noted for the index.
-  Outcome add(const topology::BatchLine& line) {
+  Reply add(const topology::BatchLine& line) {
     viewer::GalleryEntry entry = entry_of(line);
     try {
-      Outcome outcome = make(line, entry);
+      Reply outcome = make(line, entry);
       keep(entry);
       return outcome;
     } catch (const std::exception& error) {
@@ -147,7 +147,7 @@ class Gallery {
     return {};
   }
 
-  Outcome make(const topology::BatchLine& line, viewer::GalleryEntry& entry) {
+  Reply make(const topology::BatchLine& line, viewer::GalleryEntry& entry) {
     if (line.text == "-") throw InvalidInput(kNoStandardInput);
     const Solved solved =
         find_metric(load_solvable_subject(line.text, interruptible(), require_boundary_with_remedy),
@@ -240,7 +240,7 @@ void check_pages(const PageRequest& request) {
   }
 }
 
-Outcome write_page(const Subject& subject, const structure::Report& report,
+Reply write_page(const Subject& subject, const structure::Report& report,
                    const embedding::Embedding& embedding, const PageRequest& request) {
   check_pages(request);
   write_file(request.path, page_of(subject, report, embedding, request, ""));

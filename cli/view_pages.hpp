@@ -40,7 +40,7 @@ struct PageRequest {
 void check_pages(const PageRequest& request);
 
 /// Writes the page of one manifold. Throws InvalidInput if it cannot be written.
-Outcome write_page(const Subject& subject, const structure::Report& report,
+Reply write_page(const Subject& subject, const structure::Report& report,
                    const embedding::Embedding& embedding, const PageRequest& request);
 
 /// Writes a page and a thumbnail for each line of a list beside the index `request.path`, and the

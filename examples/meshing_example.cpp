@@ -44,11 +44,11 @@ std::string no_other_file(const std::string& name) { throw InvalidInput("no file
 int main() {
   const std::string text = frame();
   const MeshFile file = read_mesh(text, "surface.off", no_other_file);
-  const Manifold solid = manifold_of(file);  // checks, fills, cones, simplifies
+  const MeshedManifold solid = manifold_of(file);  // checks, fills, cones, simplifies
   std::puts(topology::isosig(solid.gluings).c_str());
 
   for (std::size_t i = 0; i < kStageCount; ++i)
-    std::printf("%-10s %zu\n", std::string(stage_name(static_cast<Stage>(i))).c_str(),
+    std::printf("%-10s %zu\n", std::string(stage_name(static_cast<MeshStage>(i))).c_str(),
                 solid.tetrahedra[i]);
   const topology::Triangulation torus(solid.gluings);
   const bool ok = solid.boundary_genera == std::vector<int>{1} &&

@@ -200,7 +200,7 @@ topology::NamedGluings solid_of(meshing::MeshFile file, Wanted wanted, const std
     meshing::ManifoldOptions options;
     options.stop_requested = stop.get();
     options.progress = context.progress;
-    meshing::Manifold manifold = meshing::manifold_of(std::move(file), options);
+    meshing::MeshedManifold manifold = meshing::manifold_of(std::move(file), options);
     if (wanted == Wanted::kWithMetric && manifold.has_only_spheres())
       throw InvalidInput(meshing::ball_message(manifold));
     return {{}, std::move(manifold.gluings), {}, std::move(manifold.notes)};

@@ -13,12 +13,12 @@ namespace tripus {
 namespace {
 
 /// The mesh format that the ending of a name asks for.
-const embedding::MeshFormat& mesh_format_of(const std::string& path) {
+const embedding::CellFormat& mesh_format_of(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   std::string known;
-  for (const embedding::MeshFormat& format : embedding::mesh_formats()) {
+  for (const embedding::CellFormat& format : embedding::mesh_formats()) {
     if (ending.size() > 1 && ending.substr(1) == format.extension) return format;
     known += (known.empty() ? "." : ", .") + std::string(format.extension);
   }
@@ -29,7 +29,7 @@ const embedding::MeshFormat& mesh_format_of(const std::string& path) {
 
 std::size_t CellComplex::write(const std::string& path, const CellFileOptions& options,
                                const Context& context) const {
-  const embedding::MeshFormat& format = mesh_format_of(path);
+  const embedding::CellFormat& format = mesh_format_of(path);
   OutputFile file(path);
   const StopFlag stop(context);
   const embedding::Tessellation tessellation(*embedding_, cover_.cells,

@@ -19,7 +19,7 @@ void tell(const ManifoldOptions& options, std::string_view activity, std::size_t
 }
 
 topology::Gluings open_gluings(SurfaceFile file, const ManifoldOptions& options,
-                               Manifold& manifold) {
+                               MeshedManifold& manifold) {
   manifold.points = file.mesh.points.size();
   manifold.triangles = file.mesh.triangles.size();
   const Region region = require_valid(std::move(file.mesh), file.lines, options.stop_requested);
@@ -39,7 +39,7 @@ topology::Gluings open_gluings(SurfaceFile file, const ManifoldOptions& options,
   return gluings_of(manifold.mesh);
 }
 
-topology::Gluings open_gluings(TetrahedralFile file, const ManifoldOptions&, Manifold& manifold) {
+topology::Gluings open_gluings(TetrahedralFile file, const ManifoldOptions&, MeshedManifold& manifold) {
   manifold.points = file.mesh.points.size();
   Solid solid = require_valid(std::move(file.mesh), file.lines);
   manifold.mesh = std::move(solid.mesh);
@@ -49,20 +49,20 @@ topology::Gluings open_gluings(TetrahedralFile file, const ManifoldOptions&, Man
 
 }  // namespace
 
-std::string_view stage_name(Stage stage) {
+std::string_view stage_name(MeshStage stage) {
   constexpr std::array<std::string_view, kStageCount> kNames{"mesh", "coned", "collapsed",
                                                              "minimal"};
   return kNames[static_cast<std::size_t>(stage)];
 }
 
-bool Manifold::has_only_spheres() const {
+bool MeshedManifold::has_only_spheres() const {
   return std::all_of(boundary_genera.begin(), boundary_genera.end(),
                      [](int genus) { return genus == 0; });
 }
 
-Manifold manifold_of(MeshFile file, const ManifoldOptions& options) {
-  Manifold manifold;
-  const auto count = [&](Stage stage) -> std::size_t& {
+MeshedManifold manifold_of(MeshFile file, const ManifoldOptions& options) {
+  MeshedManifold manifold;
+  const auto count = [&](MeshStage stage) -> std::size_t& {
     return manifold.tetrahedra[static_cast<std::size_t>(stage)];
   };
   tell(options, "checking the mesh", 0);
@@ -73,10 +73,10 @@ Manifold manifold_of(MeshFile file, const ManifoldOptions& options) {
         return open_gluings(std::move(mended), options, manifold);
       },
       std::move(file));
-  count(Stage::kMesh) = manifold.gluings.tetrahedron_count();
-  tell(options, "coning off the boundary", count(Stage::kMesh));
+  count(MeshStage::kMesh) = manifold.gluings.tetrahedron_count();
+  tell(options, "coning off the boundary", count(MeshStage::kMesh));
   manifold.gluings = topology::cone_boundary(manifold.gluings);
-  count(Stage::kConed) = manifold.gluings.tetrahedron_count();
+  count(MeshStage::kConed) = manifold.gluings.tetrahedron_count();
   topology::SimplifyOptions simplify;
   simplify.seed = options.seed;
   simplify.stop_requested = options.stop_requested;
@@ -84,12 +84,12 @@ Manifold manifold_of(MeshFile file, const ManifoldOptions& options) {
   topology::Simplified simplified = topology::simplify(manifold.gluings, simplify);
   throw_if_stopped(options.stop_requested);
   manifold.gluings = std::move(simplified.gluings);
-  count(Stage::kCollapsed) = simplified.collapsed;
-  count(Stage::kMinimal) = manifold.gluings.tetrahedron_count();
+  count(MeshStage::kCollapsed) = simplified.collapsed;
+  count(MeshStage::kMinimal) = manifold.gluings.tetrahedron_count();
   return manifold;
 }
 
-std::string ball_message(const Manifold& manifold) {
+std::string ball_message(const MeshedManifold& manifold) {
   const std::size_t holes = manifold.boundary_genera.size() - 1;
   return "it bounds a ball" +
          (holes == 0 ? std::string()

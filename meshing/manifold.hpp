@@ -15,10 +15,10 @@
 namespace tripus::meshing {
 
 /// The way from a boundary surface to a small ideal triangulation.
-enum class Stage { kMesh, kConed, kCollapsed, kMinimal };
+enum class MeshStage { kMesh, kConed, kCollapsed, kMinimal };
 inline constexpr std::size_t kStageCount = 4;
 /// "mesh", "coned", "collapsed", "minimal".
-std::string_view stage_name(Stage stage);
+std::string_view stage_name(MeshStage stage);
 
 struct ManifoldOptions {
   TetrahedralizeOptions tetrahedralize;  ///< for surfaces
@@ -30,9 +30,9 @@ struct ManifoldOptions {
 
 /// A solid as an ideal triangulation: a boundary component of genus 1 or more has become an ideal
 /// vertex, a sphere was filled in.
-struct Manifold {
+struct MeshedManifold {
   topology::Gluings gluings;
-  std::array<std::size_t, kStageCount> tetrahedra{};  ///< at each Stage
+  std::array<std::size_t, kStageCount> tetrahedra{};  ///< at each MeshStage
   std::vector<int> boundary_genera;                   ///< of all boundary components, sorted
   std::size_t points = 0;                             ///< of the input
   std::size_t triangles = 0;                          ///< of the input, 0 for a tetrahedral mesh
@@ -49,9 +49,9 @@ struct Manifold {
 /// Mends and checks a surface or a tetrahedral mesh (mend, require_valid), fills the surface with
 /// tetrahedra, cones off the boundary and simplifies. Deterministic for a seed. Throws what these
 /// throw: InvalidInput, Unsupported, Stopped.
-Manifold manifold_of(MeshFile file, const ManifoldOptions& options = {});
+MeshedManifold manifold_of(MeshFile file, const ManifoldOptions& options = {});
 
 /// What a solid with nothing but spheres for its boundary is, in a sentence.
-std::string ball_message(const Manifold& manifold);
+std::string ball_message(const MeshedManifold& manifold);
 
 }  // namespace tripus::meshing

@@ -205,7 +205,7 @@ std::string cone_picture(const TetrahedralMesh& solid) {
          "\" r=\"14\" fill=\"#b03a48\"/></g></svg>\n";
 }
 
-std::string stages_picture(const Manifold& manifold) {
+std::string stages_picture(const MeshedManifold& manifold) {
   constexpr double kWidth = 1200, kRow = 90, kLeft = 230, kRight = 190;
   double most = 1;
   for (const std::size_t count : manifold.tetrahedra) most = std::max(most, double(count));
@@ -219,7 +219,7 @@ std::string stages_picture(const Manifold& manifold) {
     const long y = std::lround(kRow * double(i)) + 20;
     out += "<text x=\"" + std::to_string(std::lround(kLeft - 20)) + "\" y=\"" +
            std::to_string(y + 48) + "\" text-anchor=\"end\">" +
-           std::string(stage_name(static_cast<Stage>(i))) + "</text><rect x=\"" +
+           std::string(stage_name(static_cast<MeshStage>(i))) + "</text><rect x=\"" +
            std::to_string(std::lround(kLeft)) + "\" y=\"" + std::to_string(y) + "\" width=\"" +
            std::to_string(std::lround(length)) + "\" height=\"66\" fill=\"" +
            hex(i == kStageCount - 1 ? kCut : kWall, 1) + "\"/><text x=\"" +

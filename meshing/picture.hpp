@@ -19,6 +19,6 @@ std::string cut_picture(const TetrahedralMesh& solid);
 std::string cone_picture(const TetrahedralMesh& solid);
 
 /// Bars: the number of tetrahedra at each stage, on a logarithmic scale.
-std::string stages_picture(const Manifold& manifold);
+std::string stages_picture(const MeshedManifold& manifold);
 
 }  // namespace tripus::meshing

@@ -28,7 +28,7 @@ constexpr std::uint32_t kNone = 0xffffffffu;
 
 std::size_t slot_of(std::size_t t, int f) { return 4 * t + static_cast<std::size_t>(f); }
 
-void require_hyperbolic_boundary(const meshing::Manifold& manifold) {
+void require_hyperbolic_boundary(const meshing::MeshedManifold& manifold) {
   if (manifold.has_only_spheres())
     throw InvalidInput(
         meshing::ball_message(manifold) +
@@ -57,7 +57,7 @@ Found find_metric(meshing::MeshFile file, const MarkOptions& options, const Cont
   making.seed = options.seed;
   making.stop_requested = stop.get();
   making.progress = context.progress;
-  meshing::Manifold manifold = meshing::manifold_of(std::move(file), making);
+  meshing::MeshedManifold manifold = meshing::manifold_of(std::move(file), making);
   require_hyperbolic_boundary(manifold);
   solid.mesh = std::move(manifold.mesh);
   solid.notes = std::move(manifold.notes);

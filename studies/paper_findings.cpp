@@ -84,7 +84,7 @@ Figure volumes_figure(const std::vector<VolumeGroup>& groups) {
       different{"manifolds", Mark::kPoint, {}, {}, 1};
   for (const VolumeGroup& group : groups) {
     double triangulations = 0;
-    for (const Manifold& m : group) triangulations += double(m.triangulations);
+    for (const StudiedManifold& m : group) triangulations += double(m.triangulations);
     all.points.push_back({group.front().volume, triangulations});
     different.points.push_back({group.front().volume, double(group.size())});
   }
@@ -131,7 +131,7 @@ Sharing sharing_of(const std::vector<VolumeGroup>& groups) {
     if (group.size() < 2) continue;
     ++sharing.volumes;
     sharing.manifolds += group.size();
-    for (const Manifold& m : group) sharing.need_canonical += of_same_kind(group, m) > 1;
+    for (const StudiedManifold& m : group) sharing.need_canonical += of_same_kind(group, m) > 1;
   }
   return sharing;
 }
@@ -140,7 +140,7 @@ Sharing sharing_of(const std::vector<VolumeGroup>& groups) {
 
 Findings paper_findings(const std::vector<Table>& tables) {
   const Table& table = tables[kTriangulations];
-  const std::vector<Manifold> manifolds = manifolds_of(table);
+  const std::vector<StudiedManifold> manifolds = manifolds_of(table);
   const std::vector<VolumeGroup> groups = volume_groups(manifolds);
   const WorstErrors errors = worst_errors(table);
   const Sharing sharing = sharing_of(groups);
@@ -148,7 +148,7 @@ Findings paper_findings(const std::vector<Table>& tables) {
                     flows = count(table, "flow_found", "yes"),
                     exact = count(table, "algebraic_found", "yes");
   std::size_t by_moves = 0;
-  for (const Manifold& m : manifolds) by_moves += m.geometric == 0;
+  for (const StudiedManifold& m : manifolds) by_moves += m.geometric == 0;
   Findings findings;
   findings.facts = {
       {"triangulations", double(table.size()), "triangulations"},

@@ -23,17 +23,17 @@ constexpr double kNearest = 0.02;
 }  // namespace
 
 View view_of(const Camera& camera, Model model, const Scene& scene, int width, int height) {
-  const Ball focus = focus_of(model, scene);
+  const BoundingBall focus = focus_of(model, scene);
   return view_of(camera, focus, width, height, reach_of(model, scene, focus));
 }
 
-double reach_of(Model model, const Scene& scene, const Ball& focus) {
+double reach_of(Model model, const Scene& scene, const BoundingBall& focus) {
   if (!scene.focus) return 0;
-  const Ball around = bounding_ball(model, scene);
+  const BoundingBall around = bounding_ball(model, scene);
   return (around.centre - focus.centre).norm() + around.radius;
 }
 
-View view_of(const Camera& camera, const Ball& scene, int width, int height, double reach) {
+View view_of(const Camera& camera, const BoundingBall& scene, int width, int height, double reach) {
   constexpr double kDegree = std::numbers::pi / 180;
   const double azimuth = camera.azimuth * kDegree, elevation = camera.elevation * kDegree;
   const Vector3 back(std::cos(elevation) * std::cos(azimuth),
@@ -73,9 +73,9 @@ Vector3 key_light(const View& view) {
   return (view.model_view.topLeftCorner<3, 3>().transpose() * in_eye_space).normalized();
 }
 
-std::vector<std::size_t> nearest_first(std::span<const Ball> balls, const Vector3& eye) {
+std::vector<std::size_t> nearest_first(std::span<const BoundingBall> balls, const Vector3& eye) {
   std::vector<double> distance;
-  for (const Ball& ball : balls) distance.push_back((ball.centre - eye).norm() - ball.radius);
+  for (const BoundingBall& ball : balls) distance.push_back((ball.centre - eye).norm() - ball.radius);
   std::vector<std::size_t> order(balls.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, {}, [&](std::size_t i) { return distance[i]; });

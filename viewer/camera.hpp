@@ -36,19 +36,19 @@ struct View {
 
 /// Requires width, height > 0 and a scene of positive radius.
 ///   reach  what is drawn lies within this of the scene's centre; 0: within its radius
-View view_of(const Camera& camera, const Ball& scene, int width, int height, double reach = 0);
+View view_of(const Camera& camera, const BoundingBall& scene, int width, int height, double reach = 0);
 
 /// The same for a scene in a model, at its focus.
 View view_of(const Camera& camera, Model model, const Scene& scene, int width, int height);
 
 /// How far from the middle of the focus cells lie that were moved away from it; 0 if they were not.
-double reach_of(Model model, const Scene& scene, const Ball& focus);
+double reach_of(Model model, const Scene& scene, const BoundingBall& focus);
 
 /// Unit, in the model, towards the light: from above the viewer's left shoulder.
 Vector3 key_light(const View& view);
 
 /// The numbers of balls, the one nearest to the eye first.
-std::vector<std::size_t> nearest_first(std::span<const Ball> balls, const Vector3& eye);
+std::vector<std::size_t> nearest_first(std::span<const BoundingBall> balls, const Vector3& eye);
 
 /// The ray through a point of the picture, in pixels from its top left corner; unit direction.
 struct Ray {

@@ -25,8 +25,8 @@ void require_drawable(const Scene& scene, const PictureOptions& options, int wid
           "a picture of " + std::to_string(width) + "x" + std::to_string(height) +
               " pixels: sides go from 1 to " + std::to_string(kLargestSide));
   require(
-      !scene.cells.empty() && scene.cells.size() <= kMostCells,
-      std::to_string(scene.cells.size()) + " cells: draw from 1 to " + std::to_string(kMostCells));
+      !scene.cells.empty() && scene.cells.size() <= kMostDrawnCells,
+      std::to_string(scene.cells.size()) + " cells: draw from 1 to " + std::to_string(kMostDrawnCells));
   const Camera& camera = options.camera;
   require(std::isfinite(camera.azimuth), "the camera's azimuth is no number");
   require(std::abs(camera.elevation) <= 89, "the camera's elevation is " +

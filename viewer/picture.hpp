@@ -14,7 +14,7 @@
 namespace tripus::viewer {
 
 /// What cells are made of.
-enum class Drawing {
+enum class Material {
   kSolid,   ///< solid cells, also where they are cut
   kHollow,  ///< walls alone, seen from both sides: hollow where cut
 };
@@ -35,7 +35,7 @@ struct PictureOptions {
   /// Cells are cut at the plane x = cut_away of the model, and what lies beyond is not drawn.
   std::optional<double> cut_away;
   Camera camera;
-  Drawing drawing = Drawing::kSolid;
+  Material drawing = Material::kSolid;
   RendererKind renderer = RendererKind::kFaces;
   bool occlusion = true;  ///< whether nooks are darkened; costs some
   bool lines = true;      ///< along edges and borders of walls; OpenCSG always draws them
@@ -62,11 +62,11 @@ struct Image {
 /// Sides of pictures may be as long as this.
 inline constexpr int kLargestSide = 4096;
 /// Cells in a scene that is drawn may be as many as this.
-inline constexpr std::size_t kMostCells = 20000;
+inline constexpr std::size_t kMostDrawnCells = 20000;
 
 /// Whether cells are solid: without some of their walls they are not.
 inline bool is_solid(const PictureOptions& options) {
-  return options.drawing == Drawing::kSolid && options.faces && options.truncations;
+  return options.drawing == Material::kSolid && options.faces && options.truncations;
 }
 
 /// Whether the drawing is to end.

@@ -138,13 +138,13 @@ std::vector<Vector3> outline(Model model, const SceneCell& cell) {
 namespace {
 
 /// Ritter's ball: never smaller than need be, and seldom a tenth larger.
-Ball ball_around(const std::vector<Vector3>& points) {
+BoundingBall ball_around(const std::vector<Vector3>& points) {
   const auto farthest = [&](const Vector3& from) {
     return *std::ranges::max_element(points, {},
                                      [&](const Vector3& p) { return (p - from).squaredNorm(); });
   };
   const Vector3 one = farthest(points.front()), other = farthest(one);
-  Ball ball{(one + other) / 2, (one - other).norm() / 2};
+  BoundingBall ball{(one + other) / 2, (one - other).norm() / 2};
   for (const Vector3& p : points) {
     const double distance = (p - ball.centre).norm();
     if (distance <= ball.radius) continue;
@@ -157,28 +157,28 @@ Ball ball_around(const std::vector<Vector3>& points) {
 
 }  // namespace
 
-Ball bounding_ball(Model model, const SceneCell& cell) {
-  Ball ball = ball_around(outline(model, cell));
+BoundingBall bounding_ball(Model model, const SceneCell& cell) {
+  BoundingBall ball = ball_around(outline(model, cell));
   ball.radius *= kBulge;
   return ball;
 }
 
-Ball bounding_ball(Model model, const Scene& scene) {
+BoundingBall bounding_ball(Model model, const Scene& scene) {
   if (scene.cells.empty()) throw InvalidInput("a scene without cells has no extent");
   std::vector<Vector3> points;
   for (const SceneCell& cell : scene.cells)
     for (const Vector4& corner : cell.corners) points.push_back(geometry::to_model(model, corner));
   for (const Vector3& p : outline(model, scene.cells.front())) points.push_back(p);
-  Ball ball = ball_around(points);
+  BoundingBall ball = ball_around(points);
   ball.radius *= kBulge;
   return ball;
 }
 
-Ball focus_of(Model model, const Scene& scene) {
+BoundingBall focus_of(Model model, const Scene& scene) {
   return scene.focus ? *scene.focus : bounding_ball(model, scene);
 }
 
-ToTetrahedron to_tetrahedron(Model model, const SceneCell& cell, const Ball& ball) {
+ToTetrahedron to_tetrahedron(Model model, const SceneCell& cell, const BoundingBall& ball) {
   // In every model the hyperboloid's point is linear in (p, |p|^2, 1), up to a factor.
   Eigen::Matrix<double, 4, 5> of_model = Eigen::Matrix<double, 4, 5>::Zero();
   switch (model) {

@@ -25,7 +25,7 @@ constexpr bool is_truncation(std::size_t wall) { return wall >= 4; }
 std::vector<std::size_t> corners_of_wall(std::size_t wall);
 
 /// A ball in a model.
-struct Ball {
+struct BoundingBall {
   Vector3 centre = Vector3::Zero();
   double radius = 0;
 };
@@ -55,7 +55,7 @@ struct Scene {
   std::shared_ptr<const WallDiscs> discs;
   std::vector<double> edge_lengths;  ///< of the edge classes; empty: not known
   /// The ball that the camera looks at; nothing: the one around all cells.
-  std::optional<Ball> focus;
+  std::optional<BoundingBall> focus;
 };
 
 /// Puts cells into a scene.
@@ -75,19 +75,19 @@ geometry::Matrix4 default_frame(Model model, const embedding::Embedding& embeddi
 std::vector<Vector3> outline(Model model, const SceneCell& cell);
 
 /// A ball that contains the cell, not much larger than need be.
-Ball bounding_ball(Model model, const SceneCell& cell);
+BoundingBall bounding_ball(Model model, const SceneCell& cell);
 
 /// A ball that contains all cells. Throws InvalidInput if there are none.
-Ball bounding_ball(Model model, const Scene& scene);
+BoundingBall bounding_ball(Model model, const Scene& scene);
 
 /// The ball that the camera looks at. Throws InvalidInput if there are no cells.
-Ball focus_of(Model model, const Scene& scene);
+BoundingBall focus_of(Model model, const Scene& scene);
 
 /// From points centre + radius q of a model to the hyperboloid in the frame of the cell's
 /// tetrahedron: (q, |q|^2, 1) becomes the point times 1 / s, where q moves s of hyperbolic length
 /// for one of its own (exactly so in the models that keep angles).
 using ToTetrahedron = Eigen::Matrix<double, 4, 5>;
-ToTetrahedron to_tetrahedron(Model model, const SceneCell& cell, const Ball& ball);
+ToTetrahedron to_tetrahedron(Model model, const SceneCell& cell, const BoundingBall& ball);
 
 /// What tells cells apart.
 enum class ColourBy {

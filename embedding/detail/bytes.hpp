@@ -9,9 +9,9 @@
 namespace tripus::embedding::detail {
 
 /// Numbers as bytes in a given order, collected and written in one go.
-class Bytes {
+class ByteBuffer {
  public:
-  explicit Bytes(std::endian order) : swap_(order != std::endian::native) {}
+  explicit ByteBuffer(std::endian order) : swap_(order != std::endian::native) {}
 
   template <class Number>
   void append(Number value) {

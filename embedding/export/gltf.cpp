@@ -43,7 +43,7 @@ Buffer buffer_of(const Tessellation& tessellation) {
   const auto cells = tessellation.cells();
   for (const Cell& cell : cells) buffer.parts[cell.tetrahedron];
   std::ostringstream out;
-  detail::Bytes bytes(std::endian::little);
+  detail::ByteBuffer bytes(std::endian::little);
   for (auto& [tetrahedron, part] : buffer.parts) {
     part.point_offset = static_cast<std::size_t>(out.tellp());
     for (std::size_t c = 0; c < cells.size(); ++c) {

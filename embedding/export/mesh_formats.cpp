@@ -4,8 +4,8 @@
 
 namespace tripus::embedding {
 
-std::span<const MeshFormat> mesh_formats() {
-  static constexpr std::array<MeshFormat, 8> formats{{
+std::span<const CellFormat> mesh_formats() {
+  static constexpr std::array<CellFormat, 8> formats{{
       {"obj", "Wavefront OBJ: a group for each cell", write_obj},
       {"ply", "binary PLY: colour, cell and tetrahedron of each point", write_ply},
       {"off", "Geomview's OFF", write_off},

@@ -14,14 +14,14 @@ namespace tripus::embedding {
 /// and returns how many; a failed write leaves the stream's error state.
 using WriteMesh = std::size_t (*)(std::ostream& out, const Tessellation& tessellation);
 
-struct MeshFormat {
+struct CellFormat {
   std::string_view extension;  ///< "obj"; the first in the table that a name ends with is meant
   std::string_view summary;    ///< one line for people
   WriteMesh write;
 };
 
 /// Every format. To add one: a file beside the others and a line in mesh_formats.cpp.
-std::span<const MeshFormat> mesh_formats();
+std::span<const CellFormat> mesh_formats();
 
 /// More triangles than this are refused: several gigabytes.
 inline constexpr std::size_t kMostTriangles = 100'000'000;

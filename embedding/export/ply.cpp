@@ -21,7 +21,7 @@ std::size_t write_ply(std::ostream& out, const Tessellation& tessellation) {
       "property int tetrahedron\n"
       "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
       tessellation.point_count(), tessellation.triangle_count());
-  detail::Bytes bytes(std::endian::little);
+  detail::ByteBuffer bytes(std::endian::little);
   const std::size_t cell_count = tessellation.cells().size();
   for (std::size_t c = 0; c < cell_count && out; ++c) {
     const std::uint32_t tetrahedron = tessellation.cells()[c].tetrahedron;

@@ -14,7 +14,7 @@ std::size_t write_stl(std::ostream& out, const Tessellation& tessellation) {
   std::string header = "cells of a universal cover, by Tripus";
   header.resize(kHeader, ' ');
   out << header;
-  detail::Bytes bytes(std::endian::little);
+  detail::ByteBuffer bytes(std::endian::little);
   bytes.append(static_cast<std::uint32_t>(tessellation.triangle_count()));
   const std::size_t cell_count = tessellation.cells().size();
   for (std::size_t c = 0; c < cell_count && out; ++c) {

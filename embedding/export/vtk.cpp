@@ -18,7 +18,7 @@ template <class Value>
 void write_integers(std::ostream& out, const Tessellation& tessellation, const char* name,
                     Value value) {
   out << fmt::format("SCALARS {} int 1\nLOOKUP_TABLE default\n", name);
-  detail::Bytes bytes(kOrder);
+  detail::ByteBuffer bytes(kOrder);
   for (std::size_t c = 0; c < tessellation.cells().size() && out; ++c) {
     const std::size_t count = triangle_count(tessellation.subdivisions(c));
     for (std::size_t n = 0; n < count; ++n) bytes.append(static_cast<std::int32_t>(value(c, n)));
@@ -30,7 +30,7 @@ void write_integers(std::ostream& out, const Tessellation& tessellation, const c
 template <class Number>
 void write_surface(std::ostream& out, const Tessellation& tessellation) {
   const std::size_t cell_count = tessellation.cells().size();
-  detail::Bytes bytes(kOrder);
+  detail::ByteBuffer bytes(kOrder);
   out << fmt::format("POINTS {} {}\n", tessellation.point_count(),
                      sizeof(Number) == sizeof(float) ? "float" : "double");
   for (std::size_t c = 0; c < cell_count && out; ++c) {
@@ -66,7 +66,7 @@ std::size_t write(std::ostream& out, const Tessellation& tessellation) {
   write_integers(out, tessellation, "side",
                  [&](std::size_t c, std::size_t n) { return tessellation.sides(c)[n]; });
   out << "COLOR_SCALARS colour 3\n";
-  detail::Bytes bytes(kOrder);
+  detail::ByteBuffer bytes(kOrder);
   for (std::size_t c = 0; c < cells.size() && out; ++c) {
     const Colour colour = tetrahedron_colour(cells[c].tetrahedron);
     for (std::size_t n = 0; n < triangle_count(tessellation.subdivisions(c)); ++n)

@@ -39,7 +39,7 @@ constexpr double kDepthPerRoom = 1.5;
 
 class ClearanceSearch {
  public:
-  explicit ClearanceSearch(const Strands& strands)
+  explicit ClearanceSearch(const TubeStrands& strands)
       : strands_(strands),
         marked_by_(strands.segments.size(), kNone),
         turning_(strands.segments.size()) {}
@@ -169,7 +169,7 @@ class ClearanceSearch {
     double turned;
   };
 
-  const Strands& strands_;
+  const TubeStrands& strands_;
   Clearance best_;
   std::vector<std::uint32_t> marked_by_;
   std::vector<double> turning_;
@@ -198,6 +198,6 @@ double segment_distance(const Point& a, const Point& b, const Point& c, const Po
   return least;
 }
 
-Clearance find_clearance(const Strands& strands) { return ClearanceSearch(strands).run(); }
+Clearance find_clearance(const TubeStrands& strands) { return ClearanceSearch(strands).run(); }
 
 }  // namespace tripus::meshing::tube

@@ -23,7 +23,7 @@ constexpr double kLastBend = 0.2;
 
 class PipePlanner {
  public:
-  explicit PipePlanner(const Strands& strands) : strands_(strands) { plan_.outer = strands.outer; }
+  explicit PipePlanner(const TubeStrands& strands) : strands_(strands) { plan_.outer = strands.outer; }
 
   PipePlan make() {
     for (const Node& node : strands_.nodes) plan_.joints.push_back({.point = node.point});
@@ -168,12 +168,12 @@ class PipePlanner {
     pipe.radius_b = end(b, cone_b);
   }
 
-  const Strands& strands_;
+  const TubeStrands& strands_;
   PipePlan plan_;
 };
 
 }  // namespace
 
-PipePlan plan_pipes(const Strands& strands) { return PipePlanner(strands).make(); }
+PipePlan plan_pipes(const TubeStrands& strands) { return PipePlanner(strands).make(); }
 
 }  // namespace tripus::meshing::tube

@@ -23,7 +23,7 @@ double squared_distance(const Point& p, const std::array<Point, 2>& segment) {
 
 }  // namespace
 
-TubeRegion::TubeRegion(const Strands& strands, double radius, double depth, double fillet)
+TubeRegion::TubeRegion(const TubeStrands& strands, double radius, double depth, double fillet)
     : outer_(strands.outer), radius_(radius), depth_(depth), fillet_(fillet) {
   for (const Segment& s : strands.segments) segments_.push_back({s.a, s.b});
   cells_.reserve(2 * segments_.size());

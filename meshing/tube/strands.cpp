@@ -23,7 +23,7 @@ class StrandMaker {
     result_.outer = outer;
   }
 
-  Strands make() {
+  TubeStrands make() {
     if (graph_.edges.empty())
       throw InvalidInput("the spatial graph has no edges; give at least one polyline");
     add_vertices();
@@ -214,7 +214,7 @@ class StrandMaker {
   }
 
   SpatialGraph graph_;
-  Strands result_;
+  TubeStrands result_;
   std::map<Point, std::uint32_t> vertex_at_;
   std::vector<std::size_t> numbers_;  ///< of the points of the edge at hand, in the drawing
 };
@@ -226,11 +226,11 @@ std::string name_of(const Segment& segment) {
                          : edge_name(segment.edge) + " segment " + std::to_string(segment.number));
 }
 
-Strands make_strands(const SpatialGraph& graph, const OuterSurface& outer) {
+TubeStrands make_strands(const SpatialGraph& graph, const OuterSurface& outer) {
   return StrandMaker(graph, outer).make();
 }
 
-double Strands::sharpest_angle() const {
+double TubeStrands::sharpest_angle() const {
   double least = std::numbers::pi;
   for (std::uint32_t n = 0; n < nodes.size(); ++n) {
     const auto leaving = [&](std::uint32_t s) {
@@ -245,7 +245,7 @@ double Strands::sharpest_angle() const {
   return least;
 }
 
-Strands::Expected Strands::expected() const {
+TubeStrands::Expected TubeStrands::expected() const {
   // The graph's components, by union-find over the nodes.
   std::vector<std::uint32_t> parent(nodes.size());
   std::iota(parent.begin(), parent.end(), 0u);

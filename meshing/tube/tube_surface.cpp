@@ -119,7 +119,7 @@ void check_sizes(const SpatialGraph& graph) {
                        as_text(largest) + "; move it to the origin");
 }
 
-void require_room(const Clearance& clearance, const Strands& strands) {
+void require_room(const Clearance& clearance, const TubeStrands& strands) {
   Bounds bounds = strands.outer.exists() ? strands.outer.bounds() : Bounds{};
   for (const Segment& s : strands.segments)
     if (!s.beyond) {
@@ -135,7 +135,7 @@ void require_room(const Clearance& clearance, const Strands& strands) {
 /// A sphere that leaves the graph's own room around it, and as much again; `wide`: so much that an
 /// icosahedron in it has room, unless a loose end would become longer by that.
 OuterSurface automatic_outer(const SpatialGraph& graph, bool wide) {
-  const Strands strands = make_strands(graph, OuterSurface{});
+  const TubeStrands strands = make_strands(graph, OuterSurface{});
   const Clearance clearance = find_clearance(strands);
   require_room(clearance, strands);
   Bounds bounds;
@@ -150,14 +150,14 @@ OuterSurface automatic_outer(const SpatialGraph& graph, bool wide) {
   return OuterSurface(OuterSphere{center, farthest + 2 * std::min(clearance.room, farthest)});
 }
 
-Strands cut_at_outer(const SpatialGraph& graph, bool wide) {
+TubeStrands cut_at_outer(const SpatialGraph& graph, bool wide) {
   if (const auto* sphere = std::get_if<OuterSphere>(&graph.outer))
     return make_strands(graph, OuterSurface(*sphere));
   if (const auto* box = std::get_if<OuterBox>(&graph.outer))
     return make_strands(graph, OuterSurface(*box));
   if (std::holds_alternative<AutomaticOuter>(graph.outer))
     return make_strands(graph, automatic_outer(graph, wide));
-  Strands strands = make_strands(graph, OuterSurface{});
+  TubeStrands strands = make_strands(graph, OuterSurface{});
   if (!strands.loose_inside.empty())
     throw InvalidInput("edge " + std::to_string(strands.loose_inside.front()) +
                        " has an end that is no vertex, and there is no outer surface to which it "
@@ -176,14 +176,14 @@ double choose_radius(const Clearance& clearance, const TubeOptions& options) {
   return *options.radius;
 }
 
-double tube_area(const Strands& strands, double radius) {
+double tube_area(const TubeStrands& strands, double radius) {
   double length = 0;
   for (const Segment& s : strands.segments)
     if (!s.beyond) length += distance(s.a, s.b);
   return 2 * std::numbers::pi * radius * (length + 2 * radius);
 }
 
-double outer_area(const Strands& strands) {
+double outer_area(const TubeStrands& strands) {
   if (!strands.outer.exists()) return 0;
   const Point size = strands.outer.bounds().high - strands.outer.bounds().low;
   const double box = 2 * (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
@@ -200,7 +200,7 @@ std::string advice_on_radius(const TubeOptions& options, double radius, double r
 }
 
 /// Refuses tubes that are too thin for the size of the whole, before any memory is taken.
-void require_feasible(const Strands& strands, const Clearance& clearance, const TubeRegion& region,
+void require_feasible(const TubeStrands& strands, const Clearance& clearance, const TubeRegion& region,
                       double area, double cell, const std::string& advice) {
   const Point size = region.bounds().high - region.bounds().low;
   const double most = std::max({size[0], size[1], size[2]});
@@ -224,7 +224,7 @@ double edges_around(const TubeOptions& options) {
 }
 
 /// Edges around the tube decide the length of an edge on it; the outer surface has longer ones.
-std::size_t usual_triangles(const Strands& strands, double radius, double edges_around) {
+std::size_t usual_triangles(const TubeStrands& strands, double radius, double edges_around) {
   const double edge = 2 * std::numbers::pi * radius / edges_around;
   const double triangle = std::sqrt(3.0) / 4 * edge * edge;
   const double count = (tube_area(strands, radius) + outer_area(strands) / 4) / triangle;
@@ -251,7 +251,7 @@ std::string fault_of(const Tube& tube, const std::atomic<bool>* stop) {
 }
 
 /// Says no if rounding spoils the pipes.
-bool make_pipes(const Strands& strands, const TubeOptions& options, Tube& tube) {
+bool make_pipes(const TubeStrands& strands, const TubeOptions& options, Tube& tube) {
   start(options, "laying " + std::to_string(strands.segments.size()) + " pipes");
   const PipePlan plan = plan_pipes(strands);
   std::optional<SurfaceMesh> surface = pipe_surface(plan);
@@ -271,7 +271,7 @@ bool make_pipes(const Strands& strands, const TubeOptions& options, Tube& tube) 
 
 /// Makes the surface of the tube of radius tube.radius; says no if no sample has the graph's
 /// genera.
-bool make_surface(const Strands& strands, const Clearance& clearance, const TubeOptions& options,
+bool make_surface(const TubeStrands& strands, const Clearance& clearance, const TubeOptions& options,
                   Tube& tube) {
   const std::size_t wanted = options.triangles
                                  ? *options.triangles
@@ -318,7 +318,7 @@ Tube make_tube(const SpatialGraph& graph, const TubeOptions& options) {
   edges_around(options);
   start(options, "measuring the room between " + std::to_string(graph.edges.size()) + " edges");
   const bool round = options.radius || options.triangles || options.edges_around;
-  const Strands strands = cut_at_outer(graph, !round);
+  const TubeStrands strands = cut_at_outer(graph, !round);
   const Clearance clearance = find_clearance(strands);
   require_room(clearance, strands);
   Tube tube;

@@ -63,19 +63,19 @@ nb::tuple from_mesh(const PointArray& points, const IndexArray& cells, const nb:
                     std::uint64_t seed, const Limits& limits) {
   const meshing::MeshFile file = mesh_of(points, cells);
   const std::string called = as_string(name);
-  meshing::Manifold solid = run(limits, [&](const Context& context) {
+  meshing::MeshedManifold solid = run(limits, [&](const Context& context) {
     const StopFlag stop(context);
     meshing::ManifoldOptions options;
     options.seed = seed;
     options.progress = context.progress;
     options.stop_requested = stop.get();
-    meshing::Manifold made = meshing::manifold_of(file, options);
+    meshing::MeshedManifold made = meshing::manifold_of(file, options);
     for (const std::string& note : made.notes) context.note(note);
     return made;
   });
   nb::dict stages;
   for (std::size_t s = 0; s < meshing::kStageCount; ++s)
-    stages[nb::str(std::string(meshing::stage_name(meshing::Stage(s))).c_str())] =
+    stages[nb::str(std::string(meshing::stage_name(meshing::MeshStage(s))).c_str())] =
         solid.tetrahedra[s];
   return nb::make_tuple(Manifold(topology::NamedGluings{called, std::move(solid.gluings)}), stages);
 }

@@ -8,7 +8,7 @@ namespace tripus::studies::detail {
 enum PaperTable : std::size_t { kTriangulations };
 
 /// What is known of a manifold, from the triangulations that belong to it.
-struct Manifold {
+struct StudiedManifold {
   std::string signature;  ///< isometry signature: equal exactly for the same manifold
   std::string input;      ///< the first of its triangulations
   double volume = 0;
@@ -18,17 +18,17 @@ struct Manifold {
 };
 
 /// By volume, then by signature.
-std::vector<Manifold> manifolds_of(const Table& triangulations);
+std::vector<StudiedManifold> manifolds_of(const Table& triangulations);
 
 /// Manifolds of one volume, as far as doubles can tell.
-using VolumeGroup = std::vector<Manifold>;
-std::vector<VolumeGroup> volume_groups(const std::vector<Manifold>& manifolds);
+using VolumeGroup = std::vector<StudiedManifold>;
+std::vector<VolumeGroup> volume_groups(const std::vector<StudiedManifold>& manifolds);
 
 /// Manifolds of the group with the boundary and homology of m, m included.
-std::size_t of_same_kind(const VolumeGroup& group, const Manifold& m);
+std::size_t of_same_kind(const VolumeGroup& group, const StudiedManifold& m);
 
 /// The tables manifolds.csv and same_volume.csv.
-std::vector<Table> manifold_tables(const std::vector<Manifold>& manifolds,
+std::vector<Table> manifold_tables(const std::vector<StudiedManifold>& manifolds,
                                    const std::vector<VolumeGroup>& groups);
 
 /// What they say.

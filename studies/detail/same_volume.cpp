@@ -9,7 +9,7 @@
 namespace tripus::studies::detail {
 namespace {
 
-std::vector<std::string> manifold_cells(const Manifold& m) {
+std::vector<std::string> manifold_cells(const StudiedManifold& m) {
   return cells(m.volume, m.boundary, m.homology, m.cells, m.isometries, m.triangulations,
                m.geometric, m.input, m.signature);
 }
@@ -28,18 +28,18 @@ std::vector<Column> manifold_columns() {
 
 }  // namespace
 
-std::size_t of_same_kind(const VolumeGroup& group, const Manifold& m) {
-  return std::size_t(std::ranges::count_if(group, [&](const Manifold& other) {
+std::size_t of_same_kind(const VolumeGroup& group, const StudiedManifold& m) {
+  return std::size_t(std::ranges::count_if(group, [&](const StudiedManifold& other) {
     return other.boundary == m.boundary && other.homology == m.homology;
   }));
 }
 
-std::vector<Manifold> manifolds_of(const Table& table) {
-  std::map<std::string, Manifold> by_signature;
+std::vector<StudiedManifold> manifolds_of(const Table& table) {
+  std::map<std::string, StudiedManifold> by_signature;
   for (std::size_t r = 0; r < table.size(); ++r) {
     const std::string& signature = table.text(r, "manifold");
     if (signature.empty()) continue;
-    Manifold& m = by_signature[signature];
+    StudiedManifold& m = by_signature[signature];
     if (m.triangulations++ == 0) {
       m.signature = signature;
       m.input = table.text(r, "input");
@@ -51,29 +51,29 @@ std::vector<Manifold> manifolds_of(const Table& table) {
     }
     m.geometric += table.is(r, "outcome", "geometric");
   }
-  std::vector<Manifold> manifolds;
+  std::vector<StudiedManifold> manifolds;
   for (auto& [signature, m] : by_signature) manifolds.push_back(std::move(m));
-  std::ranges::stable_sort(manifolds, {}, &Manifold::volume);
+  std::ranges::stable_sort(manifolds, {}, &StudiedManifold::volume);
   return manifolds;
 }
 
-std::vector<VolumeGroup> volume_groups(const std::vector<Manifold>& manifolds) {
+std::vector<VolumeGroup> volume_groups(const std::vector<StudiedManifold>& manifolds) {
   std::vector<VolumeGroup> groups;
   double previous = -1;
-  for (const Manifold& m : manifolds) {
+  for (const StudiedManifold& m : manifolds) {
     if (!(m.volume - previous <= tolerance::kVolumeAgreement * m.volume)) groups.emplace_back();
     previous = m.volume;
     groups.back().push_back(m);
   }
-  for (VolumeGroup& group : groups) std::ranges::sort(group, {}, &Manifold::signature);
+  for (VolumeGroup& group : groups) std::ranges::sort(group, {}, &StudiedManifold::signature);
   return groups;
 }
 
-std::vector<Table> manifold_tables(const std::vector<Manifold>& manifolds,
+std::vector<Table> manifold_tables(const std::vector<StudiedManifold>& manifolds,
                                    const std::vector<VolumeGroup>& groups) {
   Table all({"manifolds", "One manifold, with the inputs that are triangulations of it.",
              manifold_columns()});
-  for (const Manifold& m : manifolds) all.add(manifold_cells(m));
+  for (const StudiedManifold& m : manifolds) all.add(manifold_cells(m));
   std::vector<Column> columns = {
       {"group", "", "number of the volume among those that several manifolds share"},
       {"manifolds", "", "of this volume"},
@@ -90,7 +90,7 @@ std::vector<Table> manifold_tables(const std::vector<Manifold>& manifolds,
   for (const VolumeGroup& group : groups) {
     if (group.size() < 2) continue;
     ++number;
-    for (const Manifold& m : group) {
+    for (const StudiedManifold& m : group) {
       std::vector<std::string> row =
           cells(number, group.size(),
                 of_same_kind(group, m) == 1 ? "boundary and homology" : "canonical decomposition");

@@ -154,7 +154,7 @@ TEST(WallDiscs, AreDrawnWhereRaysMeetThem) {
       Drawn picture = drawn(name, model, 12, 4.5);
       // Hollow pictures are faster.
       const bool is_tripus = std::string(name) == "cPcbbbihq";
-      picture.options.drawing = is_tripus ? Drawing::kSolid : Drawing::kHollow;
+      picture.options.drawing = is_tripus ? Material::kSolid : Material::kHollow;
       const Image image =
           one_renderer().draw(picture.scene, picture.options, 320, 240, Pixels::kIdentities);
       const View view =
@@ -189,7 +189,7 @@ TEST(WallDiscs, AreDrawnWhereRaysMeetThem) {
 TEST(WallDiscs, AreSwitchedOffAndHaveALegend) {
   Drawn picture = drawn("cPcbbbihq", Model::kPoincareBall, 1, 4);
   picture.options.samples = 1;
-  picture.options.drawing = Drawing::kHollow;
+  picture.options.drawing = Material::kHollow;
   const auto draw = [&] {
     return one_renderer().draw(picture.scene, picture.options, 400, 300).pixels;
   };

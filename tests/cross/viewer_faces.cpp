@@ -68,7 +68,7 @@ struct Agreement {
 Agreement compare(const Scene& scene, const PictureOptions& options, std::mt19937& random,
                   int samples) {
   const Image image = draw(scene, options, Pixels::kIdentities);
-  const Ball ball = focus_of(options.model, scene);
+  const BoundingBall ball = focus_of(options.model, scene);
   const View view = view_of(options.camera, options.model, scene, kWidth, kHeight);
   Agreement result;
   for (int i = 0; i < samples; ++i) {
@@ -205,7 +205,7 @@ TEST(ViewerFaces, LeaveNoCracks) {
   const testing::Embedded manifold = testing::embedded_tripus();
   for (const Model model : kModels) {
     const Scene scene = scene_of(manifold, 300, model);
-    const Ball ball = bounding_ball(model, scene);
+    const BoundingBall ball = bounding_ball(model, scene);
     PictureOptions options;
     options.model = model;
     int lonely = 0, covered = 0;

@@ -46,7 +46,7 @@ struct Agreement {
 Agreement compare(const Scene& scene, const PictureOptions& options, int width, int height,
                   int samples) {
   const Image image = identities(scene, options, width, height);
-  const Ball ball = bounding_ball(options.model, scene);
+  const BoundingBall ball = bounding_ball(options.model, scene);
   const View view = view_of(options.camera, ball, width, height);
   const double length = options.camera.distance * ball.radius;
   const double cut = options.cut_away.value_or(std::numeric_limits<double>::infinity());
@@ -130,7 +130,7 @@ TEST_P(ViewerPicture, IsTheSameHollowAndFromElsewhere) {
   const Scene scene = scene_of(signature, cells, model);
   PictureOptions options;
   options.model = model;
-  options.drawing = Drawing::kHollow;
+  options.drawing = Material::kHollow;
   options.renderer = renderer;
   options.camera = {-100, 55, 6, 1.5, {0.1, -0.05}};
   expect_agreement(compare(scene, options, 320, 240, cells > 100 ? 300 : 800), cells,

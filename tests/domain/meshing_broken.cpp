@@ -55,7 +55,7 @@ TEST(MeshingBroken, EachFileGivesItsMessage) {
 TEST(MeshingBroken, MendedFilesSayWhatWasDone) {
   for (const auto& [name, note] : table("mended.tsv")) {
     SCOPED_TRACE(name);
-    const Manifold solid =
+    const MeshedManifold solid =
         manifold_of(read_mesh(content_of(kFolder + name), kFolder + name, content_of));
     EXPECT_EQ(solid.notes, std::vector{note});
   }

@@ -25,7 +25,7 @@ SurfaceFile surface_of(const std::string& graph, std::size_t triangles) {
 
 void expect_knotted_y(SurfaceFile file, std::size_t least, std::size_t most,
                       const ManifoldOptions& options = {}) {
-  const Manifold manifold = manifold_of(std::move(file), options);
+  const MeshedManifold manifold = manifold_of(std::move(file), options);
   EXPECT_GE(manifold.tetrahedra[0], least);
   EXPECT_LE(manifold.tetrahedra[0], most);
   EXPECT_EQ(manifold.tetrahedra[3], 2u);

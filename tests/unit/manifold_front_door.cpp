@@ -99,7 +99,7 @@ TEST(FrontDoor, WritesJsonAndCells) {
   const CellComplex cells = M.metric()->universal_cover(20);
   EXPECT_EQ(cells.cells().size(), 20u);
   EXPECT_EQ(M.metric()->fundamental_domain().cells().size(), 2u);
-  for (const embedding::MeshFormat& format : embedding::mesh_formats()) {
+  for (const embedding::CellFormat& format : embedding::mesh_formats()) {
     const std::string path = (folder / ("cells." + std::string(format.extension))).string();
     EXPECT_EQ(cells.write(path), 20u) << path;
     EXPECT_GT(std::filesystem::file_size(path), 1000u) << path;

@@ -163,19 +163,19 @@ TEST(MeshingTetrahedra, OrderOfCornersIsMended) {
 
 TEST(MeshingManifold, BallsAndSolidTori) {
   const auto made = [](SurfaceMesh mesh) { return manifold_of(SurfaceFile{std::move(mesh), {}}); };
-  const Manifold ball = made(box_surface(0, 1, 2));
+  const MeshedManifold ball = made(box_surface(0, 1, 2));
   EXPECT_TRUE(ball.has_only_spheres());
   EXPECT_EQ(ball_message(ball).substr(0, 16), "it bounds a ball");
-  const Manifold shell = made(joined(box_surface(0, 9), box_surface(3, 4)));
+  const MeshedManifold shell = made(joined(box_surface(0, 9), box_surface(3, 4)));
   EXPECT_NE(ball_message(shell).find("a ball with 1 ball taken out"), std::string::npos);
-  const Manifold torus = made(torus_surface(2, 0.7, 9, 5));
+  const MeshedManifold torus = made(torus_surface(2, 0.7, 9, 5));
   EXPECT_FALSE(torus.has_only_spheres());
   const topology::Triangulation m(torus.gluings);
   EXPECT_EQ(topology::to_string(topology::first_homology(m)), "Z");
   ASSERT_EQ(m.vertex_count(), 1u);
   EXPECT_EQ(m.link(0).genus(), 1);
   // The unknotted ring in a box is again a solid torus, seen from outside.
-  const Manifold outside = made(joined(box_surface(-4, 4, 2), torus_surface(2, 0.7, 9, 5)));
+  const MeshedManifold outside = made(joined(box_surface(-4, 4, 2), torus_surface(2, 0.7, 9, 5)));
   EXPECT_EQ(topology::to_string(topology::first_homology(topology::Triangulation(outside.gluings))),
             "Z");
 }

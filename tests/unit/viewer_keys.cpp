@@ -16,7 +16,7 @@
 namespace tripus::viewer {
 namespace {
 
-const Ball kFocus{{0.25, 0, 0}, 2};
+const BoundingBall kFocus{{0.25, 0, 0}, 2};
 
 TEST(ViewerKeys, HaveOneMeaningEachInWindowAndPage) {
   for (const bool page : {false, true}) {
@@ -90,7 +90,7 @@ TEST(ViewerState, NeverHidesEverythingAndKeepsItsBounds) {
   state.act(KeyAction::kTruncations, first, kFocus);
   EXPECT_TRUE(state.shown.faces || state.shown.truncations);
   for (int n = 0; n < 200; ++n) state.act(KeyAction::kMoreCells, first, kFocus);
-  EXPECT_EQ(state.cells, kMostCells);
+  EXPECT_EQ(state.cells, kMostDrawnCells);
   for (int n = 0; n < 200; ++n) state.act(KeyAction::kFewerCells, first, kFocus);
   EXPECT_EQ(state.cells, 1U);
   for (int n = 0; n < 200; ++n) state.turn(7, 3);
@@ -101,7 +101,7 @@ TEST(ViewerState, NeverHidesEverythingAndKeepsItsBounds) {
 TEST(ViewerState, ZoomsToThePointer) {
   ViewState state;
   state.shift(0.3, -0.2);
-  const Ball ball{{0.1, 0.2, 0.3}, 1.5};
+  const BoundingBall ball{{0.1, 0.2, 0.3}, 1.5};
   const auto view = [&] { return view_of(state.shown.camera, ball, 400, 300); };
   // What is seen at a pixel: x to the right and y upwards in halves of the height.
   const double x = 0.6, y = -0.4;
@@ -121,7 +121,7 @@ TEST(ViewerState, FliesByHyperbolicTranslations) {
     const Vector4 there = moved_state.motion.col(3);
     EXPECT_NEAR(geometry::hyperbolic_distance(there, geometry::origin()), 0.7, 1e-12);
     // Forwards, what was in the middle comes towards the eye.
-    const View view = view_of(state.shown.camera, Ball{Vector3::Zero(), 1}, 1, 1);
+    const View view = view_of(state.shown.camera, BoundingBall{Vector3::Zero(), 1}, 1, 1);
     const Vector3 in_eye_space =
         view.model_view.topLeftCorner<3, 3>() * there.head<3>() / std::sinh(0.7);
     EXPECT_LT((in_eye_space - Vector3(-way.x(), -way.y(), way.z())).norm(), 1e-12);
@@ -136,7 +136,7 @@ TEST(ViewerState, FliesByHyperbolicTranslations) {
 TEST(ViewerSlider, GoesThereAndBack) {
   for (const int width : {300, 1200}) {
     EXPECT_EQ(slider_value(-1e4, width, 600), 1U);
-    EXPECT_EQ(slider_value(1e4, width, 600), kMostCells);
+    EXPECT_EQ(slider_value(1e4, width, 600), kMostDrawnCells);
     for (const std::size_t cells : {std::size_t{1}, std::size_t{20}, std::size_t{5000}}) {
       const LegendRectangle handle = slider(cells, width, 600, 1).back();
       const double middle = (handle.left + handle.right) / 2;

@@ -162,9 +162,9 @@ TEST(ViewerScene, CellsLieInTheirBalls) {
   std::exponential_distribution<double> weight;
   for (const Model model : kModels) {
     const Scene scene = scene_of(60, model);
-    const Ball all = bounding_ball(model, scene);
+    const BoundingBall all = bounding_ball(model, scene);
     for (const SceneCell& cell : scene.cells) {
-      const Ball ball = bounding_ball(model, cell);
+      const BoundingBall ball = bounding_ball(model, cell);
       for (int i = 0; i < 50; ++i) {
         Vector4 x = Vector4::Zero();
         // Often near an edge: few corners have a say.
@@ -199,7 +199,7 @@ TEST(ViewerScene, IsNeverEmpty) {
 
 TEST(ViewerCamera, RaysGoWhereTheMatricesPutThem) {
   Camera camera{-70, 35, 5, 1.7, {0.3, -0.2}};
-  const Ball ball{{1, 2, 3}, 4};
+  const BoundingBall ball{{1, 2, 3}, 4};
   const View view = view_of(camera, ball, 300, 200);
   for (const auto& [x, y] : {std::pair(10.0, 20.0), {150.0, 100.0}, {280.5, 190.25}}) {
     const Ray ray = ray_through(view, 300, 200, x, y);

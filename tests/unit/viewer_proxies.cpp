@@ -59,7 +59,7 @@ TEST(ViewerProxies, HoldTheirFaces) {
     const testing::Embedded manifold = *testing::try_embed(name);
     for (const Model model : kModels) {
       const Scene scene = placed(manifold, 60, model).scene;
-      const Ball ball = bounding_ball(model, scene);
+      const BoundingBall ball = bounding_ball(model, scene);
       const FaceSet set(model, scene, ball.radius);
       int seen = 0;
       for (int turn = 0; turn < 4; ++turn) {

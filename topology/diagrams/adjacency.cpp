@@ -189,7 +189,7 @@ class EmbeddingReader {
     return result;
   }
 
-  Scanner scan_;
+  DiagramScanner scan_;
   Brackets brackets_;
   std::vector<std::vector<std::size_t>> lists_;
   std::vector<bool> odd_;
@@ -203,7 +203,7 @@ NamedDiagram read_embedding(std::string_view text) { return EmbeddingReader(text
 
 // a=V(b0 c0 d3) b=V(a0 d2 c1) c=X(a1 b2 d1 d0): each dart with the node and the slot that it meets.
 NamedDiagram read_knotpy(std::string_view text) {
-  Scanner scan(text);
+  DiagramScanner scan(text);
   std::map<std::string, std::size_t, std::less<>> numbers;
   struct End {
     std::string node;

@@ -18,7 +18,7 @@ struct Word {
 };
 
 /// KnotTheory's BR[3, {1,-2,...}] has the number of strands in front; it is not a letter.
-void take_strands(Word& word, const Scanner& scan) {
+void take_strands(Word& word, const DiagramScanner& scan) {
   if (word.letters.size() != 1 || word.letters[0] < 1)
     scan.fail("a bracket among the letters; before it stands at most the number of strands");
   word.strands = word.letters[0];
@@ -26,7 +26,7 @@ void take_strands(Word& word, const Scanner& scan) {
 }
 
 Word parse(std::string_view text) {
-  Scanner scan(text);
+  DiagramScanner scan(text);
   scan.letters();
   scan.take(':');
   scan.take('=');
@@ -45,7 +45,7 @@ Word parse(std::string_view text) {
       brackets.open(scan);
     } else if (is_closing(c)) {
       brackets.close(scan);
-    } else if (Scanner::is_letter(c)) {  // a, A: 1, -1
+    } else if (DiagramScanner::is_letter(c)) {  // a, A: 1, -1
       for (const char letter : scan.letters())
         word.letters.push_back(letter >= 'a' ? letter - 'a' + 1 : -(letter - 'A' + 1));
     } else {

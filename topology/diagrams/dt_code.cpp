@@ -19,7 +19,7 @@ struct DtCode {
 };
 
 /// SnapPy's letters: crossings, components, entries in each, then the entries, b = 4, B = -4.
-DtCode from_letters(std::string_view letters, const Scanner& scan) {
+DtCode from_letters(std::string_view letters, const DiagramScanner& scan) {
   std::vector<std::int64_t> values;
   for (const char c : letters) values.push_back(c >= 'a' ? c - 'a' + 1 : -(c - 'A' + 1));
   std::size_t next = 2;
@@ -43,7 +43,7 @@ DtCode from_letters(std::string_view letters, const Scanner& scan) {
 }
 
 DtCode parse_dt(std::string_view text) {
-  Scanner scan(text);
+  DiagramScanner scan(text);
   scan.letters();  // DT, DTCode, or nothing
   scan.take(':');
   scan.take('=');
@@ -58,7 +58,7 @@ DtCode parse_dt(std::string_view text) {
     } else if (is_closing(c)) {
       brackets.close(scan);
       fresh = true;
-    } else if (Scanner::is_letter(c)) {
+    } else if (DiagramScanner::is_letter(c)) {
       if (!code.components.empty()) scan.fail("letters and numbers are mixed");
       code = from_letters(scan.letters(), scan);
       if (scan.take('.')) (void)scan.until("])}");

@@ -25,7 +25,7 @@ struct GaussCode {
 };
 
 /// O1-U2-O3-U1-...: over or under, crossing, its sign.
-GaussCode from_letters(Scanner& scan) {
+GaussCode from_letters(DiagramScanner& scan) {
   GaussCode code;
   code.components.emplace_back();
   while (!scan.at_end()) {
@@ -57,7 +57,7 @@ struct Lists {
   std::vector<std::size_t> depth;
 };
 
-Lists read_lists(Scanner& scan) {
+Lists read_lists(DiagramScanner& scan) {
   Lists lists;
   Brackets brackets;
   bool fresh = true;
@@ -128,14 +128,14 @@ GaussCode from_lists(Lists lists) {
 }
 
 GaussCode parse_gauss(std::string_view text) {
-  Scanner scan(text);
+  DiagramScanner scan(text);
   const std::string_view word = scan.letters();
-  if (Scanner::same_word(word, "Gauss")) (void)scan.take_whole_word("code");
+  if (DiagramScanner::same_word(word, "Gauss")) (void)scan.take_whole_word("code");
   if (word.size() == 1) scan.go_to(0);  // O1+U2+...
   scan.take(':');
   scan.take('=');
   if (scan.at_end()) throw InvalidInput("the Gauss code is empty; write Gauss: 1 -2 3 -1 2 -3");
-  return Scanner::is_letter(scan.peek()) ? from_letters(scan) : from_lists(read_lists(scan));
+  return DiagramScanner::is_letter(scan.peek()) ? from_letters(scan) : from_lists(read_lists(scan));
 }
 
 /// The positions, and for each crossing its name.

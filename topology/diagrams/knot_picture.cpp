@@ -165,7 +165,7 @@ class PictureReader {
     return name;
   }
 
-  Scanner scan_;
+  DiagramScanner scan_;
   Brackets brackets_;
   Ends above_;  ///< the arcs that the rows so far hand down
   std::int64_t names_ = 0;

@@ -58,7 +58,7 @@ class PdReader {
       const std::string word(scan_.letters());
       const bool subscript = scan_.peek_raw() == '_';
       if (subscript) scan_.take_any();
-      if (Scanner::same_word(word, "PD"))
+      if (DiagramScanner::same_word(word, "PD"))
         scan_.fail(
             "a second diagram begins here; give one alone, or put one in a line and give the "
             "file to --batch",
@@ -67,7 +67,7 @@ class PdReader {
       if (word.empty() || !is_opening(scan_.peek()))
         scan_.fail(std::string(kExpectedNode) + scan_.found(), at);
       brackets_.open(scan_);
-      if (Scanner::same_word(word, "Cone"))
+      if (DiagramScanner::same_word(word, "Cone"))
         label(at);
       else
         node(word, subscript, at);
@@ -124,7 +124,7 @@ class PdReader {
 
   void add(DiagramNode node, const std::string& word, std::size_t at) {
     const std::string_view written = scan_.since(at);
-    const bool is_loop = Scanner::same_word(word, "Loop");
+    const bool is_loop = DiagramScanner::same_word(word, "Loop");
     if (word.empty())
       node.kind = kind_of(node.arcs.size());
     else if (is_loop || is_vertex(word))
@@ -142,12 +142,12 @@ class PdReader {
 
   static bool is_crossing(std::string_view word) {
     for (const std::string_view each : {"X", "Xp", "Xm", "Xn"})
-      if (Scanner::same_word(word, each)) return true;
+      if (DiagramScanner::same_word(word, each)) return true;
     return false;
   }
   static bool is_vertex(std::string_view word) {
     for (const std::string_view each : {"V", "P", "B"})
-      if (Scanner::same_word(word, each)) return true;
+      if (DiagramScanner::same_word(word, each)) return true;
     return false;
   }
 
@@ -165,7 +165,7 @@ class PdReader {
     }
   }
 
-  Scanner scan_;
+  DiagramScanner scan_;
   Brackets brackets_;
   bool clockwise_ = false;
   std::vector<DiagramNode> nodes_;

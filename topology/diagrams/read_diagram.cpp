@@ -12,23 +12,23 @@
 namespace tripus::topology {
 namespace {
 
-using detail::Scanner;
+using detail::DiagramScanner;
 
 /// The text without white space and comments in front.
 std::string_view opened(std::string_view text) {
   text.remove_prefix(text.starts_with("\xef\xbb\xbf") ? 3 : 0);
-  Scanner scan(text);
+  DiagramScanner scan(text);
   scan.peek();
   return text.substr(scan.position());
 }
 
 /// X[, xp(, V_{ ... or, in a text of several words, X1425: a node with its kind.
 bool starts_node(std::string_view text) {
-  Scanner scan(text);
+  DiagramScanner scan(text);
   const std::string_view word = scan.letters();
   constexpr std::array<std::string_view, 9> kWords{"X", "Xp", "Xm",   "Xn",  "V",
                                                    "P", "B",  "Loop", "Cone"};
-  const auto same = [&](std::string_view each) { return Scanner::same_word(word, each); };
+  const auto same = [&](std::string_view each) { return DiagramScanner::same_word(word, each); };
   if (std::ranges::none_of(kWords, same)) return false;
   if (scan.peek_raw() == '_') scan.take_any();
   return detail::is_opening(scan.peek_raw()) ||
@@ -41,7 +41,7 @@ bool starts_node(std::string_view text) {
 bool is_bare_gauss(std::string_view text) {
   if (text.find('-') == std::string_view::npos) return false;
   std::map<std::int64_t, std::array<int, 2>> times;
-  Scanner scan(text);
+  DiagramScanner scan(text);
   try {
     while (!scan.at_end()) {
       if (scan.at_number()) {
@@ -72,9 +72,9 @@ bool is_pd(std::string_view text) {
   if (detail::has_heading(text, "PD") || starts_node(text)) return true;
   // Two brackets and a number: a list of lists; one round one: tuples. JSON's objects hold quotes.
   if (!detail::is_opening(text[0])) return false;
-  Scanner scan(text.substr(1));
+  DiagramScanner scan(text.substr(1));
   const char c = scan.peek();
-  if (Scanner::is_letter(c)) return starts_node(text.substr(1 + scan.position()));
+  if (DiagramScanner::is_letter(c)) return starts_node(text.substr(1 + scan.position()));
   if (text[0] == '(' && scan.at_number()) return true;
   if (!detail::is_opening(c)) return false;
   scan.take_any();
@@ -90,7 +90,7 @@ bool is_dt(std::string_view text) {
 /// Numbers alone in one square or curly bracket: KnotInfo's [4, 6, 8, 2] is a DT code.
 bool is_list(std::string_view text) {
   if (text[0] != '[' && text[0] != '{') return false;
-  Scanner scan(text.substr(1));
+  DiagramScanner scan(text.substr(1));
   std::size_t count = 0;
   for (; scan.at_number(); ++count) {
     (void)scan.until(", ]}\n");
@@ -99,7 +99,7 @@ bool is_list(std::string_view text) {
   return count > 1 && detail::is_closing(scan.peek());
 }
 NamedDiagram read_list(std::string_view text) {
-  Scanner scan(text.substr(1));
+  DiagramScanner scan(text.substr(1));
   while (scan.at_number()) {
     if (scan.integer() % 2 != 0)
       throw InvalidInput(
@@ -116,12 +116,12 @@ bool is_braid(std::string_view text) {
 bool is_embedding(std::string_view text) { return detail::has_heading(text, "embedding"); }
 /// With appcontour's contours, which are refused by name.
 bool is_picture(std::string_view text) {
-  Scanner scan(text);
+  DiagramScanner scan(text);
   const std::string_view word = scan.letters();
   return (word == "knot" || word == "morse" || word == "sketch") && scan.peek() == '{';
 }
 bool is_knotpy(std::string_view text) {
-  Scanner scan(text);
+  DiagramScanner scan(text);
   return !scan.letters().empty() && scan.take('=') && (scan.take('V') || scan.take('X')) &&
          scan.take('(');
 }

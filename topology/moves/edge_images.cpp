@@ -8,15 +8,15 @@
 namespace tripus::topology {
 namespace {
 
-using detail::Ball;
+using detail::MoveBall;
 using detail::Points;
 
 /// A 2-1 as a ball: abcd and wbcd become awcd, in the labels of the former (see two_one.cpp).
-Ball two_one_ball(const Gluings& gluings, const Move& move) {
+MoveBall two_one_ball(const Gluings& gluings, const Move& move) {
   auto at = EdgeWalk::start(move.tetrahedron, move.place);
   if (move.choice != 0) std::swap(at.a, at.b);
   constexpr int kFar = 4;
-  Ball ball;
+  MoveBall ball;
   ball.old.push_back({move.tetrahedron, {0, 1, 2, 3}});
   const Perm4 p = gluings.gluing(move.tetrahedron, at.a);
   ball.old.push_back({gluings.neighbour(move.tetrahedron, at.a), {}});
@@ -28,11 +28,11 @@ Ball two_one_ball(const Gluings& gluings, const Move& move) {
   return ball;
 }
 
-std::optional<Ball> ball_of(const Gluings& gluings, const Move& move) {
+std::optional<MoveBall> ball_of(const Gluings& gluings, const Move& move) {
   if (move.kind == MoveKind::kTwoOne) return two_one_ball(gluings, move);
   const MoveInfo& kind = info(move.kind);
   if (kind.ball == nullptr) return std::nullopt;
-  Ball ball = kind.ball(gluings, move);
+  MoveBall ball = kind.ball(gluings, move);
   // This may turn new tetrahedra round, as it did when the move was made.
   detail::plan_ball(gluings, ball);
   return ball;
@@ -60,7 +60,7 @@ std::vector<std::uint32_t> edge_images(const Triangulation& before, const Move& 
     for (int e = 0; e < 6; ++e) images[before.edge_class(t, e)] = after.edge_class(number[t], e);
   }
   // Others by the points of the ball.
-  const std::optional<Ball> ball = ball_of(before.gluings(), move);
+  const std::optional<MoveBall> ball = ball_of(before.gluings(), move);
   if (!ball) return images;
   for (const detail::Piece& piece : ball->old) {
     for (int e = 0; e < 6; ++e) {
@@ -78,7 +78,7 @@ std::vector<std::uint32_t> edge_images(const Triangulation& before, const Move& 
 std::optional<NewDiagonal> new_diagonal(const Triangulation& before, const Move& move,
                                         const MoveChange& change) {
   if (move.kind != MoveKind::kTwoThree && move.kind != MoveKind::kFourFour) return std::nullopt;
-  const std::optional<Ball> ball = ball_of(before.gluings(), move);
+  const std::optional<MoveBall> ball = ball_of(before.gluings(), move);
   const Points& points = ball->fresh[0];
   for (int e = 0; e < 6; ++e) {
     const auto ends = kEdgeEnds[static_cast<std::size_t>(e)];

@@ -18,8 +18,8 @@ MoveRefusal refuse(const Gluings& gluings, const Move& move) {
 
 // Points 0 and 1 are the ends of the old axis, 2, 3, 4, 5 lie around it. The walk starts in the
 // tetrahedron with points 2 and 3: choice 0 is the axis 2 4, choice 1 the axis 3 5.
-Ball ball_here(const Gluings& gluings, const Move& move) {
-  Ball ball = ball_around<4>(gluings, move);
+MoveBall ball_here(const Gluings& gluings, const Move& move) {
+  MoveBall ball = ball_around<4>(gluings, move);
   const int bottom = 2 + move.choice;
   const int top = 4 + move.choice;
   const std::array<int, 4> ring{0, 3 + move.choice, 1, move.choice == 0 ? 5 : 2};
@@ -29,7 +29,7 @@ Ball ball_here(const Gluings& gluings, const Move& move) {
 }
 
 MoveChange apply_here(Gluings& gluings, const Move& move) {
-  Ball ball = ball_here(gluings, move);
+  MoveBall ball = ball_here(gluings, move);
   const Points& first = ball.fresh[0];
   const int bottom = first[0];
   const int top = first[1];

@@ -24,7 +24,7 @@
 namespace tripus::topology {
 
 namespace detail {
-struct Ball;
+struct MoveBall;
 }
 
 enum class MoveKind : std::uint8_t {
@@ -97,7 +97,7 @@ struct MoveInfo {
   MoveRefusal (*refusal)(const Gluings&, const Move&);
   MoveChange (*apply)(Gluings&, const Move&);  ///< legal moves only
   /// What is replaced by what; null for 0-2, 2-1 and 1-2, which are not made that way.
-  detail::Ball (*ball)(const Gluings&, const Move&);
+  detail::MoveBall (*ball)(const Gluings&, const Move&);
   void (*candidates)(const Triangulation&, std::vector<Move>&);  ///< places, once each, to be tried
 };
 

@@ -19,8 +19,8 @@ MoveRefusal refuse_one_four(const Gluings& gluings, const Move& move) {
 }
 
 // Points 0..3 are the vertices of the tetrahedron.
-Ball one_four_ball(const Gluings&, const Move& move) {
-  Ball ball;
+MoveBall one_four_ball(const Gluings&, const Move& move) {
+  MoveBall ball;
   ball.core = 1u << kCentre;
   ball.old.push_back({move.tetrahedron, {0, 1, 2, 3}});
   for (std::size_t i = 0; i < 4; ++i) {
@@ -32,7 +32,7 @@ Ball one_four_ball(const Gluings&, const Move& move) {
 }
 
 MoveChange apply_one_four(Gluings& gluings, const Move& move) {
-  Ball ball = one_four_ball(gluings, move);
+  MoveBall ball = one_four_ball(gluings, move);
   MoveChange change = plan_ball(gluings, ball).apply(gluings);
   change.inverse = Move{.kind = MoveKind::kFourOne,
                         .tetrahedron = change.added[0],
@@ -80,10 +80,10 @@ MoveRefusal refuse_four_one(const Gluings& gluings, const Move& move) {
   return collect_star(gluings, move.tetrahedron, move.place, star);
 }
 
-Ball four_one_ball(const Gluings& gluings, const Move& move) {
+MoveBall four_one_ball(const Gluings& gluings, const Move& move) {
   std::array<Piece, 4> star{};
   collect_star(gluings, move.tetrahedron, move.place, star);
-  Ball ball;
+  MoveBall ball;
   ball.core = 1u << kCentre;
   for (const Piece& piece : star) ball.old.push_back(piece);
   ball.fresh.push_back({0, 1, 2, 3});
@@ -91,7 +91,7 @@ Ball four_one_ball(const Gluings& gluings, const Move& move) {
 }
 
 MoveChange apply_four_one(Gluings& gluings, const Move& move) {
-  Ball ball = four_one_ball(gluings, move);
+  MoveBall ball = four_one_ball(gluings, move);
   MoveChange change = plan_ball(gluings, ball).apply(gluings);
   change.inverse = Move{.kind = MoveKind::kOneFour, .tetrahedron = change.added[0]};
   return change;

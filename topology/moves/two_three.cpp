@@ -26,11 +26,11 @@ MoveRefusal refuse_two_three(const Gluings& gluings, const Move& move) {
 }
 
 // Points 0..3 are the vertices of the first tetrahedron, 4 is the far one of the second.
-Ball two_three_ball(const Gluings& gluings, const Move& move) {
+MoveBall two_three_ball(const Gluings& gluings, const Move& move) {
   const TetrahedronIndex t = move.tetrahedron;
   const int f = move.place;
   const Perm4 p = gluings.gluing(t, f);
-  Ball ball;
+  MoveBall ball;
   ball.old.push_back({t, {0, 1, 2, 3}});
   ball.old.push_back({gluings.neighbour(t, f), {}});
   for (int v = 0; v < 4; ++v) ball.old[1].points[static_cast<std::size_t>(p(v))] = v == f ? 4 : v;
@@ -45,7 +45,7 @@ Ball two_three_ball(const Gluings& gluings, const Move& move) {
 }
 
 MoveChange apply_two_three(Gluings& gluings, const Move& move) {
-  Ball ball = two_three_ball(gluings, move);
+  MoveBall ball = two_three_ball(gluings, move);
   MoveChange change = plan_ball(gluings, ball).apply(gluings);
   change.inverse = Move{.kind = MoveKind::kThreeTwo,
                         .tetrahedron = change.added[0],
@@ -59,15 +59,15 @@ MoveRefusal refuse_three_two(const Gluings& gluings, const Move& move) {
 }
 
 // Points 0 and 1 are the ends of the edge, 2, 3, 4 the corners of the new face.
-Ball three_two_ball(const Gluings& gluings, const Move& move) {
-  Ball ball = ball_around<3>(gluings, move);
+MoveBall three_two_ball(const Gluings& gluings, const Move& move) {
+  MoveBall ball = ball_around<3>(gluings, move);
   ball.fresh.push_back({0, 2, 3, 4});
   ball.fresh.push_back({1, 2, 3, 4});
   return ball;
 }
 
 MoveChange apply_three_two(Gluings& gluings, const Move& move) {
-  Ball ball = three_two_ball(gluings, move);
+  MoveBall ball = three_two_ball(gluings, move);
   MoveChange change = plan_ball(gluings, ball).apply(gluings);
   change.inverse = Move{.kind = MoveKind::kTwoThree,
                         .tetrahedron = change.added[0],

@@ -21,7 +21,7 @@
 namespace tripus::topology::detail {
 namespace {
 
-Ball edge_ball(const Gluings& gluings, const Move& move) { return ball_around<2>(gluings, move); }
+MoveBall edge_ball(const Gluings& gluings, const Move& move) { return ball_around<2>(gluings, move); }
 
 MoveRefusal refuse_edge(const Gluings& gluings, const Move& move) {
   const MoveRefusal met = refuse_pillow(gluings, move);
@@ -35,15 +35,15 @@ MoveRefusal refuse_edge(const Gluings& gluings, const Move& move) {
 }
 
 MoveChange apply_edge(Gluings& gluings, const Move& move) {
-  Ball ball = edge_ball(gluings, move);
+  MoveBall ball = edge_ball(gluings, move);
   return plan_ball(gluings, ball).apply(gluings);
 }
 
-Ball vertex_ball(const Gluings& gluings, const Move& move) {
+MoveBall vertex_ball(const Gluings& gluings, const Move& move) {
   const TetrahedronIndex t = move.tetrahedron;
   const int f = (move.place + 1) % 4;
   const Perm4 p = gluings.gluing(t, f);
-  Ball ball;
+  MoveBall ball;
   ball.core = 1u << move.place;
   ball.old.push_back({t, {0, 1, 2, 3}});
   ball.old.push_back({gluings.neighbour(t, f), {}});
@@ -62,12 +62,12 @@ MoveRefusal refuse_vertex(const Gluings& gluings, const Move& move) {
                    gluings.gluing(t, f) != gluings.gluing(t, (v + 1) % 4)))
       return MoveRefusal::kWrongValence;
   if (has_open_face(gluings, other)) return MoveRefusal::kOpenFace;
-  Ball ball = vertex_ball(gluings, move);
+  MoveBall ball = vertex_ball(gluings, move);
   return plan_ball(gluings, ball).is_sealed() ? MoveRefusal::kSealedFace : MoveRefusal::kNone;
 }
 
 MoveChange apply_vertex(Gluings& gluings, const Move& move) {
-  Ball ball = vertex_ball(gluings, move);
+  MoveBall ball = vertex_ball(gluings, move);
   return plan_ball(gluings, ball).apply(gluings);
 }
 
@@ -77,7 +77,7 @@ MoveRefusal refuse_pillow(const Gluings& gluings, const Move& move) {
   std::array<EdgeWalk, 2> corners{};
   const MoveRefusal met = collect_corners(gluings, move.tetrahedron, move.place, corners);
   if (met != MoveRefusal::kNone) return met;
-  Ball ball = edge_ball(gluings, move);
+  MoveBall ball = edge_ball(gluings, move);
   return plan_ball(gluings, ball).is_sealed() ? MoveRefusal::kSealedFace : MoveRefusal::kNone;
 }
 

@@ -189,7 +189,7 @@ struct SameFace {
   std::size_t piece;
   int f;
 };
-SameFace same_face(const detail::Ball& ball, const detail::Points& points, int f) {
+SameFace same_face(const detail::MoveBall& ball, const detail::Points& points, int f) {
   const unsigned face = detail::point_mask(points) & ~(1u << points[static_cast<std::size_t>(f)]);
   for (std::size_t k = 0; k < ball.fresh.size(); ++k) {
     const unsigned rest = detail::point_mask(ball.fresh[k]) & ~face;
@@ -202,7 +202,7 @@ SameFace same_face(const detail::Ball& ball, const detail::Points& points, int f
 
 void CarryBack::take_back_ball(const StepBack& step) {
   const Gluings& before = step.before;
-  detail::Ball ball = info(step.step.move.kind).ball(before, step.step.move);
+  detail::MoveBall ball = info(step.step.move.kind).ball(before, step.step.move);
   detail::plan_ball(before, ball);  // turns the new tetrahedra as they were made
   // Frames of the new tetrahedra in that of the first. Inside the ball any path does.
   std::array<Value, 4> to_first{};
@@ -377,7 +377,7 @@ void CarryBack::take_back_collapse(const StepBack& step) {
 
 void CarryBack::take_back_pillow(const StepBack& step) {
   const Gluings& before = step.before;
-  const detail::Ball ball = info(step.step.move.kind).ball(before, step.step.move);
+  const detail::MoveBall ball = info(step.step.move.kind).ball(before, step.step.move);
   ports_.clear();
   const auto& one = ball.old[0];
   const auto& two = ball.old[1];

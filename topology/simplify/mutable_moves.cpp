@@ -100,7 +100,7 @@ void MutableTriangulation::apply(const Move& move) {
 }
 
 // Two edges of the old tetrahedra between the same points: they are laid upon each other.
-void MutableTriangulation::merge_edges(const detail::Ball& ball) {
+void MutableTriangulation::merge_edges(const detail::MoveBall& ball) {
   struct Corner {
     TetrahedronIndex t = kNoTetrahedron;
     int e = 0;
@@ -125,7 +125,7 @@ void MutableTriangulation::merge_edges(const detail::Ball& ball) {
 
 void MutableTriangulation::replace_ball(const Move& move) {
   if (steps_ != nullptr) steps_->push_move(move);
-  detail::Ball ball = info(move.kind).ball(gluings_, move);
+  detail::MoveBall ball = info(move.kind).ball(gluings_, move);
   const detail::Surgery surgery = detail::plan_ball(gluings_, ball);
   if (ball.fresh.empty()) merge_edges(ball);
 

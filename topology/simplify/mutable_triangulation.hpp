@@ -155,7 +155,7 @@ class MutableTriangulation {
   void relabel_edge(TetrahedronIndex t, int e, Label to);
   void relabel_vertex(TetrahedronIndex t, int v, Label to);
 
-  void merge_edges(const detail::Ball& ball);
+  void merge_edges(const detail::MoveBall& ball);
   void replace_ball(const Move& move);
   void apply_two_one(const Move& move);
 

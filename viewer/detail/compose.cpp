@@ -224,7 +224,7 @@ void Composer::find_openness(double reach, const View& view, int samples) {
 }
 
 void Composer::finish(const PictureOptions& options, const Frame& frame, const View& view,
-                      const Ball& scene) {
+                      const BoundingBall& scene) {
   glDisable(GL_DEPTH_TEST);
   const double reach = 0.22 * scene.radius;
   if (!frame.identities) make_programs(frame.samples, options.occlusion, options.model);

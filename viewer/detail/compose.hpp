@@ -28,7 +28,7 @@ class Composer {
   /// Draws the picture into the framebuffer that was bound at begin().
   ///   scene  the ball that the view looks at
   void finish(const PictureOptions& options, const Frame& frame, const View& view,
-              const Ball& scene);
+              const BoundingBall& scene);
 
  private:
   void make_programs(int samples, bool nooks, Model model);

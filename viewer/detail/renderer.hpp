@@ -29,7 +29,7 @@ class Renderer {
   std::size_t draw(const PictureOptions& options, const Frame& frame);
 
   /// The ball around the scene that the camera looks at.
-  const Ball& scene_ball() const { return ball_; }
+  const BoundingBall& scene_ball() const { return ball_; }
 
  private:
   /// Makes the renderer, and tells it of the scene, if it does not know it.
@@ -38,7 +38,7 @@ class Renderer {
   Composer composer_;
   Scene scene_;
   Model model_ = Model::kUpperHalfSpace;
-  Ball ball_;
+  BoundingBall ball_;
   double reach_ = 0;  // of cells around its middle, where they were moved; else 0
   std::unique_ptr<FacesRenderer> faces_;
   std::unique_ptr<OpenCsgRenderer> opencsg_;

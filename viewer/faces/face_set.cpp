@@ -88,7 +88,7 @@ float edge_colours(const SceneCell& cell, std::size_t face) {
   return static_cast<float>(packed);
 }
 
-void append_record(std::vector<float>& texels, const Ball& cell_ball, const HalfSpace& own,
+void append_record(std::vector<float>& texels, const BoundingBall& cell_ball, const HalfSpace& own,
                    const std::vector<HalfSpace>& bounds, const FaceLook& look) {
   const auto append = [&](double x) { texels.push_back(static_cast<float>(x)); };
   const auto append_slope = [&](const HalfSpace& local) {

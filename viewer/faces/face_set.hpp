@@ -22,7 +22,7 @@ struct SceneFace {
   bool is_shared() const { return partner != kNoCell; }
   std::uint32_t first_point = 0, point_count = 0;  ///< of its outline
   float margin = 0;                                ///< it lies within this of the points' hull
-  Ball ball;
+  BoundingBall ball;
 };
 
 /// The walls of all cells of a scene in a model.
@@ -34,7 +34,7 @@ class FaceSet {
 
   Model model() const { return model_; }
   const std::vector<SceneFace>& faces() const { return faces_; }  ///< [8 cells], cell by cell
-  const std::vector<Ball>& cell_balls() const { return balls_; }
+  const std::vector<BoundingBall>& cell_balls() const { return balls_; }
   /// Of the faces' walls, in the model.
   const std::vector<HalfSpace>& half_spaces() const { return half_spaces_; }
   const std::vector<Eigen::Vector3f>& points() const { return points_; }
@@ -45,7 +45,7 @@ class FaceSet {
   Model model_ = Model::kUpperHalfSpace;
   std::vector<SceneFace> faces_;
   std::vector<HalfSpace> half_spaces_;
-  std::vector<Ball> balls_;
+  std::vector<BoundingBall> balls_;
   std::vector<Eigen::Vector3f> points_;
 };
 
@@ -76,7 +76,7 @@ float edge_colours(const SceneCell& cell, std::size_t face);
 
 /// Appends the record of a face, as faces.vert.glsl reads it: all half-spaces in units of the
 /// cell's ball, where floats suffice for any cell.
-void append_record(std::vector<float>& texels, const Ball& cell_ball, const HalfSpace& own,
+void append_record(std::vector<float>& texels, const BoundingBall& cell_ball, const HalfSpace& own,
                    const std::vector<HalfSpace>& bounds, const FaceLook& look);
 
 }  // namespace tripus::viewer

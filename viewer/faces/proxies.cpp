@@ -37,7 +37,7 @@ Projector::Projector(const View& view, int width, int height)
   to_picture_ = rows.cast<float>();
 }
 
-double Projector::pixels(const Ball& ball) const {
+double Projector::pixels(const BoundingBall& ball) const {
   const double distance = (ball.centre - eye_).norm();
   if (distance <= ball.radius) return std::numeric_limits<double>::infinity();
   return ball.radius / distance * focal_;
@@ -91,7 +91,7 @@ void Projector::add(std::span<const Eigen::Vector3f> points, double margin, floa
   add_polygon(reach, area > kLargePolygon ? 1 : 2, record, mesh);
 }
 
-void Projector::add(const Ball& ball, float record, ProxyMesh& mesh) const {
+void Projector::add(const BoundingBall& ball, float record, ProxyMesh& mesh) const {
   const Eigen::Vector3f middle = ball.centre.cast<float>();
   add(std::span(&middle, 1), ball.radius, record, mesh);
 }

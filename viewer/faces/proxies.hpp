@@ -34,10 +34,10 @@ class Projector {
            ProxyMesh& mesh) const;
 
   /// The square around a ball.
-  void add(const Ball& ball, float record, ProxyMesh& mesh) const;
+  void add(const BoundingBall& ball, float record, ProxyMesh& mesh) const;
 
   /// The radius of a ball on the picture, in pixels; infinite if the eye is in it.
-  double pixels(const Ball& ball) const;
+  double pixels(const BoundingBall& ball) const;
 
  private:
   /// The polygon that reaches so far from the middle in every `step`-th of 16 directions, all

@@ -15,7 +15,7 @@ Track track_of(int width, int height) {
   return {width - 20 - length, width - 20.0, height - 20.0};
 }
 
-const double kMost = std::log(static_cast<double>(kMostCells));
+const double kMost = std::log(static_cast<double>(kMostDrawnCells));
 
 }  // namespace
 

@@ -11,7 +11,7 @@ namespace tripus::viewer {
 /// of the window from its top left corner. A step to the right is so many times more cells.
 bool is_on_slider(double x, double y, int width, int height);
 
-/// The number of cells, 1 to kMostCells, at a place across; beyond the ends those of the ends.
+/// The number of cells, 1 to kMostDrawnCells, at a place across; beyond the ends those of the ends.
 std::size_t slider_value(double x, int width, int height);
 
 /// Its rectangles for a window, of `scale` pixels of the picture for one of the window.

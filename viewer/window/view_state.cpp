@@ -29,9 +29,9 @@ geometry::Matrix4 translation(const Vector3& direction, double distance) {
 
 }  // namespace
 
-Change ViewState::act(KeyAction action, const ViewState& first, const Ball& focus) {
+Change ViewState::act(KeyAction action, const ViewState& first, const BoundingBall& focus) {
   const auto other_cells = [&](std::size_t wanted) {
-    cells = std::clamp<std::size_t>(wanted, 1, kMostCells);
+    cells = std::clamp<std::size_t>(wanted, 1, kMostDrawnCells);
     return Change::kScene;
   };
   switch (action) {
@@ -72,7 +72,7 @@ Change ViewState::act(KeyAction action, const ViewState& first, const Ball& focu
       shown.lines = !shown.lines;
       break;
     case KeyAction::kHollow:
-      shown.drawing = shown.drawing == Drawing::kSolid ? Drawing::kHollow : Drawing::kSolid;
+      shown.drawing = shown.drawing == Material::kSolid ? Material::kHollow : Material::kSolid;
       break;
     case KeyAction::kNooks:
       shown.occlusion = !shown.occlusion;
@@ -132,7 +132,7 @@ Change ViewState::zoom(double factor, double x, double y) {
 
 Change ViewState::fly(const Vector3& direction, double distance) {
   if (shown.renderer == RendererKind::kOpenCsg) return Change::kNothing;
-  const View view = view_of(shown.camera, Ball{Vector3::Zero(), 1}, 1, 1);
+  const View view = view_of(shown.camera, BoundingBall{Vector3::Zero(), 1}, 1, 1);
   const Vector3 in_eye_space(direction.x(), direction.y(), -direction.z());
   const Vector3 way =
       (view.model_view.topLeftCorner<3, 3>().transpose() * in_eye_space).normalized();
@@ -155,7 +155,7 @@ std::string ViewState::as_options() const {
   if (!shown.faces) text += " --no-faces";
   if (!shown.truncations) text += " --no-truncations";
   if (!shown.lines) text += " --no-lines";
-  if (shown.drawing == Drawing::kHollow) text += " --hollow";
+  if (shown.drawing == Material::kHollow) text += " --hollow";
   if (shown.cut_away) text += fmt::format(" --cut-away {:.6g}", *shown.cut_away);
   if (shown.transparent) text += fmt::format(" --transparent {}", *shown.transparent);
   if (shown.labels) text += " --labels";

@@ -28,7 +28,7 @@ struct ViewState {
   /// Does what a key asks for, except kPicture, kLink and kTransparent, which need a window.
   ///   first  what was shown first
   ///   focus  the ball that the camera looks at
-  Change act(KeyAction action, const ViewState& first, const Ball& focus);
+  Change act(KeyAction action, const ViewState& first, const BoundingBall& focus);
 
   /// Degrees.
   Change turn(double across, double up);

@@ -15,7 +15,7 @@ struct Clearance {
 };
 
 /// Throws InvalidInput where strands touch, or fold back on themselves.
-Clearance find_clearance(const Strands& strands);
+Clearance find_clearance(const TubeStrands& strands);
 
 double segment_distance(const Point& a, const Point& b, const Point& c, const Point& d);
 double point_segment_distance(const Point& p, const Point& a, const Point& b);

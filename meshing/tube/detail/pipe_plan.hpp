@@ -38,6 +38,6 @@ struct PipePlan {
   OuterSurface outer;
 };
 
-PipePlan plan_pipes(const Strands& strands);
+PipePlan plan_pipes(const TubeStrands& strands);
 
 }  // namespace tripus::meshing::tube

@@ -14,7 +14,7 @@ class TubeRegion {
   /// `depth` > 0: values below -depth count as -depth. `fillet` >= 0: `value` rounds the clefts
   /// between strands that part at an acute angle, by balls about as large as this; it grows there
   /// by at most kFilletHeight * fillet, and nowhere else.
-  TubeRegion(const Strands& strands, double radius, double depth, double fillet = 0);
+  TubeRegion(const TubeStrands& strands, double radius, double depth, double fillet = 0);
 
   static constexpr double kFilletHeight = 0.25;
 

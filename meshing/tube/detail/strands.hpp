@@ -30,7 +30,7 @@ struct Node {
 /// A spatial graph cut at the outer surface: every loose end runs to a crossing, and from there a
 /// spur goes on along the outward normal, so that near the outer surface the tube is a pipe that
 /// crosses it squarely.
-struct Strands {
+struct TubeStrands {
   std::vector<Segment> segments;
   std::vector<Node> nodes;
   OuterSurface outer;
@@ -52,6 +52,6 @@ std::string name_of(const Segment& segment);
 
 /// Throws InvalidInput naming edge and point for all that is wrong with a graph except for strands
 /// that come too close to each other (see clearance.hpp). `outer` stands in for graph.outer.
-Strands make_strands(const SpatialGraph& graph, const OuterSurface& outer);
+TubeStrands make_strands(const SpatialGraph& graph, const OuterSurface& outer);
 
 }  // namespace tripus::meshing::tube

@@ -13,9 +13,9 @@
 namespace tripus::topology::detail {
 
 /// Reads a text from the left, and knows where it is.
-class Scanner {
+class DiagramScanner {
  public:
-  explicit Scanner(std::string_view text) : text_(text) {}
+  explicit DiagramScanner(std::string_view text) : text_(text) {}
 
   bool at_end() {
     skip_space();
@@ -137,13 +137,13 @@ class Brackets {
  public:
   std::size_t depth() const { return open_.size(); }
   /// Takes an opening bracket.
-  void open(Scanner& scan) {
+  void open(DiagramScanner& scan) {
     const char c = scan.peek();
     open_.emplace_back(c, scan.position());
     scan.take_any();
   }
   /// Takes a closing one.
-  void close(Scanner& scan) {
+  void close(DiagramScanner& scan) {
     const char c = scan.peek();
     if (open_.empty())
       scan.fail(std::string("the bracket ") + c + " closes nothing that is open; take it away");
@@ -154,18 +154,18 @@ class Brackets {
     scan.take_any();
   }
   /// Refuses what stands where the innermost bracket ought to close.
-  [[noreturn]] void fail_open(Scanner& scan) const {
+  [[noreturn]] void fail_open(DiagramScanner& scan) const {
     const bool ends = scan.at_end();
     scan.fail(named(scan) + " is not closed; add " + closing_of(open_.back().first) +
               (ends ? " at the end" : " before " + scan.ahead()));
   }
   /// At the end.
-  void require_closed(Scanner& scan) const {
+  void require_closed(DiagramScanner& scan) const {
     if (!open_.empty()) fail_open(scan);
   }
 
  private:
-  std::string named(const Scanner& scan) const {
+  std::string named(const DiagramScanner& scan) const {
     return std::string("the bracket ") + open_.back().first + " of " +
            scan.place(open_.back().second);
   }
@@ -176,7 +176,7 @@ class Brackets {
 /// Whether a text begins with a word, in capitals or small letters, and a sign that no word has: a
 /// colon, a bracket, white space and the like.
 inline bool has_heading(std::string_view text, std::string_view word) {
-  return text.size() > word.size() && Scanner::same_word(text.substr(0, word.size()), word) &&
+  return text.size() > word.size() && DiagramScanner::same_word(text.substr(0, word.size()), word) &&
          (is_space(text[word.size()]) ||
           std::string_view(":=[({").find(text[word.size()]) != std::string_view::npos);
 }

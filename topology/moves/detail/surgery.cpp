@@ -129,7 +129,7 @@ std::optional<Perm4> matching(const Points& from, int f, const Points& to) {
 }
 
 /// Swaps two vertices of new tetrahedra that lie the other way round than the old ones.
-void orient(Ball& ball) {
+void orient(MoveBall& ball) {
   for (Points& points : ball.fresh)
     for (const Piece& piece : ball.old)
       for (int f = 0; f < 4; ++f) {
@@ -141,7 +141,7 @@ void orient(Ball& ball) {
 
 }  // namespace
 
-Surgery plan_ball(const Gluings& gluings, Ball& ball) {
+Surgery plan_ball(const Gluings& gluings, MoveBall& ball) {
   orient(ball);
   const auto& [old, core, fresh] = ball;
   Surgery surgery(gluings);

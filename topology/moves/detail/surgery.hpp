@@ -97,7 +97,7 @@ inline Piece piece_around(const EdgeWalk& corner, std::size_t i, std::size_t n) 
 }
 
 /// What a move replaces by what. Faces of `old` that contain every point of `core` are inside.
-struct Ball {
+struct MoveBall {
   SmallList<Piece, 4> old;
   unsigned core = 0;
   SmallList<Points, 4> fresh;
@@ -105,10 +105,10 @@ struct Ball {
 
 /// The N distinct tetrahedra around an edge of valence N.
 template <std::size_t N>
-Ball ball_around(const Gluings& gluings, const Move& move) {
+MoveBall ball_around(const Gluings& gluings, const Move& move) {
   std::array<EdgeWalk, N> corners{};
   collect_corners(gluings, move.tetrahedron, move.place, corners);
-  Ball ball;
+  MoveBall ball;
   ball.core = 0b11;
   for (std::size_t i = 0; i < N; ++i) ball.old.push_back(piece_around(corners[i], i, N));
   return ball;
@@ -128,6 +128,6 @@ int edge_at(const Points& points, int first, int second);
 /// the face of `fresh` with the same points, or laid upon the other old face with the same points.
 /// Faces of `fresh` that are left over are joined in pairs. `fresh` may come back with two vertices
 /// swapped, so that oriented tables stay oriented.
-Surgery plan_ball(const Gluings& gluings, Ball& ball);
+Surgery plan_ball(const Gluings& gluings, MoveBall& ball);
 
 }  // namespace tripus::topology::detail

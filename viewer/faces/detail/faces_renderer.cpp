@@ -16,7 +16,7 @@ namespace {
 constexpr double kSmallestCell = 0.4;
 /// Polygons around smaller faces, in pixels, are squares around their balls.
 constexpr double kSmallFace = 1;
-/// Drawing that can be stopped waits for the graphics after so many cells.
+/// Material that can be stopped waits for the graphics after so many cells.
 constexpr std::size_t kCellsBetweenWaits = 2000;
 /// Of faces.vert.glsl, and of the places of cells in desktop.frag.glsl.
 constexpr std::size_t kTexelsPerRow = 2048;
@@ -132,7 +132,7 @@ void FacesRenderer::write_cuts() {
   std::iota(all.begin(), all.end(), std::size_t{0});
   cuts_.resize(scene_.cells.size());
   for (std::size_t cell = 0; cell < scene_.cells.size(); ++cell) {
-    const Ball& ball = set_.cell_balls()[cell];
+    const BoundingBall& ball = set_.cell_balls()[cell];
     const double beyond = cut(ball.centre);
     if (std::abs(beyond) >= ball.radius) continue;
     cuts_[cell] = {
@@ -191,7 +191,7 @@ bool FacesRenderer::is_transparent(const PictureOptions& options, std::size_t ce
 
 void FacesRenderer::add_cell(std::size_t cell, const PictureOptions& options, const View& view,
                              const Projector& projector, int samples) {
-  const Ball& cell_ball = set_.cell_balls()[cell];
+  const BoundingBall& cell_ball = set_.cell_balls()[cell];
   const double cell_pixels = projector.pixels(cell_ball);
   if (cell_pixels < kSmallestCell * samples) return;
   if (cut_ && cell_ball.centre.x() - *cut_ > cell_ball.radius) return;

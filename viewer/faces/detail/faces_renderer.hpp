@@ -43,7 +43,7 @@ class FacesRenderer {
   /// The cut through a cell.
   struct Cut {
     float first_texel = -1;  ///< of its record; negative: it has none
-    Ball ball = {};
+    BoundingBall ball = {};
   };
 
   void write_records(const PictureOptions& options);

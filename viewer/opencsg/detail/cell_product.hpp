@@ -53,7 +53,7 @@ class CellProduct {
 
   CellProduct(Model model, const SceneCell& cell);
 
-  const Ball& ball() const { return ball_; }
+  const BoundingBall& ball() const { return ball_; }
   const Vector3& centre() const { return ball_.centre; }
   double scale() const { return ball_.radius; }
   const ToTetrahedron& to_tetrahedron() const { return to_tetrahedron_; }
@@ -71,7 +71,7 @@ class CellProduct {
 
   Model model_;
   std::array<HalfSpace, kWallCount> half_spaces_;
-  Ball ball_;
+  BoundingBall ball_;
   ToTetrahedron to_tetrahedron_;
   double error_ = 0;  ///< of the meshes that there are
   bool cut_ = false;

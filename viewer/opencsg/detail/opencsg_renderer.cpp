@@ -20,7 +20,7 @@ namespace {
 constexpr double kMeshError = 0.2;
 /// Cells whose ball is of smaller radius on the picture, in pixels, are not drawn.
 constexpr double kSmallestCell = 0.4;
-/// Drawing that can be stopped waits for the graphics after so many cells.
+/// Material that can be stopped waits for the graphics after so many cells.
 constexpr std::size_t kCellsBetweenWaits = 8;
 
 Eigen::Matrix4f as_floats(const Eigen::Matrix4d& matrix) { return matrix.cast<float>(); }
@@ -81,7 +81,7 @@ std::size_t OpenCsgRenderer::Implementation::draw(const PictureOptions& options,
   HalfSpace cut{0, {1, 0, 0}, 0};
   if (options.cut_away) cut.c = -*options.cut_away;
   // What is hidden then fails the depth test early.
-  std::vector<Ball> balls;
+  std::vector<BoundingBall> balls;
   for (const CellProduct& product : products_) balls.push_back(product.ball());
   const std::vector<std::size_t> order = nearest_first(balls, view.eye);
   for (std::size_t i = 0; i < order.size(); ++i) {

@@ -19,7 +19,6 @@ using topology::Gluings;
 using topology::Perm4;
 using topology::Triangulation;
 
-
 /// Swaps of neighbouring places: p * kSwap[i] exchanges p(i) and p(i + 1).
 constexpr std::array<Perm4, 3> kSwap{Perm4::from_images(1, 0, 2, 3), Perm4::from_images(0, 2, 1, 3),
                                      Perm4::from_images(0, 1, 3, 2)};

@@ -8,7 +8,6 @@
 namespace tripus::canonical {
 namespace {
 
-
 /// Orders flags breadth first from a start, comparing the code with the best so far as it grows.
 class Orderer {
  public:

@@ -76,8 +76,8 @@ class Subdivider {
       for (int e = 0; e < 6; ++e) {
         const auto ends = topology::kEdgeEnds[static_cast<std::size_t>(e)];
         const auto& at = tetrahedra_[t].vertices;
-        const auto found = of_edge.find(
-            sorted_pair(at[static_cast<std::size_t>(ends[0])], at[static_cast<std::size_t>(ends[1])]));
+        const auto found = of_edge.find(sorted_pair(at[static_cast<std::size_t>(ends[0])],
+                                                    at[static_cast<std::size_t>(ends[1])]));
         if (found != of_edge.end()) result[made.edge_class(t, e)] = found->second;
       }
     }

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "cli/batch.hpp"
-#include "cli/commands.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/failure.hpp"
+#include "cli/verb.hpp"
 
 namespace tripus::cli {
 

@@ -6,8 +6,8 @@
 
 #include "canonical/canonize.hpp"
 #include "cli/answer.hpp"
-#include "cli/commands.hpp"
 #include "cli/describe.hpp"
+#include "cli/verb.hpp"
 
 namespace tripus::cli {
 

@@ -13,7 +13,7 @@
 #include "base/version.hpp"
 #include "canonical/census_proofs.hpp"
 #include "cli/census_lines.hpp"
-#include "cli/census_shard_command.hpp"
+#include "cli/census_shard.hpp"
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/interrupt.hpp"

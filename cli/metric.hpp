@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "cli/commands.hpp"
 #include "cli/describe.hpp"
+#include "cli/verb.hpp"
 #include "structure/retriangulate.hpp"
 #include "structure/solve.hpp"
 

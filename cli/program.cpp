@@ -12,16 +12,14 @@
 
 #include "base/version.hpp"
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
-#include "cli/diagram_commands.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/failure.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
-#include "cli/solid_commands.hpp"
 #include "cli/streams.hpp"
+#include "cli/verb.hpp"
 #include "manifold/json_text.hpp"
 
 namespace tripus::cli {
@@ -86,28 +84,7 @@ void add_verbs(CLI::App& program, Command& command) {
   program.set_version_flag("--version", std::string("tripus ") + tripus::kVersion,
                            "print the version");
   program.require_subcommand(0, 1);
-  add_info(program, command);
-  add_solve(program, command);
-  add_simplify(program, command);
-  add_mesh(program, command);
-  add_cover(program, command);
-  add_canonize(program, command);
-  add_compare(program, command);
-  add_identify(program, command);
-  add_enumerate(program, command);
-  add_census(program, command);
-  add_prove(program, command);
-  add_hyperbolic(program, command);
-  add_check(program, command);
-  add_study(program, command);
-  add_embed(program, command);
-  add_orthospectrum(program, command);
-  add_view(program, command);
-  add_parameterise(program, command);
-  add_tube(program, command);
-  add_draw(program, command);
-  add_table(program, command);
-  add_methods(program, command);
+  for (const Verb& verb : verbs()) verb.add(program, command);
   program.add_subcommand("help", "the options of a verb: tripus help VERB");
   for (CLI::App* verb : program.get_subcommands(nullptr)) verb->group("Verbs");
   program.footer(std::string(kInputHelp) + kExamples + "\n" + kExitStatusHelp);

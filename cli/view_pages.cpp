@@ -68,8 +68,8 @@ std::string as_json(const Subject& subject, const structure::Report& report,
   return fmt::to_string(out);
 }
 
-Reply page_written(const Subject& subject, const structure::Report& report,
-                     const std::string& path, bool json, const std::string& file_checksum = {}) {
+Reply page_written(const Subject& subject, const structure::Report& report, const std::string& path,
+                   bool json, const std::string& file_checksum = {}) {
   if (json) return {as_json(subject, report, path, file_checksum), kSuccess};
   return {fmt::format("{}: page written to {}\n", printable(subject.input), printable(path)),
           kSuccess};
@@ -241,7 +241,7 @@ void check_pages(const PageRequest& request) {
 }
 
 Reply write_page(const Subject& subject, const structure::Report& report,
-                   const embedding::Embedding& embedding, const PageRequest& request) {
+                 const embedding::Embedding& embedding, const PageRequest& request) {
   check_pages(request);
   write_file(request.path, page_of(subject, report, embedding, request, ""));
   return page_written(subject, report, request.path, request.json);

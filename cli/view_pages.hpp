@@ -41,7 +41,7 @@ void check_pages(const PageRequest& request);
 
 /// Writes the page of one manifold. Throws InvalidInput if it cannot be written.
 Reply write_page(const Subject& subject, const structure::Report& report,
-                   const embedding::Embedding& embedding, const PageRequest& request);
+                 const embedding::Embedding& embedding, const PageRequest& request);
 
 /// Writes a page and a thumbnail for each line of a list beside the index `request.path`, and the
 /// index last. A line that gives no page is named in the index with the reason, and on standard

@@ -17,7 +17,6 @@
 namespace tripus::geometry {
 namespace {
 
-
 ScaledGram scaled_gram(const double* l) {
   // A quarter of the lengths, so that sums of them cannot overflow.
   double quarter[6];
@@ -77,7 +76,8 @@ double unscaled_kernel(const double* l, double* theta, double* jacobian) {
 TetrahedronKind kind_of(double minus_det, const double* theta) {
   if (minus_det > 0) return TetrahedronKind::kTruncated;
   if (theta[0] > std::numbers::pi / 2) return TetrahedronKind::kFlat01_23;
-  return theta[1] > std::numbers::pi / 2 ? TetrahedronKind::kFlat02_13 : TetrahedronKind::kFlat03_12;
+  return theta[1] > std::numbers::pi / 2 ? TetrahedronKind::kFlat02_13
+                                         : TetrahedronKind::kFlat03_12;
 }
 
 }  // namespace

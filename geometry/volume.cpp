@@ -11,7 +11,6 @@
 namespace tripus::geometry {
 namespace {
 
-
 /// The difference S(z-) - S(z+) of docs/theory.md for the two roots z = exp(i phi).
 double clausen_sum(double phi, const double (&faces)[3], const double (&vertices)[4]) {
   double sum = clausen2(phi);

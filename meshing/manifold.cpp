@@ -39,7 +39,8 @@ topology::Gluings open_gluings(SurfaceFile file, const ManifoldOptions& options,
   return gluings_of(manifold.mesh);
 }
 
-topology::Gluings open_gluings(TetrahedralFile file, const ManifoldOptions&, MeshedManifold& manifold) {
+topology::Gluings open_gluings(TetrahedralFile file, const ManifoldOptions&,
+                               MeshedManifold& manifold) {
   manifold.points = file.mesh.points.size();
   Solid solid = require_valid(std::move(file.mesh), file.lines);
   manifold.mesh = std::move(solid.mesh);

@@ -115,7 +115,8 @@ void require_different(const TetrahedralMesh& mesh, const Places& places) {
                          " have the same corners; remove one of them");
 }
 
-Gluings glue(const TetrahedralMesh& mesh, const std::vector<SolidFace>& faces, const Places& places) {
+Gluings glue(const TetrahedralMesh& mesh, const std::vector<SolidFace>& faces,
+             const Places& places) {
   Gluings gluings(mesh.tetrahedra.size());
   for (std::size_t i = 0, end = 0; i < faces.size(); i = end) {
     while (end < faces.size() && faces[end].corners == faces[i].corners) ++end;

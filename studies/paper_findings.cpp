@@ -49,8 +49,7 @@ Figure paper_iterations_figure(const Table& table) {
       "Every mark is one triangulation. The flow takes between {:.0f} and {:.0f} steps, Newton's "
       "method between {:.0f} and {:.0f}.",
       least(table.numbers("flow_iterations")), greatest(table.numbers("flow_iterations")),
-      least(table.numbers("newton_iterations")),
-      greatest(table.numbers("newton_iterations")));
+      least(table.numbers("newton_iterations")), greatest(table.numbers("newton_iterations")));
   figure.x = {"volume", false, std::nan(""), std::nan(""), {}};
   figure.y = {"steps", true, std::nan(""), std::nan(""), {}};
   Series flow{"flow, Euler, to max|K| <= 1e-10", Mark::kPoint, {}, {}, 1};
@@ -95,8 +94,7 @@ Figure volumes_figure(const std::vector<VolumeGroup>& groups) {
 double worst_of(const Table& table, std::initializer_list<const char*> columns) {
   double worst = 0;
   for (const char* column : columns)
-    for (const double value : finite_sorted(table.numbers(column)))
-      worst = std::max(worst, value);
+    for (const double value : finite_sorted(table.numbers(column))) worst = std::max(worst, value);
   return worst;
 }
 

@@ -43,7 +43,8 @@ std::shared_ptr<const MetricSubject> make_subject(const StudyInput& input) {
       MetricSubject{input.name, std::move(triangulation), metric.edge_lengths, 1 / largest});
 }
 
-bool near_metric(const MetricSubject& subject, const std::vector<double>& lengths, double distance) {
+bool near_metric(const MetricSubject& subject, const std::vector<double>& lengths,
+                 double distance) {
   for (std::size_t e = 0; e < lengths.size(); ++e)
     if (!(std::fabs(lengths[e] - subject.lengths[e]) <= distance)) return false;
   return true;
@@ -54,14 +55,16 @@ template <class Real>
 constexpr Real kTolerance = Real(sizeof(Real) == sizeof(float) ? 1e-4 : kFlowTolerance);
 
 template <class Real>
-PaperRun paper_flow(const MetricSubject& subject, const std::vector<double>& start, const Stop& stop) {
+PaperRun paper_flow(const MetricSubject& subject, const std::vector<double>& start,
+                    const Stop& stop) {
   return PaperRoute<Real>(subject.triangulation, stop)
       .flow(std::vector<Real>(start.begin(), start.end()), Real(subject.step), kTolerance<Real>,
             kPaperSteps);
 }
 
 template <class Real>
-PaperRun paper_newton(const MetricSubject& subject, const std::vector<double>& start, const Stop& stop) {
+PaperRun paper_newton(const MetricSubject& subject, const std::vector<double>& start,
+                      const Stop& stop) {
   return PaperRoute<Real>(subject.triangulation, stop)
       .newton(std::vector<Real>(start.begin(), start.end()), kTolerance<Real>, 200);
 }

@@ -22,7 +22,8 @@ constexpr std::uint32_t kNoNumber = 0xffffffffu;
 
 /// The open faces in order, and the number of each.
 struct OpenFaceList {
-  explicit OpenFaceList(const Gluings& gluings) : number(4 * gluings.tetrahedron_count(), kNoNumber) {
+  explicit OpenFaceList(const Gluings& gluings)
+      : number(4 * gluings.tetrahedron_count(), kNoNumber) {
     for (std::size_t t = 0; t < gluings.tetrahedron_count(); ++t)
       for (int f = 0; f < 4; ++f)
         if (gluings.is_open(t, f)) {

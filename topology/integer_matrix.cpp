@@ -34,7 +34,8 @@ bool is_unit(std::int64_t x) { return x == 1 || x == -1; }
 using IntegerRow = SparseRow<std::int64_t>;
 
 /// old - factor * row, or nothing on overflow.
-std::optional<IntegerRow> difference(const IntegerRow& old, std::int64_t factor, const IntegerRow& row) {
+std::optional<IntegerRow> difference(const IntegerRow& old, std::int64_t factor,
+                                     const IntegerRow& row) {
   IntegerRow merged;
   merged.reserve(old.size() + row.size());
   auto x = old.begin();
@@ -228,8 +229,8 @@ void subtract(Vector& x, const BigInteger& factor, const Vector& y, std::size_t 
 
 /// At most k vectors that generate, modulo m, what the columns of k rows generate. Brought to
 /// echelon form one by one, as there may be many more columns than rows.
-std::vector<Vector> generating_columns(const std::vector<IntegerRow>& rows, std::size_t column_count,
-                                       const BigInteger& m,
+std::vector<Vector> generating_columns(const std::vector<IntegerRow>& rows,
+                                       std::size_t column_count, const BigInteger& m,
                                        const std::atomic<bool>* stop_requested) {
   std::vector<IntegerRow> columns(column_count);
   for (std::uint32_t r = 0; r < rows.size(); ++r)

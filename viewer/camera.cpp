@@ -75,7 +75,8 @@ Vector3 key_light(const View& view) {
 
 std::vector<std::size_t> nearest_first(std::span<const BoundingBall> balls, const Vector3& eye) {
   std::vector<double> distance;
-  for (const BoundingBall& ball : balls) distance.push_back((ball.centre - eye).norm() - ball.radius);
+  for (const BoundingBall& ball : balls)
+    distance.push_back((ball.centre - eye).norm() - ball.radius);
   std::vector<std::size_t> order(balls.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, {}, [&](std::size_t i) { return distance[i]; });

@@ -36,7 +36,8 @@ struct View {
 
 /// Requires width, height > 0 and a scene of positive radius.
 ///   reach  what is drawn lies within this of the scene's centre; 0: within its radius
-View view_of(const Camera& camera, const BoundingBall& scene, int width, int height, double reach = 0);
+View view_of(const Camera& camera, const BoundingBall& scene, int width, int height,
+             double reach = 0);
 
 /// The same for a scene in a model, at its focus.
 View view_of(const Camera& camera, Model model, const Scene& scene, int width, int height);

@@ -24,9 +24,9 @@ void require_drawable(const Scene& scene, const PictureOptions& options, int wid
   require(width >= 1 && height >= 1 && width <= kLargestSide && height <= kLargestSide,
           "a picture of " + std::to_string(width) + "x" + std::to_string(height) +
               " pixels: sides go from 1 to " + std::to_string(kLargestSide));
-  require(
-      !scene.cells.empty() && scene.cells.size() <= kMostDrawnCells,
-      std::to_string(scene.cells.size()) + " cells: draw from 1 to " + std::to_string(kMostDrawnCells));
+  require(!scene.cells.empty() && scene.cells.size() <= kMostDrawnCells,
+          std::to_string(scene.cells.size()) + " cells: draw from 1 to " +
+              std::to_string(kMostDrawnCells));
   const Camera& camera = options.camera;
   require(std::isfinite(camera.azimuth), "the camera's azimuth is no number");
   require(std::abs(camera.elevation) <= 89, "the camera's elevation is " +

@@ -1,5 +1,6 @@
-// A format of meshes of one's own: a triangle a line, as nine numbers, by the name .raw. This file is
-// all that it takes: `tripus solve FILE.raw` reads it, mends it and checks it as it does any surface.
+// A format of meshes of one's own: a triangle a line, as nine numbers, by the name .raw. This file
+// is all that it takes: `tripus solve FILE.raw` reads it, mends it and checks it as it does any
+// surface.
 #include <map>
 #include <sstream>
 #include <string>

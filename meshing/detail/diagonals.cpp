@@ -65,7 +65,8 @@ class Diagonals {
  private:
   std::uint32_t corner(std::size_t t, std::size_t k) const { return mesh_.triangles[t][k % 3]; }
   void enter(std::size_t t) {
-    for (std::size_t k = 0; k < 3; ++k) edges_[pair_key(corner(t, k), corner(t, k + 1))].push_back(t);
+    for (std::size_t k = 0; k < 3; ++k)
+      edges_[pair_key(corner(t, k), corner(t, k + 1))].push_back(t);
   }
   void leave(std::size_t t) {
     for (std::size_t k = 0; k < 3; ++k)
@@ -125,7 +126,8 @@ class Uncrossing {
   /// Where nothing helps at once, one that does no harm, each once only.
   std::size_t turn_unseen(const std::vector<Diagonal>& candidates) {
     for (const Diagonal& d : candidates) {
-      const PairKey face = pair_key(static_cast<std::uint32_t>(d.first), static_cast<std::uint32_t>(d.second));
+      const PairKey face =
+          pair_key(static_cast<std::uint32_t>(d.first), static_cast<std::uint32_t>(d.second));
       if (gain_of(d, nullptr) < 0 || !unhelpful_.insert(face).second) continue;
       diagonals_.turn(d);
       return 1;

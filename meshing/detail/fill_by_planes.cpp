@@ -65,7 +65,7 @@ class PlaneFiller {
  private:
   struct Node {
     std::uint32_t plane = kNoCell;  ///< kNoCell: a leaf
-    std::uint32_t negative = 0;   ///< child, or the cell of a leaf
+    std::uint32_t negative = 0;     ///< child, or the cell of a leaf
     std::uint32_t positive = 0;
   };
   using Polygon = std::vector<RationalPoint>;

@@ -63,7 +63,8 @@ std::vector<Quad> quads_of(const SurfaceMesh& mesh, const SameFace& same_face) {
 /// All triangles that there may be, and whose answers they are.
 class TriangleChoices {
  public:
-  TriangleChoices(const SurfaceMesh& mesh, const std::vector<Quad>& quads) : choices_(quads.size()) {
+  TriangleChoices(const SurfaceMesh& mesh, const std::vector<Quad>& quads)
+      : choices_(quads.size()) {
     all_.points = mesh.points;
     std::vector<std::uint8_t> is_half(mesh.triangles.size(), 0);
     for (std::uint32_t q = 0; q < quads.size(); ++q)

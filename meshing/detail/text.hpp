@@ -34,7 +34,8 @@ inline std::string lowered(std::string_view word) {
 
 /// In any case of the letters; the ending in lower case.
 inline bool has_ending(std::string_view name, std::string_view ending) {
-  return name.size() >= ending.size() && lowered(name.substr(name.size() - ending.size())) == ending;
+  return name.size() >= ending.size() &&
+         lowered(name.substr(name.size() - ending.size())) == ending;
 }
 
 }  // namespace tripus::meshing::detail

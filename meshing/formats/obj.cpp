@@ -154,7 +154,8 @@ std::string write_obj(const SurfaceMesh& mesh) {
 
 namespace tripus::meshing::registered_mesh_formats {
 std::span<const MeshFormat> obj() {
-  static constexpr MeshFormat kRows[] = {{"Wavefront OBJ", matches_content<starts_obj>, read_content<read_obj>, 8}};
+  static constexpr MeshFormat kRows[] = {
+      {"Wavefront OBJ", matches_content<starts_obj>, read_content<read_obj>, 8}};
   return kRows;
 }
 

@@ -148,8 +148,8 @@ SurfaceFile read_binary(std::string_view data) {
   return file;
 }
 
-/// "solid", and no byte that text does not have before the first vertex: binary files may begin so as
-/// well.
+/// "solid", and no byte that text does not have before the first vertex: binary files may begin so
+/// as well.
 bool is_text(std::string_view data) {
   if (low(Scanner("", data, '\0').word()) != "solid") return false;
   const std::string_view begin = data.substr(0, 1024);

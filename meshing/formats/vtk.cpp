@@ -205,7 +205,8 @@ std::string write_vtk(const TetrahedralMesh& mesh) {
 
 namespace tripus::meshing::registered_mesh_formats {
 std::span<const MeshFormat> vtk() {
-  static constexpr MeshFormat kRows[] = {{"VTK legacy", matches_content<starts_vtk>, read_content<read_vtk>, 1}};
+  static constexpr MeshFormat kRows[] = {
+      {"VTK legacy", matches_content<starts_vtk>, read_content<read_vtk>, 1}};
   return kRows;
 }
 

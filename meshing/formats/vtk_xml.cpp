@@ -256,7 +256,8 @@ MeshFile read_vtk_xml(std::string_view text) {
 
 namespace tripus::meshing::registered_mesh_formats {
 std::span<const MeshFormat> vtk_xml() {
-  static constexpr MeshFormat kRows[] = {{"VTK XML", matches_content<starts_vtk_xml>, read_content<read_vtk_xml>, 2}};
+  static constexpr MeshFormat kRows[] = {
+      {"VTK XML", matches_content<starts_vtk_xml>, read_content<read_vtk_xml>, 2}};
   return kRows;
 }
 

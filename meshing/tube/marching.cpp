@@ -65,8 +65,8 @@ class Marcher {
     pulse_();
     const Point center = place({2 * low[0] + size, 2 * low[1] + size, 2 * low[2] + size});
     // The tetrahedra at a block's edges reach half a cell beyond it; fillets go beyond the tube.
-    const double reach =
-        std::sqrt(3.0) * 0.5 * double(size + 1) * cell_ + TubeRegion::kFilletHeight * region_.fillet();
+    const double reach = std::sqrt(3.0) * 0.5 * double(size + 1) * cell_ +
+                         TubeRegion::kFilletHeight * region_.fillet();
     if (std::abs(region_.full_value(center)) > 1.0001 * reach) return;
     if (size == kBlock) return sample(low);
     const std::uint64_t half = size / 2;

@@ -23,7 +23,9 @@ constexpr double kLastBend = 0.2;
 
 class PipePlanner {
  public:
-  explicit PipePlanner(const TubeStrands& strands) : strands_(strands) { plan_.outer = strands.outer; }
+  explicit PipePlanner(const TubeStrands& strands) : strands_(strands) {
+    plan_.outer = strands.outer;
+  }
 
   PipePlan make() {
     for (const Node& node : strands_.nodes) plan_.joints.push_back({.point = node.point});

@@ -11,8 +11,8 @@
 //
 // Where strands part at an acute angle the space between their tubes is a cleft, and the sample may
 // fall to pieces there at every cell side: the few lattice directions may all lead out of the
-// cleft. If the sample's genus is wrong, the next ones are of the region with fillets (TubeRegion), as
-// large as the lattice resolves. They lie where -kFilletHeight * kFilletCells * h <= F <= 0; the
+// cleft. If the sample's genus is wrong, the next ones are of the region with fillets (TubeRegion),
+// as large as the lattice resolves. They lie where -kFilletHeight * kFilletCells * h <= F <= 0; the
 // cells are chosen so that the levels down to there less h are regular too.
 //
 // All this is for round tubes of one radius. Without wishes the surface is made of pipes
@@ -200,8 +200,9 @@ std::string advice_on_radius(const TubeOptions& options, double radius, double r
 }
 
 /// Refuses tubes that are too thin for the size of the whole, before any memory is taken.
-void require_feasible(const TubeStrands& strands, const Clearance& clearance, const TubeRegion& region,
-                      double area, double cell, const std::string& advice) {
+void require_feasible(const TubeStrands& strands, const Clearance& clearance,
+                      const TubeRegion& region, double area, double cell,
+                      const std::string& advice) {
   const Point size = region.bounds().high - region.bounds().low;
   const double most = std::max({size[0], size[1], size[2]});
   if (most > kMostCellsAlongAxis * cell ||
@@ -271,8 +272,8 @@ bool make_pipes(const TubeStrands& strands, const TubeOptions& options, Tube& tu
 
 /// Makes the surface of the tube of radius tube.radius; says no if no sample has the graph's
 /// genera.
-bool make_surface(const TubeStrands& strands, const Clearance& clearance, const TubeOptions& options,
-                  Tube& tube) {
+bool make_surface(const TubeStrands& strands, const Clearance& clearance,
+                  const TubeOptions& options, Tube& tube) {
   const std::size_t wanted = options.triangles
                                  ? *options.triangles
                                  : usual_triangles(strands, tube.radius, edges_around(options));

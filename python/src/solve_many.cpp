@@ -91,8 +91,8 @@ Row answer(const Question& question, bool prove, const Context& context) {
 std::vector<Row> answers(const std::vector<Question>& questions, bool prove,
                          const Context& context) {
   std::vector<Row> rows(questions.size());
-  const auto threads = unsigned(std::min<std::size_t>(
-      thread_count(context.threads), std::max<std::size_t>(1, questions.size())));
+  const auto threads = unsigned(std::min<std::size_t>(thread_count(context.threads),
+                                                      std::max<std::size_t>(1, questions.size())));
   std::atomic<std::size_t> next{0}, done{0};
   Context each = context;
   each.threads = 1;

@@ -47,11 +47,11 @@ std::string y_with(const std::string& from, const std::string& to) {
 INSTANTIATE_TEST_SUITE_P(
     General, BadInputs,
     ::testing::Values(BadInput{"empty", "", "the input is empty"},
-                    BadInput{"blank", " \n\t", "the input is empty"},
-                    BadInput{"prose", "hello, world",
-                             "unrecognised input, starting with \"hello, world\""},
-                    BadInput{"gzip", "\x1f\x8b\x08 zz", "the compressed data are"},
-                    BadInput{"binary", "\x01\x02", "unrecognised input; expected one of"}));
+                      BadInput{"blank", " \n\t", "the input is empty"},
+                      BadInput{"prose", "hello, world",
+                               "unrecognised input, starting with \"hello, world\""},
+                      BadInput{"gzip", "\x1f\x8b\x08 zz", "the compressed data are"},
+                      BadInput{"binary", "\x01\x02", "unrecognised input; expected one of"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Isosig, BadInputs,
@@ -132,13 +132,13 @@ INSTANTIATE_TEST_SUITE_P(
 // 3-sphere, the Gieseking manifold.
 INSTANTIATE_TEST_SUITE_P(
     Unsolvable, BadInputs,
-    ::testing::Values(BadInput{"disconnected", "cPcbbbihqcPcbbbihq", "has 2 components"},
-                    BadInput{
-                        "cusp", "cPcbbbiht",
-                        "the link of vertex class 0 (vertex 0 of tetrahedron 0) is a torus; a metric"},
-                    BadInput{"sphere", "bkaagj",
-                             "is a sphere, so the manifold is closed; its metric can be solved for"},
-                    BadInput{"klein", "bkaaid", "is a Klein bottle"}));
+    ::testing::Values(
+        BadInput{"disconnected", "cPcbbbihqcPcbbbihq", "has 2 components"},
+        BadInput{"cusp", "cPcbbbiht",
+                 "the link of vertex class 0 (vertex 0 of tetrahedron 0) is a torus; a metric"},
+        BadInput{"sphere", "bkaagj",
+                 "is a sphere, so the manifold is closed; its metric can be solved for"},
+        BadInput{"klein", "bkaaid", "is a Klein bottle"}));
 
 TEST(Requirements, ACuspIsUnsupportedRatherThanInvalid) {
   const Triangulation cusped(decode_isosig("cPcbbbiht"));

@@ -41,9 +41,9 @@ TEST(ClosedBigons, HaveTheCountsOfTheDocs) {
             (Counts{{"essential annulus", 21}, {"no closed bigon", 219}}));
   // 760 + 574 + 225 = 1,559: a separate search found as many patterns.
   EXPECT_EQ(consequences("triangulations-4.txt"), (Counts{{"essential annulus", 574},
-                                                   {"moebius band", 760},
-                                                   {"no closed bigon", 9489},
-                                                   {"none", 225}}));
+                                                          {"moebius band", 760},
+                                                          {"no closed bigon", 9489},
+                                                          {"none", 225}}));
 }
 
 // All triangulations of the 5,160 hyperbolic manifolds of the census, and the geometric ones with

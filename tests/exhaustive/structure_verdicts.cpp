@@ -32,7 +32,8 @@ tripus::testing::VerdictCounts count_verdicts(const std::string& file) {
 // Nothing is unresolved, and every verdict has its evidence: fault_of checks certificates and
 // strict angles exactly, and minimisers with flat tetrahedra by formulae of its own.
 TEST(Verdicts, OfTwoAndThreeTetrahedra) {
-  const auto two = count_verdicts("triangulations-2.txt"), three = count_verdicts("triangulations-3.txt");
+  const auto two = count_verdicts("triangulations-2.txt"),
+             three = count_verdicts("triangulations-3.txt");
   EXPECT_THAT(two.wrong, IsEmpty());
   EXPECT_THAT(three.wrong, IsEmpty());
   EXPECT_EQ(two.geometric, 8);

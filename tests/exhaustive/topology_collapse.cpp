@@ -218,7 +218,8 @@ TEST_P(CollapseLists, RandomRunsKeepTheManifoldAndTheLabels) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Data, CollapseLists,
-                         ::testing::Values(CollapseList{"", 1}, CollapseList{"triangulations-2.txt", 1},
+                         ::testing::Values(CollapseList{"", 1},
+                                           CollapseList{"triangulations-2.txt", 1},
                                            CollapseList{"triangulations-3.txt", 1},
                                            CollapseList{"triangulations-4.txt", 40},
                                            CollapseList{"triangulations-cusped.txt", 1}));

@@ -60,7 +60,8 @@ TEST(RandomDiagrams, AThousandUpToFiftyCrossings) {
     const Triangulation octahedra(exterior(diagram).gluings);
     ASSERT_TRUE(octahedra.is_orientable());
     ASSERT_EQ(genera_of_links(octahedra), genera_of_graph(diagram));
-    ASSERT_EQ(first_homology(octahedra), testing::abelianized(wirtinger_group(diagram).presentation));
+    ASSERT_EQ(first_homology(octahedra),
+              testing::abelianized(wirtinger_group(diagram).presentation));
     if (seed % 20 != 0) continue;
     const Triangulation small(small_exterior({.name = {}, .diagram = diagram}).gluings);
     ASSERT_EQ(genera_of_links(small), genera_of_graph(diagram));

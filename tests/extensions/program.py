@@ -69,6 +69,16 @@ class Extended(unittest.TestCase):
             Path(folder, "y").write_text("two words")
             self.assertIn("raw triangles", run("info", str(Path(folder, "y"))).stderr)
 
+    def test_a_verb_has_the_help_and_the_habits_of_all(self):
+        self.assertIn("volume", run("--help").stdout)
+        self.assertIn("--time-limit", run("volume", "--help").stdout)
+        self.assertAlmostEqual(float(run("volume", "cPcbbbihq").stdout), VOLUME, delta=1e-12)
+        answer = json.loads(run("volume", "cPcbbbihq", "--json").stdout)
+        self.assertAlmostEqual(answer["volume"], VOLUME, delta=1e-12)
+        none = run("volume", "dLQbcbcaekw")
+        self.assertEqual(none.returncode, 1)
+        self.assertEqual(run("volume", "nonsense").returncode, 2)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -53,9 +53,10 @@ TEST(Threads, InOrderUsesEveryResultOnceInItsPlace) {
 
 TEST(Threads, InOrderEndsWhereItIsToldToAndPassesOnWhatIsThrown) {
   const auto all = [](std::size_t, std::size_t) { return true; };
-  EXPECT_EQ(in_order(
-                100, 4, [](std::size_t k) { return k < 40 ? std::optional(k) : std::nullopt; }, all),
-            40u);
+  EXPECT_EQ(
+      in_order(
+          100, 4, [](std::size_t k) { return k < 40 ? std::optional(k) : std::nullopt; }, all),
+      40u);
   EXPECT_EQ(in_order(
                 100, 4, [](std::size_t k) { return std::optional(k); },
                 [](std::size_t k, std::size_t) { return k < 39; }),

@@ -1,11 +1,12 @@
 // tripus::Manifold from many threads at once.
+#include "manifold/manifold.hpp"
+
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "manifold/manifold.hpp"
 #include "manifold/metric.hpp"
 
 namespace tripus {
@@ -48,10 +49,13 @@ TEST(ManifoldThreads, EightReadInputsOfEveryKind) {
     std::vector<std::jthread> threads;
     for (std::size_t i = 0; i < found.size(); ++i)
       threads.emplace_back([&, i] {
-        for (const char* input : {"hk5_2", "4_1", "t3g2.13", "PD: X[4,2,5,1] X[8,6,1,5] X[6,3,7,4] "
-                                                             "X[2,7,3,8]", "cPcbbbihq+"}) {
+        for (const char* input : {"hk5_2", "4_1", "t3g2.13",
+                                  "PD: X[4,2,5,1] X[8,6,1,5] X[6,3,7,4] "
+                                  "X[2,7,3,8]",
+                                  "cPcbbbihq+"}) {
           const Manifold M = load(input);
-          found[i] += M.signature().value_or("none") + (M.metric() != nullptr ? " has a metric;" : ";");
+          found[i] +=
+              M.signature().value_or("none") + (M.metric() != nullptr ? " has a metric;" : ";");
           if (const canonical::CensusEntry* entry = M.identify()) found[i] += entry->name + ";";
         }
       });

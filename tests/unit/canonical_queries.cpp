@@ -86,7 +86,7 @@ TEST(CensusTables, KeepWhatIsUnresolved) {
   // An annulus is seen in the first; of the second, a handlebody, nothing is.
   EXPECT_THAT(to_tsv(census),
               ::testing::HasSubstr("# unresolved dLQbcbcaekw\tnot hyperbolic: essential annulus\n"
-                                 "# unresolved dLQbcbcmebs\n"));
+                                   "# unresolved dLQbcbcmebs\n"));
   census.unresolved = {"no signature"};
   EXPECT_EQ(parse_tsv(to_tsv(census)).unresolved, census.unresolved);
 }

@@ -187,9 +187,9 @@ TEST(CertificateFrom, TakesTheLargestEdgeMultipliers) {
   for (auto& four : w)
     for (Integer& each : four) each *= 12;
   EXPECT_EQ(detail::certificate_from(triangulation, constraints, w), expected);
-  EXPECT_EQ(detail::certificate_from(triangulation, constraints,
-                                     std::vector<std::array<Integer, 4>>(3)),
-            std::nullopt);
+  EXPECT_EQ(
+      detail::certificate_from(triangulation, constraints, std::vector<std::array<Integer, 4>>(3)),
+      std::nullopt);
   w[0][0] += 24;
   w[1][1] += 24;
   w[2][2] += 24;

@@ -118,7 +118,8 @@ std::string as_in_tables(std::string text) {
        {"handcuff", "handcuff"},
        {"handcuffgraph", "handcuff"}}};
   for (const auto& [before, behind] : kKinds)
-    if (text.starts_with(before) && text.size() > before.size() && detail::is_digit(text[before.size()]))
+    if (text.starts_with(before) && text.size() > before.size() &&
+        detail::is_digit(text[before.size()]))
       return text.substr(before.size()) + std::string(behind);
   return text;
 }

@@ -108,7 +108,8 @@ MoveChange apply_one_two(Gluings& gluings, const Move& move) {
   const auto other = static_cast<TetrahedronIndex>(gluings.tetrahedron_count());
   gluings.resize(other + 1);
   const Perm4 swap = Perm4::transposition(at.c, at.d);
-  const Perm4 moved = Perm4::transposition(at.a, at.b) * swap;  // old labels of face wcd in the new one
+  const Perm4 moved =
+      Perm4::transposition(at.a, at.b) * swap;  // old labels of face wcd in the new one
   const TetrahedronIndex behind = gluings.neighbour(t, at.a);
   const Perm4 p = gluings.gluing(t, at.a);
   gluings.glue(other, moved(at.a), behind, p * moved.inverse());

@@ -21,7 +21,9 @@
 namespace tripus::topology::detail {
 namespace {
 
-MoveBall edge_ball(const Gluings& gluings, const Move& move) { return ball_around<2>(gluings, move); }
+MoveBall edge_ball(const Gluings& gluings, const Move& move) {
+  return ball_around<2>(gluings, move);
+}
 
 MoveRefusal refuse_edge(const Gluings& gluings, const Move& move) {
   const MoveRefusal met = refuse_pillow(gluings, move);

@@ -47,7 +47,8 @@ struct StepBack {
   SimplificationStep step;
   const Gluings& before;  ///< the larger one, where the step was made
   const Gluings& after;
-  /// Tetrahedra that the step made, in the order of MoveBall::fresh; they are empty slots in `before`.
+  /// Tetrahedra that the step made, in the order of MoveBall::fresh; they are empty slots in
+  /// `before`.
   std::span<const TetrahedronIndex> made;
 };
 

@@ -14,6 +14,7 @@ void relax(GuardedSurface& surface, const TubeRegion& region, int sweeps, const 
 
 /// Collapses edges, shortest first, until at most `target` triangles are left or none can be
 /// collapsed. Away from the tube longer edges count as short ones.
-void coarsen(GuardedSurface& surface, const TubeRegion& region, std::size_t target, const Pulse& pulse);
+void coarsen(GuardedSurface& surface, const TubeRegion& region, std::size_t target,
+             const Pulse& pulse);
 
 }  // namespace tripus::meshing::tube

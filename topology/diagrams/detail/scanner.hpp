@@ -176,7 +176,8 @@ class Brackets {
 /// Whether a text begins with a word, in capitals or small letters, and a sign that no word has: a
 /// colon, a bracket, white space and the like.
 inline bool has_heading(std::string_view text, std::string_view word) {
-  return text.size() > word.size() && DiagramScanner::same_word(text.substr(0, word.size()), word) &&
+  return text.size() > word.size() &&
+         DiagramScanner::same_word(text.substr(0, word.size()), word) &&
          (is_space(text[word.size()]) ||
           std::string_view(":=[({").find(text[word.size()]) != std::string_view::npos);
 }

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include "cli/answer.hpp"
-#include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/verb.hpp"
 #include "topology/homology.hpp"
 
 namespace tripus::cli {
@@ -70,8 +70,6 @@ std::string as_text(const Subject& subject) {
   return text;
 }
 
-}  // namespace
-
 void add_info(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
       "info", "what a triangulation is: edge classes, links, homology, signature");
@@ -90,4 +88,14 @@ void add_info(CLI::App& program, Command& chosen) {
   });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> info() {
+  static constexpr Verb kRows[] = {{add_info, 1}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

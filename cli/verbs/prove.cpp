@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include "cli/answer.hpp"
-#include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/remedies.hpp"
 #include "cli/report_text.hpp"
+#include "cli/verb.hpp"
 #include "structure/proof/prove_report.hpp"
 #include "structure/solve.hpp"
 
@@ -63,8 +63,6 @@ Reply prove_one(const ProveCommandOptions& command, const std::string& input) {
   return {text + proof_table(proof), metric ? kSuccess : kNoAnswer};
 }
 
-}  // namespace
-
 void add_prove(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
       "prove", "a proof that the metric exists, to as many digits as wanted");
@@ -94,4 +92,14 @@ void add_prove(CLI::App& program, Command& chosen) {
   });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> prove() {
+  static constexpr Verb kRows[] = {{add_prove, 11}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

@@ -1,4 +1,4 @@
-#include "cli/census_shard_command.hpp"
+#include "cli/census_shard.hpp"
 
 #include <cstdint>
 #include <filesystem>

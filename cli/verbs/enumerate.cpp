@@ -1,4 +1,6 @@
 // tripus enumerate: all triangulations with so many tetrahedra, as a stream of signatures.
+#include "topology/enumerate.hpp"
+
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -10,7 +12,6 @@
 #include "base/in_order.hpp"
 #include "base/output_file.hpp"
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/interrupt.hpp"
@@ -20,7 +21,7 @@
 #include "cli/progress.hpp"
 #include "cli/shard.hpp"
 #include "cli/tricensus.hpp"
-#include "topology/enumerate.hpp"
+#include "cli/verb.hpp"
 #include "topology/isosig.hpp"
 #include "topology/random_gluings.hpp"
 
@@ -199,8 +200,6 @@ constexpr const char* kEnumerateFooter =
     "\nExit status: 0 done, 1 interrupted (-o then leaves the old file), 2 bad usage,\n"
     "3 a failure of the program itself.";
 
-}  // namespace
-
 void add_enumerate(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
       "enumerate", "all orientable triangulations with so many tetrahedra, for a census");
@@ -242,4 +241,14 @@ void add_enumerate(CLI::App& program, Command& chosen) {
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> enumerate() {
+  static constexpr Verb kRows[] = {{add_enumerate, 9}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

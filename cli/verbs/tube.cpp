@@ -8,7 +8,6 @@
 
 #include "base/output_file.hpp"
 #include "base/stopped.hpp"
-#include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/interrupt.hpp"
@@ -16,6 +15,7 @@
 #include "cli/output.hpp"
 #include "cli/output_names.hpp"
 #include "cli/progress.hpp"
+#include "cli/verb.hpp"
 #include "manifold/json_text.hpp"
 #include "manifold/load.hpp"
 #include "meshing/formats/read_graph.hpp"
@@ -161,8 +161,6 @@ int run(const TubeCommand& command) {
   return kSuccess;
 }
 
-}  // namespace
-
 void add_tube(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand("tube", "surface of the tube around a graph in space");
   auto command = std::make_shared<TubeCommand>();
@@ -193,4 +191,14 @@ void add_tube(CLI::App& program, Command& chosen) {
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> tube() {
+  static constexpr Verb kRows[] = {{add_tube, 19}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

@@ -1,4 +1,6 @@
 // tripus census: its options, and looking things up in tables of manifolds.
+#include "canonical/census.hpp"
+
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -6,14 +8,12 @@
 
 #include <fmt/format.h>
 
-#include "canonical/census.hpp"
 #include "canonical/census_proofs.hpp"
 #include "cli/arguments.hpp"
 #include "cli/canonize_options.hpp"
 #include "cli/census_file.hpp"
 #include "cli/census_making.hpp"
-#include "cli/census_shard_command.hpp"
-#include "cli/commands.hpp"
+#include "cli/census_shard.hpp"
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/interrupt.hpp"
@@ -21,6 +21,7 @@
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/output_names.hpp"
+#include "cli/verb.hpp"
 #include "manifold/load.hpp"
 #include "topology/homology.hpp"
 #include "topology/isosig.hpp"
@@ -265,8 +266,6 @@ constexpr const char* kCensusHelp =
     "input,\n"
     "3 a failure of the program itself.";
 
-}  // namespace
-
 void add_census(CLI::App& program, Command& chosen) {
   CLI::App* verb =
       program.add_subcommand("census", "tables of manifolds: make one, or look in one");
@@ -296,4 +295,14 @@ void add_census(CLI::App& program, Command& chosen) {
   });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> census() {
+  static constexpr Verb kRows[] = {{add_census, 10}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

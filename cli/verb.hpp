@@ -1,9 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 
 #include <CLI/CLI.hpp>
+
+#include "base/registry.hpp"
 
 namespace tripus::cli {
 
@@ -34,26 +37,14 @@ void add_common_options(CLI::App& verb, CommonOptions& options);
 /// A verb, ready to run once the command line is parsed; returns the exit status.
 using Command = std::function<int()>;
 
-// Each adds its verb to the program and, when the verb is chosen, sets `chosen`.
-// One verb, one file.
-void add_info(CLI::App& program, Command& chosen);
-void add_solve(CLI::App& program, Command& chosen);
-void add_simplify(CLI::App& program, Command& chosen);
-void add_cover(CLI::App& program, Command& chosen);
-void add_canonize(CLI::App& program, Command& chosen);
-void add_compare(CLI::App& program, Command& chosen);
-void add_identify(CLI::App& program, Command& chosen);
-void add_census(CLI::App& program, Command& chosen);
-void add_enumerate(CLI::App& program, Command& chosen);
-void add_prove(CLI::App& program, Command& chosen);
-void add_check(CLI::App& program, Command& chosen);
-void add_study(CLI::App& program, Command& chosen);
-void add_mesh(CLI::App& program, Command& chosen);
-void add_embed(CLI::App& program, Command& chosen);
-void add_view(CLI::App& program, Command& chosen);
-void add_tube(CLI::App& program, Command& chosen);
-void add_hyperbolic(CLI::App& program, Command& chosen);
-void add_orthospectrum(CLI::App& program, Command& chosen);
-void add_methods(CLI::App& program, Command& chosen);
+/// One line of the table of verbs.
+struct Verb {
+  /// Adds the verb to the program and, when it is chosen, sets `chosen`.
+  void (*add)(CLI::App& program, Command& chosen);
+  int place = kAnyPlace;  ///< in the help
+};
+
+/// Every verb, one file in cli/verbs each, in the order of the help.
+std::span<const Verb> verbs();
 
 }  // namespace tripus::cli

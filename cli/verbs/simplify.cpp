@@ -1,4 +1,6 @@
 // tripus simplify: a small triangulation of the same manifold.
+#include "topology/simplify/simplify.hpp"
+
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -12,7 +14,6 @@
 #include "base/output_file.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
@@ -20,11 +21,11 @@
 #include "cli/output_names.hpp"
 #include "cli/progress.hpp"
 #include "cli/triangulation_file.hpp"
+#include "cli/verb.hpp"
 #include "manifold/load.hpp"
 #include "topology/cone.hpp"
 #include "topology/drill.hpp"
 #include "topology/orientation.hpp"
-#include "topology/simplify/simplify.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -175,8 +176,6 @@ CLI::Validator effort_number() {
           ""};
 }
 
-}  // namespace
-
 void add_simplify(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand("simplify", "a small triangulation of the same manifold");
   auto command = std::make_shared<SimplifyCommand>();
@@ -214,4 +213,14 @@ void add_simplify(CLI::App& program, Command& chosen) {
   });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> simplify() {
+  static constexpr Verb kRows[] = {{add_simplify, 3}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

@@ -16,7 +16,6 @@
 #include "cli/arguments.hpp"
 #include "cli/batch_output.hpp"
 #include "cli/canonize_options.hpp"
-#include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/help.hpp"
@@ -25,6 +24,7 @@
 #include "cli/output.hpp"
 #include "cli/output_names.hpp"
 #include "cli/progress.hpp"
+#include "cli/verb.hpp"
 #include "manifold/load.hpp"
 #include "topology/covers/covers.hpp"
 #include "topology/formats/json.hpp"
@@ -363,8 +363,6 @@ constexpr const char* kCoverFooter =
     "\nExit status: 0 done, 1 there is no such cover or interrupted, 2 bad usage or bad input,\n"
     "3 a failure of the program itself.";
 
-}  // namespace
-
 void add_cover(CLI::App& program, Command& chosen) {
   CLI::App* verb =
       program.add_subcommand("cover", "finite covers: cyclic ones, or all of a degree");
@@ -416,4 +414,14 @@ void add_cover(CLI::App& program, Command& chosen) {
   });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> cover() {
+  static constexpr Verb kRows[] = {{add_cover, 5}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

@@ -3,11 +3,11 @@
 #include <optional>
 
 #include "base/output_file.hpp"
-#include "cli/diagram_commands.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/output_names.hpp"
+#include "cli/verb.hpp"
 #include "drawing/drawing.hpp"
 #include "manifold/load_diagram.hpp"
 
@@ -62,8 +62,6 @@ int run(const DrawCommand& command) {
   return kSuccess;
 }
 
-}  // namespace
-
 void add_draw(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand("draw", "picture of a planar diagram");
   auto command = std::make_shared<DrawCommand>();
@@ -91,4 +89,14 @@ void add_draw(CLI::App& program, Command& chosen) {
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> draw() {
+  static constexpr Verb kRows[] = {{add_draw, 20}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

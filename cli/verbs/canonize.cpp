@@ -3,12 +3,12 @@
 
 #include "canonical/proved.hpp"
 #include "cli/canonize_options.hpp"
-#include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/manifold_text.hpp"
 #include "cli/remedies.hpp"
 #include "cli/report_text.hpp"
+#include "cli/verb.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -72,12 +72,20 @@ Reply canonize_one(const CanonicalCommand& command, const Subject& subject) {
           answer.manifold ? kSuccess : kNoAnswer};
 }
 
-}  // namespace
-
 void add_canonize(CLI::App& program, Command& chosen) {
   add_canonical_verb(program, "canonize",
                      "canonical decomposition, isometry group, isometry signature", chosen,
                      canonize_one, true);
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> canonize() {
+  static constexpr Verb kRows[] = {{add_canonize, 6}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

@@ -1,4 +1,6 @@
 // tripus solve: find the metric.
+#include "structure/solve.hpp"
+
 #include <limits>
 #include <memory>
 #include <optional>
@@ -7,7 +9,6 @@
 
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "cli/history_file.hpp"
@@ -22,11 +23,11 @@
 #include "cli/report_text.hpp"
 #include "cli/solve_record.hpp"
 #include "cli/triangulation_file.hpp"
+#include "cli/verb.hpp"
 #include "manifold/labels.hpp"
 #include "manifold/load.hpp"
 #include "manifold/prepared.hpp"
 #include "structure/method.hpp"
-#include "structure/solve.hpp"
 #include "topology/components.hpp"
 #include "topology/requirements.hpp"
 
@@ -158,7 +159,7 @@ Subject load_subject_with(const SolveCommandOptions& command, const std::string&
 
 /// As solve_subject, but says which component could not be solved.
 Reply solve_component(const SolveCommandOptions& command, const std::string& component,
-                        Subject subject) {
+                      Subject subject) {
   try {
     require_with_remedy(subject.triangulation, subject.cone_angles);
     return solve_subject(command, std::move(subject));
@@ -236,8 +237,6 @@ int run(SolveCommandOptions& command) {
                               : solve_subject(command, load_subject_with(command, input));
   });
 }
-
-}  // namespace
 
 void add_solve(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
@@ -323,4 +322,14 @@ void add_solve(CLI::App& program, Command& chosen) {
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> solve() {
+  static constexpr Verb kRows[] = {{add_solve, 2}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

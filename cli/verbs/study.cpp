@@ -1,4 +1,6 @@
 // tripus study: the studies of docs/studies.md, each as one command.
+#include "studies/study.hpp"
+
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -9,7 +11,6 @@
 #include "base/threads.hpp"
 #include "canonical/census.hpp"
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/help.hpp"
@@ -17,9 +18,9 @@
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/verb.hpp"
 #include "manifold/json_text.hpp"
 #include "manifold/load.hpp"
-#include "studies/study.hpp"
 #include "topology/isosig.hpp"
 
 namespace tripus::cli {
@@ -143,8 +144,6 @@ std::string study_list() {
          "CSV files are the same for any number of threads, timing columns aside.\n\n";
 }
 
-}  // namespace
-
 void add_study(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
       "study", "a comparison of methods, triangulations or starts, with a report");
@@ -186,4 +185,14 @@ void add_study(CLI::App& program, Command& chosen) {
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> study() {
+  static constexpr Verb kRows[] = {{add_study, 14}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

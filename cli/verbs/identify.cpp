@@ -1,16 +1,17 @@
 // tripus identify: the name of a manifold in a census.
+#include "canonical/identify.hpp"
+
 #include <fmt/format.h>
 
-#include "canonical/identify.hpp"
 #include "cli/arguments.hpp"
 #include "cli/canonize_options.hpp"
 #include "cli/census_file.hpp"
-#include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/manifold_text.hpp"
 #include "cli/remedies.hpp"
+#include "cli/verb.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -64,8 +65,7 @@ std::string as_json(const Subject& subject, const Identification& found,
   return fmt::to_string(out);
 }
 
-Reply identify_one(const IdentifyCommand& command, const Census& census,
-                     const std::string& input) {
+Reply identify_one(const IdentifyCommand& command, const Census& census, const std::string& input) {
   const Subject subject =
       load_ideal_subject(input, Balls::kRefused, interruptible(), require_canonizable_with_remedy);
   canonical::CanonizeOptions options = command.canonize;
@@ -80,8 +80,6 @@ Reply identify_one(const IdentifyCommand& command, const Census& census,
   return {command.common.json ? as_json(subject, found, message) : text,
           found.entry != nullptr ? kSuccess : kNoAnswer};
 }
-
-}  // namespace
 
 void add_identify(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand("identify", "the name of a manifold in the census");
@@ -103,4 +101,14 @@ void add_identify(CLI::App& program, Command& chosen) {
   });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> identify() {
+  static constexpr Verb kRows[] = {{add_identify, 8}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

@@ -12,7 +12,6 @@
 #include "base/stopped.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
@@ -21,6 +20,7 @@
 #include "cli/output_names.hpp"
 #include "cli/remedies.hpp"
 #include "cli/report_text.hpp"
+#include "cli/verb.hpp"
 #include "cli/view_pages.hpp"
 #include "embedding/universal_cover.hpp"
 #include "geometry/moebius.hpp"
@@ -361,8 +361,6 @@ void read_discs(const CLI::Option& discs, CLI::Option& input, ViewCommand& comma
   command.common.input = command.discs;
 }
 
-}  // namespace
-
 void add_view(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
       "view", "see the universal cover: window, picture or page for a browser");
@@ -407,4 +405,14 @@ void add_view(CLI::App& program, Command& chosen) {
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> view() {
+  static constexpr Verb kRows[] = {{add_view, 17}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

@@ -10,7 +10,6 @@
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/canonize_options.hpp"
-#include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
@@ -20,6 +19,7 @@
 #include "cli/progress.hpp"
 #include "cli/remedies.hpp"
 #include "cli/report_text.hpp"
+#include "cli/verb.hpp"
 #include "manifold/report_json.hpp"
 #include "orthospectrum/export/spots_svg.hpp"
 #include "structure/solve.hpp"
@@ -187,8 +187,6 @@ void add_outputs(CLI::App& verb, OrthospectrumCommand& command) {
       ->excludes(batch);
 }
 
-}  // namespace
-
 void add_orthospectrum(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
       "orthospectrum", "geodesic arcs orthogonal to the boundary at both ends, by length");
@@ -216,4 +214,14 @@ void add_orthospectrum(CLI::App& program, Command& chosen) {
   });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> orthospectrum() {
+  static constexpr Verb kRows[] = {{add_orthospectrum, 16}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

@@ -15,9 +15,9 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
-#include "cli/commands.hpp"
 #include "cli/help.hpp"
 #include "cli/output.hpp"
+#include "cli/verb.hpp"
 #include "meshing/find_tetgen.hpp"
 
 namespace tripus::cli {
@@ -120,8 +120,6 @@ int run(const HyperbolicCommandOptions& command) {
       tripus::quoted(arguments.front())));
 }
 
-}  // namespace
-
 void add_hyperbolic(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
       "hyperbolic", "hyperbolic or not, about the manifold, with a certificate");
@@ -167,4 +165,14 @@ void add_hyperbolic(CLI::App& program, Command& chosen) {
   });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> hyperbolic() {
+  static constexpr Verb kRows[] = {{add_hyperbolic, 12}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 
 #include "base/output_file.hpp"
-#include "cli/diagram_commands.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/output_names.hpp"
 #include "cli/progress.hpp"
+#include "cli/verb.hpp"
 #include "drawing/drawing.hpp"
 #include "manifold/diagram_table.hpp"
 
@@ -205,8 +205,6 @@ int run(const TableCommand& command) {
   return kSuccess;
 }
 
-}  // namespace
-
 void add_table(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand("table", "tables of knots, links and handlebody-knots");
   auto command = std::make_shared<TableCommand>();
@@ -228,4 +226,14 @@ void add_table(CLI::App& program, Command& chosen) {
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> table() {
+  static constexpr Verb kRows[] = {{add_table, 21}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

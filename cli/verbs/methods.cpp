@@ -1,9 +1,9 @@
 // tripus methods: every energy, method and flow by name.
 #include <fmt/format.h>
 
-#include "cli/commands.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/output.hpp"
+#include "cli/verb.hpp"
 #include "energies/energies.hpp"
 #include "integrators/flow.hpp"
 #include "integrators/stepper.hpp"
@@ -75,8 +75,6 @@ int run(bool json) {
   return kSuccess;
 }
 
-}  // namespace
-
 void add_methods(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand("methods", "every energy, method and flow by name");
   auto json = std::make_shared<bool>(false);
@@ -84,4 +82,14 @@ void add_methods(CLI::App& program, Command& chosen) {
   verb->final_callback([json, &chosen] { chosen = [json] { return run(*json); }; });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> methods() {
+  static constexpr Verb kRows[] = {{add_methods, 22}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

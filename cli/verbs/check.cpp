@@ -7,8 +7,8 @@
 #include "base/stopped.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/verb.hpp"
 #include "manifold/json_text.hpp"
 #include "manifold/load.hpp"
 #include "manifold/subject.hpp"
@@ -59,7 +59,7 @@ std::string as_json(const std::string& input, std::string_view kind, bool valid,
 }
 
 Reply outcome(const CheckOptions& options, std::string_view kind, bool valid,
-                const std::string& message) {
+              const std::string& message) {
   if (!valid && is_work_over()) throw Stopped();  // which says nothing about the proof
   return {options.json ? as_json(options.input, kind, valid, message) : message + "\n",
           valid ? kSuccess : kNoAnswer};
@@ -121,8 +121,6 @@ Reply check_one(const CheckOptions& options) {
   return outcome(options, to_string(certificate.kind), result.valid, verdict(certificate, result));
 }
 
-}  // namespace
-
 void add_check(CLI::App& program, Command& chosen) {
   CLI::App* verb =
       program.add_subcommand("check", "check a certificate or a proof, by other code than made it");
@@ -156,4 +154,14 @@ void add_check(CLI::App& program, Command& chosen) {
   });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> check() {
+  static constexpr Verb kRows[] = {{add_check, 13}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

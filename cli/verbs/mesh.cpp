@@ -10,7 +10,6 @@
 #include "base/output_file.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
@@ -18,6 +17,7 @@
 #include "cli/output_names.hpp"
 #include "cli/progress.hpp"
 #include "cli/triangulation_file.hpp"
+#include "cli/verb.hpp"
 #include "manifold/load.hpp"
 #include "meshing/formats/gmsh.hpp"
 #include "meshing/formats/medit.hpp"
@@ -194,8 +194,6 @@ int run(const MeshCommand& command) {
                        [&](const std::string& input) { return mesh_one(command, input); });
 }
 
-}  // namespace
-
 void add_mesh(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
       "mesh", "from a surface or a tetrahedral mesh to a small triangulation");
@@ -237,4 +235,14 @@ void add_mesh(CLI::App& program, Command& chosen) {
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> mesh() {
+  static constexpr Verb kRows[] = {{add_mesh, 4}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

@@ -9,7 +9,6 @@
 #include "base/output_file.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
-#include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/embedding_text.hpp"
 #include "cli/help.hpp"
@@ -19,6 +18,7 @@
 #include "cli/output_names.hpp"
 #include "cli/remedies.hpp"
 #include "cli/report_text.hpp"
+#include "cli/verb.hpp"
 #include "embedding/developing_map.hpp"
 #include "embedding/export/circle_svg.hpp"
 #include "embedding/export/mesh_formats.hpp"
@@ -184,8 +184,6 @@ void add_cell_options(CLI::App& verb, EmbedCommand& command) {
   depth->excludes(cells);
 }
 
-}  // namespace
-
 void add_embed(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
       "embed", "tetrahedra in hyperbolic space, their gluings, the universal cover");
@@ -227,4 +225,14 @@ void add_embed(CLI::App& program, Command& chosen) {
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> embed() {
+  static constexpr Verb kRows[] = {{add_embed, 15}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

@@ -1,4 +1,6 @@
 // tripus parameterise: the harmonic map of a solid onto its hyperbolic manifold.
+#include "manifold/parameterise.hpp"
+
 #include <limits>
 #include <memory>
 
@@ -13,8 +15,7 @@
 #include "cli/numbers.hpp"
 #include "cli/output_names.hpp"
 #include "cli/progress.hpp"
-#include "cli/solid_commands.hpp"
-#include "manifold/parameterise.hpp"
+#include "cli/verb.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -123,8 +124,6 @@ int run(ParameteriseCommand& command) {
                        [&](const std::string& input) { return parameterise_one(command, input); });
 }
 
-}  // namespace
-
 void add_parameterise(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand(
       "parameterise", "the harmonic map of a solid onto its hyperbolic manifold");
@@ -174,4 +173,14 @@ void add_parameterise(CLI::App& program, Command& chosen) {
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> parameterise() {
+  static constexpr Verb kRows[] = {{add_parameterise, 18}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

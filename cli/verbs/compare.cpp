@@ -1,19 +1,20 @@
 // tripus compare: homeomorphic or not, and how it was decided.
+#include "canonical/compare.hpp"
+
 #include <memory>
 
 #include <fmt/format.h>
 
-#include "canonical/compare.hpp"
 #include "canonical/proved.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/canonize_options.hpp"
-#include "cli/commands.hpp"
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/manifold_text.hpp"
 #include "cli/remedies.hpp"
+#include "cli/verb.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -144,8 +145,6 @@ Reply compare_two(const CompareCommand& command) {
           comparison.verdict == Verdict::kHomeomorphic ? kSuccess : kNoAnswer};
 }
 
-}  // namespace
-
 void add_compare(CLI::App& program, Command& chosen) {
   CLI::App* verb = program.add_subcommand("compare", "same manifold or not, and how that is known");
   auto command = std::make_shared<CompareCommand>();
@@ -171,4 +170,14 @@ void add_compare(CLI::App& program, Command& chosen) {
   });
 }
 
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> compare() {
+  static constexpr Verb kRows[] = {{add_compare, 7}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
 }  // namespace tripus::cli

@@ -1,0 +1,47 @@
+// A verb of one's own: `tripus volume INPUT` prints the volume and nothing else. This file is all
+// that it takes: help, --batch, --json, --threads and --time-limit come with the common options.
+#include "cli/answer.hpp"
+#include "cli/exit_status.hpp"
+#include "cli/verb.hpp"
+#include "manifold/load.hpp"
+#include "manifold/manifold.hpp"
+#include "manifold/metric.hpp"
+
+namespace tripus::cli {
+namespace {
+
+Reply volume_of(const CommonOptions& options, const std::string& input) {
+  const Manifold M = load(input);
+  const Metric* metric = M.metric();
+  if (metric == nullptr) return {M.verdict().message + "\n", kNoAnswer};
+  if (!options.json) return {fmt::format("{}\n", metric->volume()), kSuccess};
+  JsonText out;
+  append_header(out, input);
+  append_number_key(out, "volume", metric->volume());
+  append(out, "}");
+  return {fmt::to_string(out), kSuccess};
+}
+
+void add_volume(CLI::App& program, Command& chosen) {
+  CLI::App* verb = program.add_subcommand("volume", "the volume alone");
+  auto options = std::make_shared<CommonOptions>();
+  add_common_options(*verb, *options);
+  verb->final_callback([options, &chosen] {
+    chosen = [options] {
+      return answer_inputs(
+          *options, [options](const std::string& input) { return volume_of(*options, input); });
+    };
+  });
+}
+
+}  // namespace
+
+namespace registered_verbs {
+
+std::span<const Verb> volume() {
+  static constexpr Verb kRows[] = {{add_volume}};
+  return kRows;
+}
+
+}  // namespace registered_verbs
+}  // namespace tripus::cli

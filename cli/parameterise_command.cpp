@@ -139,15 +139,24 @@ void add_parameterise(CLI::App& program, Command& chosen) {
       ->option_text("FILE")
       ->check(problem_of_name)
       ->excludes(batch);
-  verb->add_option("--picture", command->picture,
-                   "draw the solid, in the colours of the manifold's\ntetrahedra: x.svg")
-      ->option_text("FILE")
-      ->check(problem_of_name)
-      ->excludes(batch);
+  CLI::Option* picture =
+      verb->add_option("--picture", command->picture,
+                       "draw the solid, in the colours of the manifold's\ntetrahedra: x.svg")
+          ->option_text("FILE")
+          ->check(problem_of_name)
+          ->excludes(batch);
   verb->add_option("--cut-away", command->cut_away,
                    "cut away this part of the solid in the picture, 0 to 1\n(default: 0.5)")
       ->option_text("X")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            const auto part = parse_number(text);  // CLI::Range lets NaN pass
+            return part && *part >= 0 && *part <= 1
+                       ? std::string()
+                       : tripus::quoted(text) + " is not a number from 0 to 1";
+          },
+          ""))
+      ->needs(picture);
   verb->add_option("--weights", command->weights,
                    "of the edges: cotangent (those of finite elements, raised where\n"
                    "they are not positive) or uniform (default: cotangent)")

@@ -31,7 +31,7 @@ struct HarmonicEdge {
 /// that of the hyperbolic metric: positive semidefinite, with eigenvalues 1 along an edge and
 /// d coth d across it. `recentre` moves the base points there. Off u = 0 the Hessian in the chart
 /// may be indefinite, as charts bend.
-/// Source: docs/parameterise.md (P3) to (P6).
+/// Source: docs/parameterise.md (P2) to (P4).
 class HarmonicEnergy final : public solver::Problem {
  public:
   using Matrix4 = geometry::Matrix4;
@@ -67,6 +67,8 @@ class HarmonicEnergy final : public solver::Problem {
   std::vector<Vector4> points(std::span<const double> x) const;
   /// Makes the points at x the base points; they are at 0 then. Evaluate anew afterwards.
   void recentre(std::span<const double> x);
+  /// Makes these points [V] the base points, or the nearest ones of their planes.
+  void rebase(std::span<const Vector4> points);
 
  private:
   struct Place {

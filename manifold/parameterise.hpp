@@ -5,7 +5,6 @@
 #include <string>
 
 #include "base/context.hpp"
-#include "manifold/json_text.hpp"
 #include "parameterise/harmonic_map.hpp"
 #include "parameterise/quality.hpp"
 

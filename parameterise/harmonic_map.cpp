@@ -55,8 +55,7 @@ HarmonicMap minimised(energies::HarmonicEnergy& energy, const MapOptions& option
   const auto start = Clock::now();
   const auto measure = [&] {
     energy.evaluate(x, gradient, {.value = &map.energy});
-    map.max_gradient = 0;
-    for (const double g : gradient) map.max_gradient = std::max(map.max_gradient, std::abs(g));
+    map.max_gradient = solver::max_abs(gradient);
     map.history.push_back({map.iterations, seconds_since(start), map.energy, map.max_gradient});
   };
   measure();
@@ -113,7 +112,7 @@ HarmonicMap harmonic_map(MarkedSolid& solid, Weights weights, const MapOptions& 
   rough.tolerance = std::max(options.tolerance, kRough * solver::max_abs(gradient));
   const auto minimise = [&](energies::HarmonicEnergy& energy, const MapOptions& how) {
     return options.minimiser == Minimiser::kCeres
-               ? minimised_by_ceres(energy, solid.poles, how, context)
+               ? minimised_by_ceres(energy, how, context)
                : minimised(energy, how, context);
   };
   HarmonicMap map = minimise(first, rough);

@@ -109,7 +109,10 @@ class Parameterisation(Value):
 
     @checked
     def to_svg(self, cut_away: float = 0.5) -> str:
-        """The solid in the colours of the manifold's tetrahedra, cut open."""
+        """The solid in the colours of the manifold's tetrahedra; the part `cut_away` of it, 0 to 1, is
+        cut away on the viewer's side."""
+        if not 0 <= cut_away <= 1:
+            raise InvalidInput(f"to_svg(): cut_away is from 0 to 1, not {cut_away}")
         return self._core.to_svg(cut_away).decode()
 
     @checked

@@ -99,7 +99,8 @@ class Parameterise(ProgramTest):
 
     def test_refuses_names_and_files_of_others(self):
         for arguments in (("-o", "y.vtk"), ("--report", "y.txt"), ("--picture", "y.png"),
-                          ("--weights", "best"), ("--method", "luck"), ("--tolerance", "0")):
+                          ("--weights", "best"), ("--method", "luck"), ("--tolerance", "0"),
+                          ("--cut-away", "nan", "--picture", "y.svg"), ("--cut-away", "0.2")):
             self.assertEqual(self.run_program("parameterise", str(SURFACE), *arguments).status, 2)
         self.write("other.vtu", "<VTKFile/>")
         run = self.run_program("view", "--solid", "other.vtu", "-o", "x.html")

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -24,6 +25,9 @@ class NumberedGroup {
     return true;
   }
 };
+
+/// Where a list by tetrahedron and face has face f of tetrahedron t.
+inline std::size_t slot_of(std::size_t t, int f) { return 4 * t + static_cast<std::size_t>(f); }
 
 /// A flat connection on the dual graph of a triangulation: every tetrahedron has a frame, and
 /// across face f of tetrahedron t the frame of the neighbour is `values[4 t + f]` times that of t,

@@ -21,7 +21,7 @@ using geometry::Vector3;
 constexpr std::size_t kDirect = 60'000;
 /// Where the balance takes over, in parts of the first gradient. Gauss-Newton's method converges
 /// linearly, and ends where the cost, which is rounded, does not fall any more: far above 1e-10.
-constexpr double kNear = 1e-3;
+constexpr double kNear = 1e-5;
 
 /// Hyperbolic space (kTangent = 3) or the plane z = 0 in the given frame (2), as a set of points of
 /// the hyperboloid. Moves are those of HarmonicEnergy's charts.

@@ -107,8 +107,8 @@ class Star {
     auto& directions = placed_[{t, v}];
     directions[index(a)] = {Arb(1.0), Arb(), Arb()};
     directions[index(b)] = {ab, square_root(Arb(1.0) - ab * ab), Arb()};
-    directions[index(c)] = third(directions[index(a)], directions[index(b)], ab,
-                                 cosine(t, v, a, c), cosine(t, v, b, c), {Arb(), Arb(), Arb(1.0)});
+    directions[index(c)] = third(directions[index(a)], directions[index(b)], ab, cosine(t, v, a, c),
+                                 cosine(t, v, b, c), {Arb(), Arb(), Arb(1.0)});
     todo_.push_back({t, v});
   }
 
@@ -238,9 +238,9 @@ struct FiniteChecker {
     for (std::size_t i = 0; i < (singular.empty() ? 3u : 1u); ++i) {
       Row row{std::vector<Arb>(count), constant};
       for (const Star::End& end : ends)
-        row.entry[end.edge] = row.entry[end.edge] +
-                              (singular.empty() ? end.direction[i]
-                                                : inner(end.direction, singular[0]->direction));
+        row.entry[end.edge] =
+            row.entry[end.edge] +
+            (singular.empty() ? end.direction[i] : inner(end.direction, singular[0]->direction));
       rows.push_back(std::move(row));
     }
     return true;
@@ -284,7 +284,8 @@ struct FiniteChecker {
     for (std::size_t r = 0; r < n; ++r) {
       for (std::size_t k = 0; k < n; ++k) arb_set(M.at(r, k), rows[r].entry[held[k]].get());
       arb_one(one.at(r, r));
-      if (larger(rows[r].constant, constant)) constant = rows[r].constant.upper_end();
+      const Arb most = rows[r].constant.upper_end();
+      if (larger(most, constant)) constant = most;
       const Arb size = absolute(claim.K_within[held[r]]);
       if (larger(size, largest)) largest = size;
     }
@@ -297,7 +298,8 @@ struct FiniteChecker {
         arb_set(entry.get(), inverse.at(r, k));
         sum = sum + absolute(entry);
       }
-      if (larger(sum, norm)) norm = sum.upper_end();
+      sum = sum.upper_end();
+      if (larger(sum, norm)) norm = sum;
     }
     const Arb product = constant * norm * largest;
     if (!(Arb(1.0) - product).positive())

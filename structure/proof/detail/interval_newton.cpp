@@ -40,10 +40,10 @@ struct IntervalNewton {
   const ProveOptions& options;
   const Context& context;
   Proof& proof;
-  std::vector<bool> held{};          // [E] their lengths stay, their equations are left out
+  std::vector<bool> held{};           // [E] their lengths stay, their equations are left out
   std::vector<std::size_t> chosen{};  // the others
-  std::vector<Arb> x{};              // [E] exact
-  std::vector<Arb> box{};            // [E] around x: where the metric is
+  std::vector<Arb> x{};               // [E] exact
+  std::vector<Arb> box{};             // [E] around x: where the metric is
 
   const topology::Triangulation& triangulation() const { return metric.triangulation(); }
 
@@ -123,8 +123,8 @@ struct IntervalNewton {
       Gauge gauge = empty_gauge(v);
       for (const EdgeEnd& end : *ends) {
         Arb& sum = gauge.coefficient[end.edge];
-        sum = sum + (singular.empty() ? end.direction[i]
-                                      : dot(end.direction, singular[0]->direction));
+        sum = sum +
+              (singular.empty() ? end.direction[i] : dot(end.direction, singular[0]->direction));
         ++gauge.ends[end.edge];
       }
       gauge.square = Arb(0.5);
@@ -224,8 +224,8 @@ struct IntervalNewton {
     for (std::size_t k = 0; k < chosen.size(); ++k) row[chosen[k]] = k;
     for (std::size_t t = 0; t < triangulation().tetrahedron_count(); ++t) {
       if (stopped()) return false;
-      const auto found = precise_jacobian(detail::lengths_of(triangulation(), lengths, t),
-                                          metric.diagonal(t));
+      const auto found =
+          precise_jacobian(detail::lengths_of(triangulation(), lengths, t), metric.diagonal(t));
       if (!found)
         return refuse(
             fmt::format("tetrahedron {} is not proved to be a true one near these lengths", t));
@@ -298,8 +298,10 @@ struct IntervalNewton {
         arb_set(M.at(r, k), (*found)[r].coefficient[left[k]].get());
         ends += (*found)[r].ends[left[k]];
       }
-      const Arb most = static_cast<double>(ends) * (static_cast<double>(ends) * (*found)[r].square);
-      if (larger(most, square_most)) square_most = most.upper_end();
+      const Arb most =
+          (static_cast<double>(ends) * (static_cast<double>(ends) * (*found)[r].square))
+              .upper_end();
+      if (larger(most, square_most)) square_most = most;
     }
     for (const std::size_t e : left) {
       const Arb size = angles.K[e].magnitude();
@@ -315,7 +317,8 @@ struct IntervalNewton {
         arb_abs(entry.get(), inverse.at(i, j));
         sum = sum + entry.upper_end();
       }
-      if (larger(sum, norm)) norm = sum.upper_end();
+      sum = sum.upper_end();
+      if (larger(sum, norm)) norm = sum;
     }
     if (!(Arb(1.0) - norm * (square_most * largest)).positive())
       return refuse(

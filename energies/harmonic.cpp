@@ -77,8 +77,8 @@ HarmonicEnergy::HarmonicEnergy(std::vector<HarmonicEdge> edges, std::vector<Matr
     if (edge.a >= points.size() || edge.b >= points.size())
       refuse_edge(e, "has an end that is no point");
     if (edge.isometry >= isometries_.size()) refuse_edge(e, "has no such isometry");
-    if (!(edge.weight > 0) || !std::isfinite(edge.weight))
-      refuse_edge(e, "has the weight " + std::to_string(edge.weight) + ", which is not positive");
+    if (!std::isfinite(edge.weight))
+      refuse_edge(e, "has the weight " + std::to_string(edge.weight) + ", which is not finite");
     if (edge.a == edge.b) refuse_edge(e, "is a loop; subdivide the mesh");
   }
   first_.push_back(0);

@@ -12,7 +12,7 @@ namespace tripus {
 
 struct ParameteriseOptions {
   parameterise::MarkOptions marking = {};
-  parameterise::Weights weights = parameterise::Weights::kCotangent;
+  parameterise::Weights weights = parameterise::Weights::kFiniteElements;
   parameterise::MapOptions map = {};
 };
 

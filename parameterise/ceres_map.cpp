@@ -1,4 +1,5 @@
 // The harmonic map by Ceres: nonlinear least squares on a product of hyperboloids and planes.
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -81,12 +82,11 @@ void logarithm(const T* from, const T* to, T* result) {
   }
   T scale;
   if (square < T(1e-3)) {
-    scale =
-        T(1) +
-        square * (T(-1.0 / 6) +
-                  square * (T(3.0 / 40) +
-                            square * (T(-15.0 / 336) +
-                                      square * (T(105.0 / 3456) + square * T(-945.0 / 42240)))));
+    scale = T(1) +
+            square * (T(-1.0 / 6) +
+                      square * (T(3.0 / 40) +
+                                square * (T(-15.0 / 336) + square * (T(105.0 / 3456) +
+                                                                     square * T(-945.0 / 42240)))));
   } else {
     using std::log;
     using std::sqrt;
@@ -155,8 +155,8 @@ class Watch final : public ceres::IterationCallback {
     map_.iterations = before + step.iteration;
     map_.linear_iterations += step.linear_solver_iterations;
     if (enough == 0)
-      map_.history.push_back({map_.iterations, step.cumulative_time_in_seconds, step.cost,
-                              step.gradient_max_norm});
+      map_.history.push_back(
+          {map_.iterations, step.cumulative_time_in_seconds, step.cost, step.gradient_max_norm});
     stopped = context_.stop_requested() || context_.expired();
     if (stopped) return ceres::SOLVER_ABORT;
     return step.cost < enough ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
@@ -251,8 +251,13 @@ HarmonicMap minimised_by_ceres(energies::HarmonicEnergy& energy, const MapOption
     energy.evaluate(x, gradient, {.value = &map.energy});
     map.max_gradient = solver::max_abs(gradient);
   };
-  energy.evaluate(x, gradient, {});
-  solve(add_distances, std::max(options.tolerance, kNear * solver::max_abs(gradient)));
+  energy.evaluate(x, gradient, {.value = &map.energy});
+  map.max_gradient = solver::max_abs(gradient);
+  // With negative weights the energy is no sum of squares.
+  if (std::ranges::all_of(energy.edges(), [](const auto& edge) { return edge.weight > 0; }))
+    solve(add_distances, std::max(options.tolerance, kNear * map.max_gradient));
+  else
+    map.history.push_back({0, 0, map.energy, map.max_gradient});
   if (map.max_gradient > options.tolerance && !watch.stopped) {
     watch.before = map.iterations;
     watch.enough = options.tolerance * options.tolerance / 2;

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include <Eigen/Dense>
+
+#include "base/error.hpp"
 
 namespace tripus::parameterise {
 
@@ -44,7 +47,8 @@ std::uint32_t transformation(MarkedSolid& solid, const MeshEdge& edge) {
                               solid.corners[slot_of(t, j)]);
 }
 
-/// [6] -V grad(lambda_i) . grad(lambda_j) of a tetrahedron, and its volume.
+}  // namespace
+
 std::array<double, 6> element_weights(const std::array<geometry::Vector3, 4>& x, double& volume) {
   std::array<geometry::Vector3, 4> normal;  // outward, twice the area of the face
   for (std::size_t f = 0; f < 4; ++f) {
@@ -62,13 +66,19 @@ std::array<double, 6> element_weights(const std::array<geometry::Vector3, 4>& x,
   return weights;
 }
 
-}  // namespace
+Weights weights_of(std::string_view name) {
+  if (name == "finite-elements") return Weights::kFiniteElements;
+  if (name == "cotangent") return Weights::kCotangent;
+  if (name == "uniform") return Weights::kUniform;
+  throw InvalidInput(quoted(std::string(name)) +
+                     " is none of the weights finite-elements, cotangent and uniform");
+}
 
 WeightedEdges weighted_edges(MarkedSolid& solid, Weights weights) {
   WeightedEdges result;
   std::vector<double> by_place;
   double scale = 1;
-  if (weights == Weights::kCotangent) {
+  if (weights != Weights::kUniform) {
     double volume = 0;
     for (const meshing::Tetrahedron& t : solid.mesh.tetrahedra) {
       std::array<geometry::Vector3, 4> x;
@@ -91,7 +101,7 @@ WeightedEdges weighted_edges(MarkedSolid& solid, Weights weights) {
     result.edges.push_back(edge);
     i = j;
   }
-  if (weights == Weights::kUniform) return result;
+  if (weights != Weights::kCotangent) return result;
   double mean = 0;
   for (const energies::HarmonicEdge& edge : result.edges) mean += std::max(edge.weight, 0.0);
   mean /= static_cast<double>(result.edges.size());

@@ -141,7 +141,7 @@ class Parameterisation(Value):
 def parameterise(
     mesh: Any,
     *,
-    weights: str = "cotangent",
+    weights: str = "finite-elements",
     method: str = "newton",
     tolerance: float = 1e-11,
     tetrahedra: int = 0,
@@ -153,7 +153,8 @@ def parameterise(
 
     mesh        a file (surface or tetrahedral mesh), a mesh of meshio, trimesh or PyVista, or
                 points [n x 3] with triangles [m x 3] or tetrahedra [m x 4]
-    weights     of the edges: "cotangent", those of finite elements, or "uniform"
+    weights     of the edges: "finite-elements", "cotangent" (the same, raised where they are not
+                positive), or "uniform"
     method      "newton", "ceres", or "descent" for comparison
     tolerance   on the largest entry of the gradient
     tetrahedra  fill a surface with about so many
@@ -161,11 +162,11 @@ def parameterise(
     Raises InvalidInput for a ball, Unsupported for a torus in the boundary and where no metric is
     found.
     """
-    one_of("parameterise", "weights", weights, ("cotangent", "uniform"))
+    one_of("parameterise", "weights", weights, ("finite-elements", "cotangent", "uniform"))
     one_of("parameterise", "method", method, ("newton", "ceres", "descent"))
     if not tolerance > 0 or tetrahedra < 0:
         raise InvalidInput("tolerance is > 0, and tetrahedra is >= 0")
-    options = (weights == "uniform", method, tolerance, tetrahedra, seed)
+    options = (weights, method, tolerance, tetrahedra, seed)
     limit = limits(time_limit, 0, progress)
     if isinstance(mesh, (str, os.PathLike)):
         return _made((as_bytes(os.fspath(mesh)),), options, limit)

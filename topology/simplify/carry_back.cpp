@@ -35,6 +35,11 @@ namespace {
 using Value = std::uint32_t;
 using detail::Port;
 
+/// Values of a greater size make all frames be chosen anew, at most once in so many steps as there
+/// are tetrahedra divided by kStepsPerTetrahedron.
+constexpr double kFar = 6;
+constexpr std::size_t kStepsPerTetrahedron = 8;
+
 Perm4 transposition(int i, int j) {
   std::array<int, 4> images{0, 1, 2, 3};
   std::swap(images[static_cast<std::size_t>(i)], images[static_cast<std::size_t>(j)]);
@@ -63,6 +68,8 @@ class CarryBack final : public WayBack {
     written_.push_back({slot_of(before.neighbour(t, f), before.gluing(t, f)(f)), inverse(value)});
   }
 
+  void relax(const Gluings& table);
+  bool is_far(TetrahedronIndex t) const;
   void settle(const Gluings& table, TetrahedronIndex t);
   /// A value across a face of t, when t takes another frame.
   Value changed(Value across, Value frame, bool is_loop) {
@@ -88,6 +95,7 @@ class CarryBack final : public WayBack {
     frames_.push_back({t, c_.origins[of]});
   }
 
+  std::size_t steps_since_relaxed_ = 0;
   std::vector<Written> written_;
   std::vector<Frame> frames_;
   detail::Flattening flat_;  // empty between two steps
@@ -121,6 +129,34 @@ void CarryBack::step(const StepBack& step) {
   for (const auto& [slot, value] : written_) c_.values[slot] = value;
   for (const auto& [t, origin] : frames_) c_.origins[t] = origin;
   for (const auto& [t, origin] : frames_) settle(step.before, t);
+  ++steps_since_relaxed_;
+  if (steps_since_relaxed_ * kStepsPerTetrahedron >= step.before.tetrahedron_count() &&
+      std::ranges::any_of(frames_, [&](const Frame& each) { return is_far(each.t); }))
+    relax(step.before);
+}
+
+bool CarryBack::is_far(TetrahedronIndex t) const {
+  for (int f = 0; f < 4; ++f)
+    if (group_.size(value(t, f)) > kFar) return true;
+  return false;
+}
+
+/// New frames for all tetrahedra, as the group proposes: greedy steps from neighbour to neighbour
+/// end where no single one helps.
+void CarryBack::relax(const Gluings& table) {
+  steps_since_relaxed_ = 0;
+  std::vector<NumberedGroup::Link> links;
+  std::vector<std::size_t> slots;
+  for (std::uint32_t t = 0; t < table.tetrahedron_count(); ++t)
+    for (int f = 0; f < 4; ++f)
+      if (!table.is_open(t, f)) {
+        links.push_back({t, static_cast<std::uint32_t>(table.neighbour(t, f)), value(t, f)});
+        slots.push_back(slot_of(t, f));
+      }
+  const std::vector<Value> change = group_.better_frames(links, table.tetrahedron_count());
+  for (std::size_t n = 0; n < links.size() && !change.empty(); ++n)
+    c_.values[slots[n]] =
+        group_.conjugate(change[links[n].from], links[n].element, change[links[n].to]);
 }
 
 /// Gives t the frame of that neighbour which makes the sum of the sizes of its values least, if

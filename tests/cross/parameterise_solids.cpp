@@ -115,6 +115,7 @@ TEST_P(Solids, HaveTheSameMapByCeres) {
   MapOptions by_ceres;
   by_ceres.minimiser = Minimiser::kCeres;
   by_ceres.max_iterations = 1000;
+  by_ceres.tolerance = 1e-10;
   const HarmonicMap other = harmonic_map(*solid, Weights::kUniform, by_ceres);
   EXPECT_EQ(other.termination, solver::Termination::kConverged);
   EXPECT_LT(other.max_gradient, 1e-10);

@@ -264,7 +264,7 @@ HarmonicMap minimised_by_ceres(energies::HarmonicEnergy& energy, const MapOption
     solve(add_balances, 0);
     map.history.push_back({map.iterations, map.seconds, map.energy, map.max_gradient});
   }
-  map.points = std::move(points);
+  map.points = energy.points(x);
   map.termination = map.max_gradient <= options.tolerance ? solver::Termination::kConverged
                     : watch.stopped                       ? solver::Termination::kInterrupted
                     : map.iterations >= options.max_iterations

@@ -61,11 +61,8 @@ bool MeshedManifold::has_only_spheres() const {
                      [](int genus) { return genus == 0; });
 }
 
-MeshedManifold manifold_of(MeshFile file, const ManifoldOptions& options) {
+MeshedManifold filled_solid(MeshFile file, const ManifoldOptions& options) {
   MeshedManifold manifold;
-  const auto count = [&](MeshStage stage) -> std::size_t& {
-    return manifold.tetrahedra[static_cast<std::size_t>(stage)];
-  };
   tell(options, "checking the mesh", 0);
   manifold.gluings = std::visit(
       [&](auto&& each) {
@@ -74,7 +71,16 @@ MeshedManifold manifold_of(MeshFile file, const ManifoldOptions& options) {
         return open_gluings(std::move(mended), options, manifold);
       },
       std::move(file));
-  count(MeshStage::kMesh) = manifold.gluings.tetrahedron_count();
+  manifold.tetrahedra[static_cast<std::size_t>(MeshStage::kMesh)] =
+      manifold.gluings.tetrahedron_count();
+  return manifold;
+}
+
+MeshedManifold manifold_of(MeshFile file, const ManifoldOptions& options) {
+  MeshedManifold manifold = filled_solid(std::move(file), options);
+  const auto count = [&](MeshStage stage) -> std::size_t& {
+    return manifold.tetrahedra[static_cast<std::size_t>(stage)];
+  };
   tell(options, "coning off the boundary", count(MeshStage::kMesh));
   manifold.gluings = topology::cone_boundary(manifold.gluings);
   count(MeshStage::kConed) = manifold.gluings.tetrahedron_count();

@@ -3,6 +3,7 @@
 #include "cli/answer.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/verb.hpp"
+#include "manifold/json_text.hpp"
 #include "manifold/load.hpp"
 #include "manifold/manifold.hpp"
 #include "manifold/metric.hpp"

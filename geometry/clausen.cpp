@@ -16,7 +16,7 @@ double polynomial(const double (&coefficient)[10], double u) {
 }  // namespace
 
 double clausen2(double x) {
-  using namespace clausen;
+  using namespace clausen_series;
   // Into [-pi, pi], with the low part of 2 pi.
   const double turns = std::nearbyint(x / (2 * kPi));
   double reduced = (x - turns * (2 * kPi)) - turns * (2 * kPiLow);

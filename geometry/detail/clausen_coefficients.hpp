@@ -6,7 +6,7 @@
 ///   Cl2(pi - y) = y (ln 2 - y^2 B(y^2))             on [0, pi/3].
 /// A and B are the series with coefficients |B_2n| / (2n (2n+1)!) and (2^2n - 1) times that,
 /// replaced by their Chebyshev interpolants of degree 9 (errors 3.4e-18 and 3.7e-18).
-namespace tripus::geometry::clausen {
+namespace tripus::geometry::clausen_series {
 
 inline constexpr double kPi = 0x1.921fb54442d18p+1;
 inline constexpr double kPiLow = 0x1.1a62633145c07p-53;
@@ -22,4 +22,4 @@ inline constexpr double kNearPi[] = {
     0x1.a0f1210063ec2p-23, 0x1.dc9e8df8ce8d6p-27, 0x1.1eba77a854609p-30, 0x1.6c3c0cbb76b69p-34,
     0x1.932cb20a57c52p-38, 0x1.ee1140ac205afp-41};
 
-}  // namespace tripus::geometry::clausen
+}  // namespace tripus::geometry::clausen_series

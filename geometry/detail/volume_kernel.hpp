@@ -12,7 +12,7 @@ namespace {
 /// clausen2 without branches, |x| <= 100.
 template <class Real>
 inline Real clausen_kernel(Real x) {
-  using namespace clausen;
+  using namespace clausen_series;
   constexpr double kRound = 0x1.8p52;
   const Real zero = broadcast<Real>(0.0);
   const Real turns = (x * (1 / (2 * kPi)) + kRound) - kRound;
@@ -76,17 +76,17 @@ inline Real volume_kernel(const Real* c, const Real* s, const Real* theta) {
   const Real minus_det = det * (det / (minor[0] * minor[1])) * (det / (minor[2] * minor[3]));
   const Real spread = upper_atan2(square_root(maximum(minus_det, zero)), numerator);
   const Real argument = upper_atan2(magnitude(denominator.im), denominator.re);
-  const Real centre = clausen::kPi - (denominator.im < zero ? -argument : argument);
+  const Real centre = clausen_series::kPi - (denominator.im < zero ? -argument : argument);
 
   const Real a = theta[0], b = theta[1], ab = a + b, ef = theta[4] + theta[3];
   const Real shifts[8] = {zero,
                           ab + (theta[5] + theta[4]),
                           (a + theta[2]) + (theta[5] + theta[3]),
                           (b + theta[2]) + ef,
-                          ab + theta[2] + clausen::kPi,
-                          a + ef + clausen::kPi,
-                          b + (theta[5] + theta[3]) + clausen::kPi,
-                          theta[2] + (theta[5] + theta[4]) + clausen::kPi};
+                          ab + theta[2] + clausen_series::kPi,
+                          a + ef + clausen_series::kPi,
+                          b + (theta[5] + theta[3]) + clausen_series::kPi,
+                          theta[2] + (theta[5] + theta[4]) + clausen_series::kPi};
   Real sum = zero;
   for (int n = 0; n < 8; ++n) {
     const Real middle = centre + shifts[n];

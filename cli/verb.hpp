@@ -3,6 +3,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 
@@ -39,6 +40,7 @@ using Command = std::function<int()>;
 
 /// One line of the table of verbs.
 struct Verb {
+  std::string_view name;
   /// Adds the verb to the program and, when it is chosen, sets `chosen`.
   void (*add)(CLI::App& program, Command& chosen);
   int place = kAnyPlace;  ///< in the help

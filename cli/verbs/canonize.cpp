@@ -83,7 +83,7 @@ void add_canonize(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> canonize() {
-  static constexpr Verb kRows[] = {{add_canonize, 6}};
+  static constexpr Verb kRows[] = {{"canonize", add_canonize, 6}};
   return kRows;
 }
 

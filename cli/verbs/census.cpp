@@ -300,7 +300,7 @@ void add_census(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> census() {
-  static constexpr Verb kRows[] = {{add_census, 10}};
+  static constexpr Verb kRows[] = {{"census", add_census, 10}};
   return kRows;
 }
 

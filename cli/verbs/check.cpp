@@ -159,7 +159,7 @@ void add_check(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> check() {
-  static constexpr Verb kRows[] = {{add_check, 13}};
+  static constexpr Verb kRows[] = {{"check", add_check, 13}};
   return kRows;
 }
 

@@ -175,7 +175,7 @@ void add_compare(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> compare() {
-  static constexpr Verb kRows[] = {{add_compare, 7}};
+  static constexpr Verb kRows[] = {{"compare", add_compare, 7}};
   return kRows;
 }
 

@@ -419,7 +419,7 @@ void add_cover(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> cover() {
-  static constexpr Verb kRows[] = {{add_cover, 5}};
+  static constexpr Verb kRows[] = {{"cover", add_cover, 5}};
   return kRows;
 }
 

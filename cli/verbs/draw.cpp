@@ -94,7 +94,7 @@ void add_draw(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> draw() {
-  static constexpr Verb kRows[] = {{add_draw, 20}};
+  static constexpr Verb kRows[] = {{"draw", add_draw, 20}};
   return kRows;
 }
 

@@ -230,7 +230,7 @@ void add_embed(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> embed() {
-  static constexpr Verb kRows[] = {{add_embed, 15}};
+  static constexpr Verb kRows[] = {{"embed", add_embed, 15}};
   return kRows;
 }
 

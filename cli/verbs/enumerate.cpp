@@ -246,7 +246,7 @@ void add_enumerate(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> enumerate() {
-  static constexpr Verb kRows[] = {{add_enumerate, 9}};
+  static constexpr Verb kRows[] = {{"enumerate", add_enumerate, 9}};
   return kRows;
 }
 

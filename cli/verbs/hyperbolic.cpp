@@ -170,7 +170,7 @@ void add_hyperbolic(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> hyperbolic() {
-  static constexpr Verb kRows[] = {{add_hyperbolic, 12}};
+  static constexpr Verb kRows[] = {{"hyperbolic", add_hyperbolic, 12}};
   return kRows;
 }
 

@@ -106,7 +106,7 @@ void add_identify(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> identify() {
-  static constexpr Verb kRows[] = {{add_identify, 8}};
+  static constexpr Verb kRows[] = {{"identify", add_identify, 8}};
   return kRows;
 }
 

@@ -93,7 +93,7 @@ void add_info(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> info() {
-  static constexpr Verb kRows[] = {{add_info, 1}};
+  static constexpr Verb kRows[] = {{"info", add_info, 1}};
   return kRows;
 }
 

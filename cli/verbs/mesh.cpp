@@ -240,7 +240,7 @@ void add_mesh(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> mesh() {
-  static constexpr Verb kRows[] = {{add_mesh, 4}};
+  static constexpr Verb kRows[] = {{"mesh", add_mesh, 4}};
   return kRows;
 }
 

@@ -219,7 +219,7 @@ void add_orthospectrum(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> orthospectrum() {
-  static constexpr Verb kRows[] = {{add_orthospectrum, 16}};
+  static constexpr Verb kRows[] = {{"orthospectrum", add_orthospectrum, 16}};
   return kRows;
 }
 

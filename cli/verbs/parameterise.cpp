@@ -187,7 +187,7 @@ void add_parameterise(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> parameterise() {
-  static constexpr Verb kRows[] = {{add_parameterise, 18}};
+  static constexpr Verb kRows[] = {{"parameterise", add_parameterise, 18}};
   return kRows;
 }
 

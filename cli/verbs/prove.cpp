@@ -97,7 +97,7 @@ void add_prove(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> prove() {
-  static constexpr Verb kRows[] = {{add_prove, 11}};
+  static constexpr Verb kRows[] = {{"prove", add_prove, 11}};
   return kRows;
 }
 

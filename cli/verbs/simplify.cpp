@@ -218,7 +218,7 @@ void add_simplify(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> simplify() {
-  static constexpr Verb kRows[] = {{add_simplify, 3}};
+  static constexpr Verb kRows[] = {{"simplify", add_simplify, 3}};
   return kRows;
 }
 

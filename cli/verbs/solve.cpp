@@ -327,7 +327,7 @@ void add_solve(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> solve() {
-  static constexpr Verb kRows[] = {{add_solve, 2}};
+  static constexpr Verb kRows[] = {{"solve", add_solve, 2}};
   return kRows;
 }
 

@@ -190,7 +190,7 @@ void add_study(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> study() {
-  static constexpr Verb kRows[] = {{add_study, 14}};
+  static constexpr Verb kRows[] = {{"study", add_study, 14}};
   return kRows;
 }
 

@@ -231,7 +231,7 @@ void add_table(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> table() {
-  static constexpr Verb kRows[] = {{add_table, 21}};
+  static constexpr Verb kRows[] = {{"table", add_table, 21}};
   return kRows;
 }
 

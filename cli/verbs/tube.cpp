@@ -196,7 +196,7 @@ void add_tube(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> tube() {
-  static constexpr Verb kRows[] = {{add_tube, 19}};
+  static constexpr Verb kRows[] = {{"tube", add_tube, 19}};
   return kRows;
 }
 

@@ -410,7 +410,7 @@ void add_view(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> view() {
-  static constexpr Verb kRows[] = {{add_view, 17}};
+  static constexpr Verb kRows[] = {{"view", add_view, 17}};
   return kRows;
 }
 

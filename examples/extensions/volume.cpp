@@ -40,7 +40,7 @@ void add_volume(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> volume() {
-  static constexpr Verb kRows[] = {{add_volume}};
+  static constexpr Verb kRows[] = {{"volume", add_volume}};
   return kRows;
 }
 

@@ -121,7 +121,7 @@ nb::tuple cells_of(const CellComplex& complex) {
 }
 
 /// Points [P x 3], triangles [F x 3], and the cell and side of each triangle.
-nb::tuple mesh_of(const CellComplex& complex, const std::string& model, double error,
+nb::tuple cell_mesh(const CellComplex& complex, const std::string& model, double error,
                   const Limits& limits) {
   struct Mesh {
     std::vector<double> points;
@@ -221,7 +221,7 @@ void bind_metric(nb::module_& module) {
   nb::class_<CellComplex>(module, "CellComplex", "tripus::CellComplex")
       .def("size", [](const CellComplex& self) { return self.cells().size(); })
       .def("cells", cells_of)
-      .def("mesh", mesh_of)
+      .def("mesh", cell_mesh)
       .def("write", [](const CellComplex& self, const nb::bytes& path, const std::string& model,
                        double error, const Limits& limits) {
         const CellFileOptions options{model_of(model), error};

@@ -122,7 +122,7 @@ nb::tuple cells_of(const CellComplex& complex) {
 
 /// Points [P x 3], triangles [F x 3], and the cell and side of each triangle.
 nb::tuple cell_mesh(const CellComplex& complex, const std::string& model, double error,
-                  const Limits& limits) {
+                    const Limits& limits) {
   struct Mesh {
     std::vector<double> points;
     std::vector<std::uint32_t> triangles, cells;

@@ -9,8 +9,8 @@
 #include "embedding/universal_cover.hpp"
 #include "geometry/hyperbolic_space.hpp"
 
-/// Cells as surfaces to draw: four hexagons on the faces and four triangles on the truncations,
-/// each on a geodesic plane.
+/// Cells as surfaces to draw: four polygons on the faces, and a triangle on the truncating plane or
+/// the horosphere of each vertex that is not finite.
 namespace tripus::embedding {
 
 using geometry::Model;
@@ -19,24 +19,36 @@ using geometry::Vector3;
 /// No cell is divided more often than this.
 inline constexpr int kMostSubdivisions = 7;
 
-/// The closed surface of one truncated tetrahedron in its own frame: 28 patches (six about the
-/// middle of each hexagon, and the four triangles), each cut n times into four at the hyperbolic
-/// middles of its sides. 14 4^n + 2 points and 28 4^n triangles, counter-clockwise seen from
-/// outside; points on common sides are shared.
+/// The closed surface of one tetrahedron in its own frame. Each face is a hexagon, less one side
+/// for each of its vertices that is finite, cut from its middle. With f finite vertices it has
+/// 28 - 4 f patches, each cut n times into four at the middles of its sides: hyperbolic ones, or
+/// those of the horosphere on which both ends lie. (14 - 2 f) 4^n + 2 points and (28 - 4 f) 4^n
+/// triangles, counter-clockwise seen from outside; points on common sides are shared.
 struct CellShape {
+  static constexpr std::int8_t kNoHorosphere = -1;
+
   std::vector<Vector4> points;  ///< on the hyperboloid
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::uint8_t> sides;  ///< [triangles] 0..3 the face, 4..7 4 + the truncated vertex
+  std::vector<std::int8_t> horospheres;  ///< [points] the ideal vertex 0..3 on whose it lies, or -1
+
+  /// The middle of some of the points: on the geodesic or the plane through them, or on the
+  /// horosphere on which all of them lie.
+  Vector4 middle(const HyperboloidTetrahedron& tetrahedron,
+                 std::span<const std::uint32_t> numbers) const;
+  /// The ideal vertex on whose horosphere all of these points lie, or kNoHorosphere.
+  std::int8_t common_horosphere(std::span<const std::uint32_t> numbers) const;
 };
 
 /// Throws InvalidInput unless subdivisions is from 0 to kMostSubdivisions.
 CellShape cell_shape(const HyperboloidTetrahedron& tetrahedron, int subdivisions);
 
-inline std::size_t point_count(int subdivisions) {
-  return (std::size_t{14} << (2 * subdivisions)) + 2;
+/// Sizes of a CellShape with so many finite vertices.
+inline std::size_t point_count(int subdivisions, int finite_vertices = 0) {
+  return (static_cast<std::size_t>(14 - 2 * finite_vertices) << (2 * subdivisions)) + 2;
 }
-inline std::size_t triangle_count(int subdivisions) {
-  return std::size_t{28} << (2 * subdivisions);
+inline std::size_t triangle_count(int subdivisions, int finite_vertices = 0) {
+  return static_cast<std::size_t>(28 - 4 * finite_vertices) << (2 * subdivisions);
 }
 
 /// What a tessellation is to be like.
@@ -51,7 +63,7 @@ struct TessellationOptions {
 };
 
 /// Cells cut into triangles, one cell at a time, so that not all must be in memory. In the Klein
-/// model planes are flat and nothing is subdivided.
+/// model planes are flat and nothing but horospheres makes it subdivide.
 class Tessellation {
  public:
   /// Finds the level of every cell: the least power of 2 that keeps the error. A stop leaves the

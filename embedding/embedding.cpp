@@ -50,8 +50,9 @@ Diagonal diagonal_of(const Triangulation& triangulation, std::size_t t,
   Diagonal diagonal{};
   for (int v = 0; v < 4; ++v) {
     const VertexKind kind = links[triangulation.vertex_class(t, v)].kind;
-    diagonal[static_cast<std::size_t>(v)] =
-        kind == VertexKind::kHyperideal ? 1 : kind == VertexKind::kIdeal ? 0 : -1;
+    diagonal[static_cast<std::size_t>(v)] = kind == VertexKind::kHyperideal ? 1
+                                            : kind == VertexKind::kIdeal    ? 0
+                                                                            : -1;
   }
   return diagonal;
 }
@@ -64,21 +65,19 @@ void require_lengths(const Triangulation& triangulation, std::span<const double>
                                    edge_lengths.size(), triangulation.edge_count()));
   }
   for (std::size_t e = 0; e < edge_lengths.size(); ++e) {
-    if (cone_angles[e].is_parabolic())
-      throw Unsupported(
-          fmt::format("edge class {} is parabolic: it lies at infinity, and tetrahedra with such "
-                      "edges are not placed in hyperbolic space so far; a large cone order comes "
-                      "near it",
-                      e));
     const topology::EdgeCorner corner = triangulation.corners(e)[0];
     bool positive = true;
     for (const int end : topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())])
       positive &= links[triangulation.vertex_class(corner.tetrahedron(), end)].kind ==
                   VertexKind::kHyperideal;
-    if (!std::isfinite(edge_lengths[e]) || (positive && edge_lengths[e] <= 0)) {
-      throw InvalidInput(fmt::format("the length of edge class {} is {}; lengths are finite{}", e,
-                                     edge_lengths[e], positive ? " and greater than 0" : ""));
-    }
+    const bool parabolic = cone_angles[e].is_parabolic();
+    if (std::isfinite(edge_lengths[e]) &&
+        (parabolic ? edge_lengths[e] == 0 : !positive || edge_lengths[e] > 0))
+      continue;
+    throw InvalidInput(fmt::format("the length of edge class {} is {}; {}", e, edge_lengths[e],
+                                   parabolic  ? "that of a parabolic edge is 0"
+                                   : positive ? "lengths are finite and greater than 0"
+                                              : "lengths are finite"));
   }
 }
 
@@ -89,7 +88,8 @@ void require_metric(const Triangulation& triangulation, std::span<const double> 
     std::array<double, 6> theta{};
     const Diagonal& diagonal = embedding.tetrahedra[t].diagonal;
     const auto l = lengths_of(triangulation, t, edge_lengths);
-    if (diagonal == HyperboloidTetrahedron{}.diagonal)
+    if (diagonal == HyperboloidTetrahedron{}.diagonal &&
+        embedding.tetrahedra[t].parabolic_edges == 0)
       geometry::dihedral_angles(l, theta);
     else
       geometry::general_dihedral_angles(l, diagonal, theta);
@@ -121,11 +121,40 @@ double least_scale(const HyperboloidTetrahedron& tetrahedron, double clearance) 
     for (std::size_t j = 0; j < 4; ++j) {
       if (j == i) continue;
       const double product = -geometry::lorentz_product(v, tetrahedron.vertices[j]);
-      least = std::max(least, tetrahedron.is_ideal(j) ? std::sqrt(2 * wanted / product)
-                                                      : wanted / product);
+      least = std::max(
+          least, tetrahedron.is_ideal(j) ? std::sqrt(2 * wanted / product) : wanted / product);
     }
   }
   return least;
+}
+
+/// One size for the horospheres of all parabolic edges, the largest up to 1 at which they keep
+/// their distance in every tetrahedron.
+void set_parabolic_horospheres(Embedding& embedding) {
+  double scale = 1;
+  for (const HyperboloidTetrahedron& tetrahedron : embedding.tetrahedra) {
+    for (std::size_t e = 0; e < 6; ++e) {
+      if (!tetrahedron.is_parabolic(e)) continue;
+      const Vector4 p = tetrahedron.parabolic_point(e);
+      const double wanted = std::exp(kHoroballClearance);
+      const auto keep = [&](const Vector4& other, double factor) {
+        scale = std::max(scale, -factor * wanted / geometry::lorentz_product(p, other));
+      };
+      for (const int end : topology::kEdgeEnds[e])
+        keep(tetrahedron.faces[static_cast<std::size_t>(end)], 1);
+      for (const int far : topology::kEdgeEnds[5 - e]) {
+        const auto v = static_cast<std::size_t>(far);
+        keep(tetrahedron.vertices[v], tetrahedron.is_ideal(v) ? 2 : 1);
+      }
+      for (std::size_t other = 0; other < e; ++other)
+        if (tetrahedron.is_parabolic(other))
+          scale = std::max(
+              scale, std::sqrt(-2 * wanted /
+                               geometry::lorentz_product(p, tetrahedron.parabolic_point(other))));
+    }
+  }
+  for (HyperboloidTetrahedron& tetrahedron : embedding.tetrahedra)
+    tetrahedron.parabolic_scale = scale;
 }
 
 /// Moves every horosphere to the area asked for.
@@ -209,8 +238,9 @@ Matrix4 face_pairing(const HyperboloidTetrahedron& here, const HyperboloidTetrah
 }  // namespace
 
 bool Embedding::develops() const {
-  return std::ranges::all_of(cone_angles,
-                             [](const ConeAngle& k) { return topology::rotation_order(k) != 0; });
+  return std::ranges::all_of(cone_angles, [](const ConeAngle& k) {
+    return k.is_parabolic() || topology::rotation_order(k) != 0;
+  });
 }
 
 Embedding embed(const Triangulation& triangulation, std::span<const double> edge_lengths,
@@ -219,9 +249,10 @@ Embedding embed(const Triangulation& triangulation, std::span<const double> edge
   embedding.cone_angles = topology::completed(options.cone_angles, triangulation.edge_count());
   topology::require_solvable(triangulation, embedding.cone_angles);
   if (!(options.horosphere_area >= 0) || !std::isfinite(options.horosphere_area))
-    throw InvalidInput(fmt::format("the area of horospheres is {}; it must be a number greater "
-                                   "than 0, or 0 for the usual one",
-                                   options.horosphere_area));
+    throw InvalidInput(
+        fmt::format("the area of horospheres is {}; it must be a number greater "
+                    "than 0, or 0 for the usual one",
+                    options.horosphere_area));
   const auto links = topology::orbifold_links(triangulation, embedding.cone_angles);
   require_lengths(triangulation, edge_lengths, links, embedding.cone_angles);
   const std::size_t count = triangulation.tetrahedron_count();
@@ -233,9 +264,9 @@ Embedding embed(const Triangulation& triangulation, std::span<const double> edge
       if (!embedding.cone_angles[triangulation.edge_class(t, e)].is_full())
         embedding.singular_edges[t] |= static_cast<std::uint8_t>(1u << e);
     try {
-      embedding.tetrahedra.push_back(geometry::hyperboloid_tetrahedron(
-          lengths_of(triangulation, t, edge_lengths), diagonal_of(triangulation, t, links),
-          orientation[t]));
+      embedding.tetrahedra.push_back(
+          geometry::hyperboloid_tetrahedron(lengths_of(triangulation, t, edge_lengths),
+                                            diagonal_of(triangulation, t, links), orientation[t]));
     } catch (const Unsupported& error) {
       throw Unsupported(fmt::format("tetrahedron {}: {}", t, error.what()));
     } catch (const InvalidInput& error) {
@@ -259,6 +290,7 @@ Embedding embed(const Triangulation& triangulation, std::span<const double> edge
     }
   }
   set_horospheres(embedding, triangulation, options.horosphere_area);
+  set_parabolic_horospheres(embedding);
   return embedding;
 }
 
@@ -293,8 +325,10 @@ std::vector<double> edge_defects(const Embedding& embedding, const Triangulation
     int ahead = 0, behind = 3;
     while (ahead == ends[0] || ahead == ends[1]) ++ahead;
     while (behind == ends[0] || behind == ends[1]) --behind;
+    const bool parabolic = embedding.cone_angles[e].is_parabolic();
     const Matrix4 rotation =
-        rotation_about_edge(here, ahead, behind, embedding.cone_angles[e].radians());
+        parabolic ? Matrix4::Identity()
+                  : rotation_about_edge(here, ahead, behind, embedding.cone_angles[e].radians());
     Matrix4 product = Matrix4::Identity();
     for (std::size_t n = 0; n < triangulation.valence(e); ++n) {
       product *= embedding.face_pairings[t][static_cast<std::size_t>(ahead)];
@@ -303,6 +337,13 @@ std::vector<double> edge_defects(const Embedding& embedding, const Triangulation
       const int entered = p(ahead);
       ahead = p(behind);
       behind = entered;
+    }
+    if (parabolic) {
+      for (const int end : ends) {
+        const Vector4& v = here.vertices[static_cast<std::size_t>(end)];
+        defects[e] = std::max(defects[e], (product * v - v).cwiseAbs().maxCoeff());
+      }
+      continue;
     }
     defects[e] = (product - rotation).cwiseAbs().maxCoeff();
   }

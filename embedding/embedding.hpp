@@ -32,8 +32,8 @@ struct Embedding {
   /// Area of the horospheres at every cusp (HyperboloidTetrahedron::vertices); 0 without cusps.
   double horosphere_area = 0;
 
-  /// Whether every cone angle is 2 pi / n, so that the tetrahedra develop into a tiling of space:
-  /// the universal cover of a manifold or of an orbifold.
+  /// Whether every cone angle is 2 pi / n or 0, so that the tetrahedra develop into a tiling of
+  /// space: the universal cover of a manifold or of an orbifold.
   bool develops() const;
 };
 
@@ -58,8 +58,7 @@ inline constexpr double kHoroballClearance = 0.1;
 /// number of lengths, a length that is not finite, or not positive between hyperideal vertices, a
 /// flat tetrahedron, an edge class whose angles do not sum to its cone angle within
 /// tolerance::kEmbeddedCurvature (such a space does not develop), and a horosphere area at which
-/// horoballs meet. Unsupported: a parabolic edge. O(T). Source: docs/theory.md (56) to (60), (63),
-/// (113).
+/// horoballs meet. O(T). Source: docs/theory.md (56) to (60), (63), (113) to (116).
 Embedding embed(const topology::Triangulation& triangulation, std::span<const double> edge_lengths,
                 const EmbedOptions& options = {});
 
@@ -69,7 +68,9 @@ std::vector<double> horosphere_areas(const Embedding& embedding,
                                      const topology::Triangulation& triangulation);
 
 /// Largest entry of (product of the face pairings around the edge) - (the rotation about it by its
-/// cone angle), for each edge class [E]: how well the space closes up around its edges.
+/// cone angle), for each edge class [E]: how well the space closes up around its edges. Around a
+/// parabolic edge the product is parabolic: by how much it moves the poles of the edge's two
+/// planes.
 std::vector<double> edge_defects(const Embedding& embedding,
                                  const topology::Triangulation& triangulation);
 

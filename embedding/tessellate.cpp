@@ -46,7 +46,7 @@ Tessellation::Tessellation(const Embedding& embedding, std::span<const Cell> cel
     }
     int n = 0;
     const HyperboloidTetrahedron& tetrahedron = embedding.tetrahedra[cells[c].tetrahedron];
-    const bool flat = options.model == Model::kKleinBall &&
+    const bool flat = options.model == Model::kKleinBall && tetrahedron.parabolic_edges == 0 &&
                       std::ranges::none_of(tetrahedron.diagonal, [](double d) { return d == 0; });
     while (!flat && largest_deviation(cells[c], n) > options.error) {
       if (++n > kMostSubdivisions) {
@@ -57,10 +57,9 @@ Tessellation::Tessellation(const Embedding& embedding, std::span<const Cell> cel
       }
     }
     subdivisions_.push_back(static_cast<std::uint8_t>(n));
-    const auto finite = static_cast<int>(
-        std::ranges::count_if(tetrahedron.diagonal, [](double d) { return d < 0; }));
-    point_count_ += embedding::point_count(n, finite);
-    triangle_count_ += embedding::triangle_count(n, finite);
+    const std::size_t patches = patch_count(tetrahedron);
+    point_count_ += embedding::point_count(n, patches);
+    triangle_count_ += embedding::triangle_count(n, patches);
   }
 }
 

@@ -62,7 +62,8 @@ void require_options(const UniversalCoverOptions& options, std::size_t tetrahedr
 
 void require_tiling(const Embedding& embedding) {
   for (std::size_t e = 0; e < embedding.cone_angles.size(); ++e)
-    if (topology::rotation_order(embedding.cone_angles[e]) == 0)
+    if (!embedding.cone_angles[e].is_parabolic() &&
+        topology::rotation_order(embedding.cone_angles[e]) == 0)
       throw Unsupported(fmt::format(
           "the cone angle around edge class {} is not 2 pi / n for a whole number n, so the cells "
           "overlap and there is no universal cover in hyperbolic space; only a fundamental domain "

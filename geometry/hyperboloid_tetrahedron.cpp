@@ -70,7 +70,8 @@ WideMatrix standing_rotation(const WideMatrix& vertices, int orientation) {
 }
 
 void require_tetrahedron(std::span<const double, 6> l, std::span<const double, 4> diagonal) {
-  const bool truncated = std::ranges::all_of(diagonal, [](double d) { return d > 0; });
+  const bool truncated = std::ranges::all_of(diagonal, [](double d) { return d > 0; }) &&
+                         std::ranges::none_of(l, [](double x) { return x == 0; });
   std::array<double, 6> theta{};
   for (std::size_t e = 0; e < 6; ++e) {
     if (l[e] > kLongestEmbeddedEdge) {
@@ -82,9 +83,6 @@ void require_tetrahedron(std::span<const double, 6> l, std::span<const double, 4
     const double i = diagonal[static_cast<std::size_t>(kEnds[e][0])];
     const double j = diagonal[static_cast<std::size_t>(kEnds[e][1])];
     if (truncated || i == 0 || j == 0 || l[e] > 0) continue;
-    if (i > 0 && j > 0)
-      throw Unsupported("edge " + std::to_string(e) +
-                        " is parabolic: its planes touch at infinity and leave no edge to place");
     if (i * j < 0)
       throw Unsupported("edge " + std::to_string(e) +
                         ": the finite vertex lies beyond the truncating plane");
@@ -132,6 +130,10 @@ HyperboloidTetrahedron hyperboloid_tetrahedron(std::span<const double, 6> l,
   dual = (rotation * dual).eval();
   HyperboloidTetrahedron result;
   std::ranges::copy(diagonal, result.diagonal.begin());
+  for (std::size_t e = 0; e < 6; ++e)
+    if (l[e] == 0 && diagonal[static_cast<std::size_t>(kEnds[e][0])] > 0 &&
+        diagonal[static_cast<std::size_t>(kEnds[e][1])] > 0)
+      result.parabolic_edges |= static_cast<std::uint8_t>(1u << e);
   for (int i = 0; i < 4; ++i) {
     const auto n = static_cast<std::size_t>(i);
     result.vertices[n] = (frame.col(i) / weights[i]).cast<double>();
@@ -155,8 +157,25 @@ Vector4 corner(const HyperboloidTetrahedron& tetrahedron, int i, int j) {
   }
   const WideVector along = w - product * v;
   // s of docs/theory.md (77); the factors keep its digits for short edges.
-  const Wide s = d_j > 0 ? std::sqrt((product - 1) * (product + 1)) : std::sqrt(product * product - d_j);
+  const Wide s =
+      d_j > 0 ? std::sqrt((product - 1) * (product + 1)) : std::sqrt(product * product - d_j);
   return on_hyperboloid((along / s).cast<double>());
+}
+
+Vector4 HyperboloidTetrahedron::parabolic_point(std::size_t e) const {
+  return parabolic_scale * (vertices[static_cast<std::size_t>(kEnds[e][0])] +
+                            vertices[static_cast<std::size_t>(kEnds[e][1])]);
+}
+
+Vector4 parabolic_corner(const HyperboloidTetrahedron& tetrahedron, int i, int j, int f) {
+  const Vector4& v = tetrahedron.vertices[static_cast<std::size_t>(i)];
+  const Vector4& n = tetrahedron.faces[static_cast<std::size_t>(f)];
+  const Vector4 p =
+      tetrahedron.parabolic_scale * (v + tetrahedron.vertices[static_cast<std::size_t>(j)]);
+  // x = a p + b q in the plane of p and q, which is orthogonal to v and n.
+  const Vector4 q = origin() - lorentz_product(origin(), v) * v - lorentz_product(origin(), n) * n;
+  const double b = -1 / lorentz_product(p, q);
+  return on_hyperboloid((1 + b * b * lorentz_product(q, q)) / 2 * p + b * q);
 }
 
 Vector4 on_horosphere(const Vector4& m, const Vector4& v) {

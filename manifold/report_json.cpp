@@ -61,6 +61,15 @@ void append_closed_bigon(JsonText& out, const structure::ClosedBigon& bigon) {
   out.push_back('}');
 }
 
+void append_valence_theorem(JsonText& out, const structure::ValenceTheorem& theorem) {
+  fmt::format_to(std::back_inserter(out),
+                 ", \"valence_theorem\": {{\"claim\": \"{}\", \"least_valence\": {}, \"source\": "
+                 "\"{}\", \"message\": ",
+                 structure::to_string(theorem.claim), theorem.least_valence, theorem.source());
+  append_string(out, structure::message(theorem));
+  out.push_back('}');
+}
+
 }  // namespace
 
 std::string report_as_json(const Subject& subject, const Report& report,
@@ -98,6 +107,7 @@ std::string report_as_json(const Subject& subject, const Report& report,
     append(out, structure::to_json(*report.strict_angles));
   }
   if (report.closed_bigon) append_closed_bigon(out, *report.closed_bigon);
+  if (report.valence_theorem) append_valence_theorem(out, *report.valence_theorem);
   if (retriangulation != nullptr) append_retriangulation(out, *retriangulation);
   if (proof != nullptr) append(out, ", \"proof\": " + structure::to_json(*proof));
   if (report.advice != structure::Advice::kNone) {

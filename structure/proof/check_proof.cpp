@@ -111,9 +111,12 @@ struct Checker {
   /// 1, 0 or -1 on the diagonal of the Gram matrix.
   int kind(std::size_t t, int v) const {
     switch (links[triangulation.vertex_class(t, v)].kind) {
-      case topology::VertexKind::kHyperideal: return 1;
-      case topology::VertexKind::kIdeal: return 0;
-      case topology::VertexKind::kFinite: return -1;
+      case topology::VertexKind::kHyperideal:
+        return 1;
+      case topology::VertexKind::kIdeal:
+        return 0;
+      case topology::VertexKind::kFinite:
+        return -1;
     }
     return 1;
   }
@@ -221,10 +224,10 @@ struct Checker {
     std::vector<bool> out(x.size());
     for (std::size_t e = 0; e < x.size(); ++e)
       out[e] = cone_angles[e].is_parabolic() || hessian[e].empty();
-    const auto pins = detail::checked_pins(triangulation, links,
-                                           proof.flat.empty() ? std::vector<bool>() : out);
-    if (std::ssize(pins) != std::ranges::count(links, topology::VertexKind::kIdeal,
-                                               &topology::OrbifoldLink::kind))
+    const auto pins =
+        detail::checked_pins(triangulation, links, proof.flat.empty() ? std::vector<bool>() : out);
+    if (std::ssize(pins) !=
+        std::ranges::count(links, topology::VertexKind::kIdeal, &topology::OrbifoldLink::kind))
       return refuse("no edges outside flat tetrahedra hold the horospheres");
     for (const std::size_t e : pins) hessian[e][e] = hessian[e][e] + Arb(own_entry[e]);
     for (std::size_t e = 0; e < x.size(); ++e)
@@ -232,8 +235,7 @@ struct Checker {
     const double share = detail::checked_share(hessian);
     if (!(share > 0)) return refuse("the Hessian is not shown to be > 0");
     for (std::size_t e = 0; e < x.size(); ++e)
-      if (!out[e])
-        weight[e] = Arb(share * hessian[e][e].mid() * (1 - 0x1p-40));
+      if (!out[e]) weight[e] = Arb(share * hessian[e][e].mid() * (1 - 0x1p-40));
     return true;
   }
 
@@ -365,8 +367,7 @@ ProofCheck check_proof(const Triangulation& triangulation, const ProofText& proo
   if (!proof.proved) return {false, "nothing is claimed"};
   const Precision precision(bits_for(proof));
   Checker checker{triangulation, proof, context};
-  checker.finite =
-      proof.interval_newton || has_kind(checker.links, topology::VertexKind::kFinite);
+  checker.finite = proof.interval_newton || has_kind(checker.links, topology::VertexKind::kFinite);
   checker.together =
       has_kind(checker.links, topology::VertexKind::kIdeal) ||
       std::ranges::any_of(checker.cone_angles, [](const auto& k) { return k.is_parabolic(); });

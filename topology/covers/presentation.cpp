@@ -194,7 +194,8 @@ FundamentalGroup orbifold_group(const Triangulation& triangulation,
                          std::to_string(e) + " makes its relator longer than " +
                          std::to_string(kLongestRelator) + " letters; give it a smaller order");
     Word power;
-    for (std::int64_t n = 0; n < order; ++n) power.insert(power.end(), relator.begin(), relator.end());
+    for (std::int64_t n = 0; n < order; ++n)
+      power.insert(power.end(), relator.begin(), relator.end());
     if (!power.empty()) group.presentation.relators.push_back(std::move(power));
   }
   return group;

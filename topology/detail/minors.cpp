@@ -46,7 +46,7 @@ Residue residue(std::int64_t x, std::uint32_t p) {
 
 /// Gauss's elimination modulo p.
 struct Elimination {
-  Residue determinant = 1;         ///< of a square matrix
+  Residue determinant = 1;        ///< of a square matrix
   std::vector<std::size_t> rows;  ///< independent ones, as many as the rank
 };
 
@@ -164,8 +164,7 @@ BigInteger least_absolute_value(const std::vector<Residue>& residues_of_x,
 
 }  // namespace
 
-Minors minors(const Rows& rows, std::size_t column_count,
-              const std::atomic<bool>* stop_requested) {
+Minors minors(const Rows& rows, std::size_t column_count, const std::atomic<bool>* stop_requested) {
   constexpr int kMost = 8;
   Minors result;
   if (rows.empty()) return result;

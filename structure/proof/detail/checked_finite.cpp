@@ -107,8 +107,8 @@ class Star {
     auto& directions = placed_[{t, v}];
     directions[index(a)] = {Arb(1.0), Arb(), Arb()};
     directions[index(b)] = {ab, square_root(Arb(1.0) - ab * ab), Arb()};
-    directions[index(c)] = third(directions[index(a)], directions[index(b)], ab,
-                                 cosine(t, v, a, c), cosine(t, v, b, c), {Arb(), Arb(), Arb(1.0)});
+    directions[index(c)] = third(directions[index(a)], directions[index(b)], ab, cosine(t, v, a, c),
+                                 cosine(t, v, b, c), {Arb(), Arb(), Arb(1.0)});
     todo_.push_back({t, v});
   }
 
@@ -238,9 +238,9 @@ struct FiniteChecker {
     for (std::size_t i = 0; i < (singular.empty() ? 3u : 1u); ++i) {
       Row row{std::vector<Arb>(count), constant};
       for (const Star::End& end : ends)
-        row.entry[end.edge] = row.entry[end.edge] +
-                              (singular.empty() ? end.direction[i]
-                                                : inner(end.direction, singular[0]->direction));
+        row.entry[end.edge] =
+            row.entry[end.edge] +
+            (singular.empty() ? end.direction[i] : inner(end.direction, singular[0]->direction));
       rows.push_back(std::move(row));
     }
     return true;

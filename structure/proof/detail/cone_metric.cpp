@@ -93,8 +93,8 @@ std::vector<std::size_t> ConeMetric::pins_without(const std::vector<bool>& exclu
   for (std::size_t e = 0; e < triangulation_.edge_count(); ++e) {
     const auto [a, b] = ends(e);
     if (excluded[e] || (!is_ideal(a) && !is_ideal(b))) continue;
-    const bool raised = is_ideal(a) && is_ideal(b) ? forest.join(a, b)
-                                                   : forest.add_odd_cycle(is_ideal(a) ? a : b);
+    const bool raised =
+        is_ideal(a) && is_ideal(b) ? forest.join(a, b) : forest.add_odd_cycle(is_ideal(a) ? a : b);
     if (raised) pins.push_back(e);
   }
   return pins;

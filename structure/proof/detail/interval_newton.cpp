@@ -40,10 +40,10 @@ struct IntervalNewton {
   const ProveOptions& options;
   const Context& context;
   Proof& proof;
-  std::vector<bool> held{};          // [E] their lengths stay, their equations are left out
+  std::vector<bool> held{};           // [E] their lengths stay, their equations are left out
   std::vector<std::size_t> chosen{};  // the others
-  std::vector<Arb> x{};              // [E] exact
-  std::vector<Arb> box{};            // [E] around x: where the metric is
+  std::vector<Arb> x{};               // [E] exact
+  std::vector<Arb> box{};             // [E] around x: where the metric is
 
   const topology::Triangulation& triangulation() const { return metric.triangulation(); }
 
@@ -123,8 +123,8 @@ struct IntervalNewton {
       Gauge gauge = empty_gauge(v);
       for (const EdgeEnd& end : *ends) {
         Arb& sum = gauge.coefficient[end.edge];
-        sum = sum + (singular.empty() ? end.direction[i]
-                                      : dot(end.direction, singular[0]->direction));
+        sum = sum +
+              (singular.empty() ? end.direction[i] : dot(end.direction, singular[0]->direction));
         ++gauge.ends[end.edge];
       }
       gauge.square = Arb(0.5);
@@ -224,8 +224,8 @@ struct IntervalNewton {
     for (std::size_t k = 0; k < chosen.size(); ++k) row[chosen[k]] = k;
     for (std::size_t t = 0; t < triangulation().tetrahedron_count(); ++t) {
       if (stopped()) return false;
-      const auto found = precise_jacobian(detail::lengths_of(triangulation(), lengths, t),
-                                          metric.diagonal(t));
+      const auto found =
+          precise_jacobian(detail::lengths_of(triangulation(), lengths, t), metric.diagonal(t));
       if (!found)
         return refuse(
             fmt::format("tetrahedron {} is not proved to be a true one near these lengths", t));

@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <span>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -24,6 +25,13 @@ std::vector<Row> in_order(std::initializer_list<std::span<const Row>> files) {
     if (std::any_of(rows.begin(), row, [&](const Row& other) { return other.name == row->name; }))
       throw InternalError("two entries of a table are called " + std::string(row->name));
   return rows;
+}
+
+/// The row of that name, or null.
+template <class Row>
+const Row* find_row(std::span<const Row> rows, std::string_view name) {
+  const auto found = std::ranges::find(rows, name, &Row::name);
+  return found == rows.end() ? nullptr : &*found;
 }
 
 /// The place of rows that do not ask for one.

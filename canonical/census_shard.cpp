@@ -59,20 +59,24 @@ std::optional<ShardWork> read_work(std::string_view line) {
   return reads && fits ? std::optional(work) : std::nullopt;
 }
 
-/// "3, 7, 9 to 12 and 400 more"
-std::string ranges(const std::vector<std::size_t>& numbers) {
+/// Which of the numbers 1 to `count` are no keys: "3, 7, 9 to 12 and 400 more". There may be very
+/// many.
+std::string missing_numbers(const std::map<std::size_t, std::string>& present, std::size_t count) {
   constexpr std::size_t kShown = 10;
   std::vector<std::string> parts;
-  std::size_t k = 0;
-  while (k < numbers.size() && parts.size() < kShown) {
-    std::size_t last = k;
-    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
-    parts.push_back(last == k ? fmt::format("{}", numbers[k])
-                              : fmt::format("{} to {}", numbers[k], numbers[last]));
-    k = last + 1;
-  }
+  std::size_t first = 1, rest = count - present.size();
+  const auto add_up_to = [&](std::size_t end) {
+    if (first < end && parts.size() < kShown) {
+      parts.push_back(first + 1 == end ? fmt::format("{}", first)
+                                       : fmt::format("{} to {}", first, end - 1));
+      rest -= end - first;
+    }
+    first = end + 1;
+  };
+  for (const auto& [number, name] : present) add_up_to(number);
+  add_up_to(count + 1);
   return fmt::format("{}{}", fmt::join(parts, ", "),
-                     k < numbers.size() ? fmt::format(" and {} more", numbers.size() - k) : "");
+                     rest > 0 ? fmt::format(" and {} more", rest) : "");
 }
 
 }  // namespace
@@ -126,26 +130,23 @@ CensusShard parse_shard(std::string_view text) {
 void ShardMerger::add(CensusShard shard, const std::string& name) {
   if (names_.empty()) {
     work_ = shard.work;
-    names_.resize(work_.count);
   } else if (!work_.is_of_one_census(shard.work)) {
     throw InvalidInput(fmt::format("{} is not of the same census as the others: \"{}\", not \"{}\"",
                                    quoted(name), to_string(shard.work), to_string(work_)));
   }
-  std::string& place = names_[shard.work.number - 1];
-  if (!place.empty())
+  const auto [place, is_new] = names_.emplace(shard.work.number, name);
+  if (!is_new)
     throw InvalidInput(fmt::format("{} and {} are both shard {}/{}; leave one of them out",
-                                   quoted(place), quoted(name), shard.work.number, work_.count));
-  place = name;
+                                   quoted(place->second), quoted(name), shard.work.number,
+                                   work_.count));
   for (CensusLine& line : shard.lines) lines_.push_back(std::move(line));
 }
 
 std::vector<CensusLine> ShardMerger::finish() {
-  std::vector<std::size_t> missing;
-  for (std::size_t k = 0; k < names_.size(); ++k)
-    if (names_[k].empty()) missing.push_back(k + 1);
-  if (!missing.empty())
+  if (names_.size() < work_.count)
     throw InvalidInput(fmt::format("{} of {} shards are missing: {}; make them, and merge again",
-                                   missing.size(), names_.size(), ranges(missing)));
+                                   work_.count - names_.size(), work_.count,
+                                   missing_numbers(names_, work_.count)));
   return std::move(lines_);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,7 +52,7 @@ class ShardMerger {
 
  private:
   ShardWork work_;
-  std::vector<std::string> names_;  ///< [count] of the shard, empty if it is missing
+  std::map<std::size_t, std::string> names_;  ///< by the number of the shard
   std::vector<CensusLine> lines_;
 };
 

@@ -1,22 +1,17 @@
-// tripus census: makes tables of manifolds, and looks things up in them.
+// tripus census: its options, and looking things up in tables of manifolds.
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <memory>
-#include <unordered_set>
+#include <optional>
 
 #include <fmt/format.h>
 
-#include "base/checksum.hpp"
-#include "base/journal.hpp"
-#include "base/output_file.hpp"
-#include "base/version.hpp"
 #include "canonical/census.hpp"
 #include "canonical/census_proofs.hpp"
-#include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/canonize_options.hpp"
 #include "cli/census_file.hpp"
+#include "cli/census_making.hpp"
 #include "cli/census_shard_command.hpp"
 #include "cli/commands.hpp"
 #include "cli/describe.hpp"
@@ -26,9 +21,7 @@
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/output_names.hpp"
-#include "cli/progress.hpp"
 #include "manifold/load.hpp"
-#include "topology/formats/formats.hpp"
 #include "topology/homology.hpp"
 #include "topology/isosig.hpp"
 
@@ -36,202 +29,18 @@ namespace tripus::cli {
 namespace {
 
 using canonical::Census;
-using canonical::CensusLine;
 
 struct CensusCommand {
   std::vector<std::string> names;  ///< manifolds to look up
-  std::vector<std::string> lists;
-  std::string journal, tsv, database, in;
-  canonical::ClassifyOptions classify;
+  std::string in;
   canonical::CensusQuery query;
   std::string volume;
   bool has_boundary = false, has_homology = false, has_cells = false;  ///< also if empty
-  std::string proofs;                                                  ///< file to read or write
-  std::vector<std::string> shards;                                     ///< files to merge
-  std::string shard, output;  ///< of one shard; of a merged census
-  bool json = false, quiet = false, check = false, prove = false;
+  CensusMaking making;               ///< also the files that what is found is written to
+  std::optional<std::string> shard;  ///< "17/400"
+  std::string output;                ///< of one shard; of a merged census
+  bool json = false, check = false;
 };
-
-/// What a census depends on besides its list, which is told apart by its checksum.
-std::string work_of(const CensusCommand& command, const std::vector<std::string>& list) {
-  std::uint64_t digest = checksum("");
-  for (const std::string& text : list) digest = checksum(text + '\n', digest);
-  return fmt::format("# tripus census: version {}, budget {}, {} triangulations, list {:016x}",
-                     kVersion, command.classify.canonize.retriangulation.budget, list.size(),
-                     digest);
-}
-
-/// The lines of an earlier run.
-std::vector<CensusLine> lines_of(const Journal& journal) {
-  std::vector<CensusLine> lines;
-  for (std::size_t k = 0; k < journal.lines().size(); ++k) {
-    auto line = canonical::parse_journal_line(journal.lines()[k]);
-    if (!line) throw InvalidInput(journal.place(k) + " is not one of a census");
-    lines.push_back(std::move(*line));
-  }
-  return lines;
-}
-
-/// What the lists name.
-struct Inputs {
-  std::vector<std::string> triangulations;  ///< by isomorphism signature
-  std::size_t refused = 0;
-};
-
-/// Every line is an INPUT, as for the other batches. What cannot be read is named, and the rest
-/// goes on.
-Inputs read_lists(const std::vector<std::string>& paths) {
-  Inputs inputs;
-  for (const std::string& path : paths) {
-    require_not_written(path);
-    for (const auto& line : read_batch_file(path)) {
-      try {
-        if (line.text == "-") throw InvalidInput(kNoStandardInput);
-        require_not_written(line.text);
-        const topology::NamedGluings loaded = load_manifold_input(line.text);
-        inputs.triangulations.push_back(topology::isosig(loaded.gluings));
-      } catch (const InvalidInput& error) {
-        ++inputs.refused;
-        write_message(fmt::format("tripus: {}: line {}: {}\n", printable(path), line.line_number,
-                                  error.what()));
-      }
-    }
-  }
-  return inputs;
-}
-
-void write_text(const std::string& path, const std::string& text) {
-  if (path == "-") {
-    write_output(text);
-    return;
-  }
-  write_file(path, text);
-}
-
-void write_census(const CensusCommand& command, const Census& census) {
-  if (!command.database.empty()) canonical::write_database(census, command.database);
-  if (!command.tsv.empty()) write_text(command.tsv, canonical::to_tsv(census));
-}
-
-/// The journal's name if none was given: beside the result.
-std::string journal_of(const CensusCommand& command) {
-  if (!command.journal.empty()) return command.journal;
-  if (!command.database.empty()) return command.database + ".journal";
-  if (!command.tsv.empty() && command.tsv != "-") return command.tsv + ".journal";
-  return {};
-}
-
-/// Before the work, not after it.
-void declare_outputs(const CensusCommand& command) {
-  if (!command.tsv.empty() && command.tsv != "-") declare_output("--tsv", command.tsv);
-  if (!command.database.empty()) declare_output("--database", command.database);
-  if (!command.shard.empty()) {
-    declare_output("-o", command.output);
-    return;
-  }
-  if (!command.lists.empty() && !journal_of(command).empty())
-    declare_output("--journal", journal_of(command));
-  if (command.prove && !command.proofs.empty()) declare_output("--proofs", command.proofs);
-  if (!command.in.empty()) require_not_written(command.in);
-}
-
-int write_proofs(const CensusCommand& command, const Census& census) {
-  const Context context = interruptible();
-  const auto proofs = canonical::prove_census(census, context);
-  if (context.stop_requested()) {
-    write_message(fmt::format("tripus: {} after {} proofs; no proofs were written\n", stop_text(),
-                              proofs.size()));
-    return kNoAnswer;
-  }
-  write_text(command.proofs.empty() ? "-" : command.proofs, canonical::to_tsv(proofs));
-  return kSuccess;
-}
-
-/// Writes the census of these lines, and says what it is.
-int finish(const CensusCommand& command, const std::vector<CensusLine>& lines,
-           std::size_t refused_before, std::size_t resumed) {
-  std::size_t own = 0, moved = 0, refused = refused_before;
-  for (const CensusLine& line : lines) {
-    own += line.resolved && line.own_metric;
-    moved += line.resolved && !line.own_metric;
-    refused += !line.reason.empty();
-  }
-  const Census census = canonical::make_census(lines);
-  const std::size_t total = lines.size() + refused_before;
-  if (census.manifolds.empty() && census.unresolved.empty())
-    throw InvalidInput(fmt::format("all of the {} were refused: no census was made",
-                                   counted(total, "triangulation", "triangulations")));
-  write_census(command, census);
-  if (command.prove && write_proofs(command, census) != kSuccess) return kNoAnswer;
-  const std::string summary = fmt::format(
-      "{} triangulations: {} manifolds; {} carry their metric, {} after moves, {} unresolved, {} "
-      "refused{}\n",
-      total, census.manifolds.size(), own, moved, census.unresolved.size(), refused,
-      resumed == 0 ? "" : fmt::format(" ({} known from an earlier run)", resumed));
-  write_message(command.quiet ? "" : summary);
-  if (command.tsv.empty() && command.database.empty()) write_text("-", canonical::to_tsv(census));
-  return kSuccess;
-}
-
-int make(CensusCommand& command) {
-  const std::string path = journal_of(command);
-  const auto rest = [&](std::size_t done, std::size_t of) {
-    return fmt::format(" after {} of {} triangulations{}", done, of,
-                       path.empty() ? "" : "; the same command goes on from there");
-  };
-  const Inputs inputs = read_lists(command.lists);
-  const std::vector<std::string>& list = inputs.triangulations;
-  if (list.empty()) {
-    throw InvalidInput(inputs.refused == 0
-                           ? "the list is empty: there is nothing to make a census of"
-                           : fmt::format("none of its {} could be read: no census was made",
-                                         inputs.refused == 1
-                                             ? "lines"
-                                             : std::to_string(inputs.refused) + " lines"));
-  }
-  std::optional<Journal> journal;
-  if (!path.empty()) journal.emplace(path, work_of(command, list));
-  std::vector<CensusLine> lines;
-  std::unordered_set<std::string> listed(list.begin(), list.end()), done;
-  if (journal) {
-    for (CensusLine& line : lines_of(*journal))
-      if (listed.contains(line.triangulation) && done.insert(line.triangulation).second)
-        lines.push_back(std::move(line));
-  }
-  std::vector<std::string> todo;
-  for (const std::string& text : list)
-    if (done.insert(text).second) todo.push_back(text);
-  const std::size_t total = lines.size() + todo.size(), resumed = lines.size();
-  Progress progress(!command.quiet);
-  std::size_t count = resumed;
-  set_last_words(rest(count, total));
-  command.classify.stop_requested = &interrupt_requested();
-  command.classify.canonize.solve.stop_requested = &interrupt_requested();
-  command.classify.on_line = [&](const CensusLine& line) {
-    if (journal) journal->add(canonical::to_journal(line));
-    ++count;
-    set_last_words(rest(count, total));
-    if (progress.due()) progress.show(fmt::format("{} of {} triangulations", count, total));
-  };
-  for (CensusLine& line : canonical::classify(todo, command.classify))
-    lines.push_back(std::move(line));
-  if (lines.size() < total) {
-    write_message("tripus: " + stop_text() + rest(lines.size(), total) + "\n");
-    return kNoAnswer;
-  }
-  for (const CensusLine& line : lines)
-    if (!line.reason.empty())
-      write_message(fmt::format("tripus: {}: {}\n", printable(line.triangulation), line.reason));
-  if (const int status = finish(command, lines, inputs.refused, resumed); status != kSuccess)
-    return status;
-  if (journal && command.journal.empty()) journal->remove();
-  return kSuccess;
-}
-
-/// A census from the shards that others have made.
-int merge(const CensusCommand& command) {
-  return finish(command, merged_lines(command.shards), 0, 0);
-}
 
 /// "6.4:7" or "6.4:" or ":7".
 void parse_volumes(const std::string& text, canonical::CensusQuery& query) {
@@ -306,8 +115,8 @@ int look_up(CensusCommand& command) {
     write_message(fmt::format("tripus: nothing found: {}\n", canonical::describe(census)));
     return kNoAnswer;
   }
-  if (!command.database.empty() || !command.tsv.empty()) {
-    write_census(command, chosen_part(census, found));
+  if (!command.making.database.empty() || !command.making.tsv.empty()) {
+    write_census(command.making, chosen_part(census, found));
     return kSuccess;
   }
   for (const canonical::CensusEntry* entry : found) {
@@ -328,9 +137,10 @@ int check_proofs(const CensusCommand& command) {
   const ChosenCensus chosen(command.in);
   const Census& census = chosen.get();
   std::optional<std::vector<canonical::CensusProof>> proofs;
-  if (!command.proofs.empty()) proofs = canonical::parse_census_proofs(read_file(command.proofs));
+  if (!command.making.proofs.empty())
+    proofs = canonical::parse_census_proofs(read_file(command.making.proofs));
   Context context = interruptible();
-  context.threads = command.classify.threads;
+  context.threads = command.making.classify.threads;
   const canonical::CensusCheck check = canonical::check_census(
       census, proofs ? *proofs : canonical::shipped_census_proofs(), context);
   if (check.stopped) write_message("tripus: " + stop_text() + " before all proofs were checked\n");
@@ -338,6 +148,46 @@ int check_proofs(const CensusCommand& command) {
   write_output(
       fmt::format("{} of {} manifolds have a valid proof\n", check.valid, census.manifolds.size()));
   return check.failures.empty() && !check.stopped ? kSuccess : kNoAnswer;
+}
+
+/// Before the work, not after it.
+void declare_all_outputs(const CensusCommand& command) {
+  declare_outputs(command.making);
+  if (command.shard) declare_output("-o", command.output);
+  if (!command.in.empty()) require_not_written(command.in);
+}
+
+/// Which options go together, as far as CLI11 cannot say it.
+void require_fitting(CensusCommand& command) {
+  CensusMaking& making = command.making;
+  const bool makes = !making.lists.empty() || !making.shards.empty();
+  if (!making.proofs.empty() && !making.prove && !command.check)
+    throw CLI::RequiredError("--prove or --check, with --proofs,");
+  if (making.prove && makes && making.proofs.empty() && (making.tsv.empty() || making.tsv == "-") &&
+      making.database.empty() && command.output.empty())
+    throw CLI::RequiredError(
+        "--proofs FILE, with --prove and --from or --merge where the census itself goes to "
+        "standard output,");
+  if (command.shard && command.output.empty()) throw CLI::RequiredError("-o FILE, with --shard,");
+  if (command.shard && making.prove) throw CLI::ExcludesError("--prove", "--shard");
+  if (command.shard || command.output.empty()) return;
+  if (making.shards.empty()) throw CLI::RequiredError("--shard or --merge, with -o,");
+  if (!making.database.empty()) throw CLI::ExcludesError("-o", "--database");
+  making.database = command.output;
+  making.database_option = "-o";
+}
+
+int run(CensusCommand& command) {
+  const CensusMaking& making = command.making;
+  declare_all_outputs(command);
+  if (command.shard)
+    return make_shard(
+        {making.lists, *command.shard, command.output, making.classify, making.quiet});
+  if (!making.shards.empty()) return merge_census(making);
+  if (command.check) return check_proofs(command);
+  if (!making.lists.empty()) return make_census(making);
+  if (making.prove) return write_proofs(making, ChosenCensus(command.in).get());
+  return look_up(command);
 }
 
 void add_query_options(CLI::App& verb, CensusCommand& command) {
@@ -365,44 +215,46 @@ void add_query_options(CLI::App& verb, CensusCommand& command) {
 }
 
 void add_making_options(CLI::App& verb, CensusCommand& command) {
-  verb.add_option("--from", command.lists,
+  verb.add_option("--from", command.making.lists,
                   "make a census: classify the triangulations of this list, one INPUT\n"
                   "a line; may be repeated")
       ->option_text("LIST")
       ->allow_extra_args(false);
-  verb.add_option("--tsv", command.tsv, "write it, or what was found, as a table with tabs")
+  verb.add_option("--tsv", command.making.tsv, "write it, or what was found, as a table with tabs")
       ->option_text("FILE");
-  verb.add_option("--database", command.database,
+  verb.add_option("--database", command.making.database,
                   "write it, or what was found, as a SQLite database")
       ->option_text("FILE");
-  verb.add_option("--journal", command.journal,
+  verb.add_option("--journal", command.making.journal,
                   "keep what is done here, so that an interrupted run can go on\n"
                   "(default: beside the result, removed in the end)")
       ->option_text("FILE");
-  verb.add_option("--threads", command.classify.threads, "threads (default: all cores)")
+  verb.add_option("--threads", command.making.classify.threads, "threads (default: all cores)")
       ->option_text("N")
       ->check(whole_number(1024));
-  verb.add_flag("--quiet", command.quiet, "no progress and no summary on standard error");
+  verb.add_flag("--quiet", command.making.quiet, "no progress and no summary on standard error");
   verb.add_option("--shard", command.shard,
                   "of --from the I-th of M parts only, written to -o; the same\n"
                   "command again goes on where it was, or finds it done")
       ->option_text("I/M");
-  verb.add_option("--merge", command.shards, "make a census of shards: all of them, in any order")
+  verb.add_option("--merge", command.making.shards,
+                  "make a census of shards: all of them, in any order")
       ->option_text("SHARD ...");
   verb.add_option("-o,--output", command.output,
                   "with --shard: the shard. With --merge: the census as a SQLite database")
       ->option_text("FILE")
       ->check(problem_of_name);
-  add_canonize_options(verb, command.classify.canonize);
+  add_canonize_options(verb, command.making.classify.canonize);
   CLI::Option* from = verb.get_option("--from");
   verb.get_option("--journal")->needs(from);
   CLI::Option* shard = verb.get_option("--shard")->needs(from);
   CLI::Option* merge = verb.get_option("--merge")->excludes(from);
   for (const char* result : {"--tsv", "--database", "--journal"})
     verb.get_option(result)->excludes(shard);
-  for (const char* query :
-       {"NAME", "--in", "--volume", "--boundary", "--homology", "--cells", "--tetrahedra"})
+  for (const char* query : {"NAME", "--in", "--volume", "--boundary", "--homology", "--cells",
+                            "--tetrahedra", "--check"})
     verb.get_option(query)->excludes(from)->excludes(merge);
+  for (const char* search : {"--budget", "--threads"}) verb.get_option(search)->excludes(merge);
 }
 
 constexpr const char* kCensusHelp =
@@ -419,54 +271,28 @@ void add_census(CLI::App& program, Command& chosen) {
   CLI::App* verb =
       program.add_subcommand("census", "tables of manifolds: make one, or look in one");
   auto command = std::make_shared<CensusCommand>();
-  command->classify.canonize.retriangulation.budget = canonical::kCensusBudget;
+  command->making.classify.canonize.retriangulation.budget = canonical::kCensusBudget;
   add_query_options(*verb, *command);
   auto* check = verb->add_flag("--check", command->check,
                                "check the proof of every manifold by other code than made it")
                     ->option_text(" ");
-  auto* prove = verb->add_flag("--prove", command->prove,
+  auto* prove = verb->add_flag("--prove", command->making.prove,
                                "prove the metrics of all manifolds (with --from: of the "
                                "new\ncensus), and write the proofs")
                     ->option_text(" ");
   check->excludes(prove);
-  verb->add_option("--proofs", command->proofs,
+  verb->add_option("--proofs", command->making.proofs,
                    "file of proofs that --check reads (default: the shipped one) or\n--prove "
                    "writes (default: standard output)")
       ->option_text("FILE");
   add_making_options(*verb, *command);
-  check->excludes(verb->get_option("--from"));
   verb->footer(kCensusHelp);
   verb->final_callback([command, verb, &chosen] {
     command->has_boundary = verb->get_option("--boundary")->count() > 0;
     command->has_homology = verb->get_option("--homology")->count() > 0;
     command->has_cells = verb->get_option("--cells")->count() > 0;
-    if (!command->proofs.empty() && !command->prove && !command->check)
-      throw CLI::RequiredError("--prove or --check, with --proofs,");
-    if (command->prove && !command->lists.empty() && command->proofs.empty() &&
-        (command->tsv.empty() || command->tsv == "-") && command->database.empty())
-      throw CLI::RequiredError(
-          "--proofs FILE, with --from and --prove where the census itself goes to standard "
-          "output,");
-    if (!command->shard.empty() && command->output.empty())
-      throw CLI::RequiredError("-o FILE, with --shard,");
-    if (!command->shard.empty() && command->prove) throw CLI::ExcludesError("--prove", "--shard");
-    if (command->shard.empty() && command->shards.empty() && !command->output.empty())
-      throw CLI::RequiredError("--shard or --merge, with -o,");
-    if (!command->shards.empty() && !command->output.empty()) {
-      if (!command->database.empty()) throw CLI::ExcludesError("-o", "--database");
-      command->database = command->output;
-    }
-    chosen = [command] {
-      declare_outputs(*command);
-      if (!command->shard.empty())
-        return make_shard(
-            {command->lists, command->shard, command->output, command->classify, command->quiet});
-      if (!command->shards.empty()) return merge(*command);
-      if (command->check) return check_proofs(*command);
-      if (!command->lists.empty()) return make(*command);
-      if (command->prove) return write_proofs(*command, ChosenCensus(command->in).get());
-      return look_up(*command);
-    };
+    require_fitting(*command);
+    chosen = [command] { return run(*command); };
   });
 }
 

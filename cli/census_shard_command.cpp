@@ -12,7 +12,7 @@
 #include "base/output_file.hpp"
 #include "base/version.hpp"
 #include "canonical/census_shard.hpp"
-#include "cli/answer.hpp"
+#include "cli/census_lines.hpp"
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/interrupt.hpp"
@@ -21,7 +21,6 @@
 #include "cli/progress.hpp"
 #include "cli/shard.hpp"
 #include "manifold/load.hpp"
-#include "topology/isosig.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -75,9 +74,7 @@ bool is_there(const std::string& path, const ShardWork& work) {
 CensusLine read_line(const std::string& text) {
   CensusLine line;
   try {
-    if (text == "-") throw InvalidInput(kNoStandardInput);
-    require_not_written(text);
-    line.triangulation = topology::isosig(load_manifold_input(text).gluings);
+    line.triangulation = signature_of_line(text);
   } catch (const InvalidInput& error) {
     line.triangulation = printable(text);
     line.reason = error.what();
@@ -85,25 +82,12 @@ CensusLine read_line(const std::string& text) {
   return line;
 }
 
-struct Counts {
-  std::size_t own = 0, moved = 0, unresolved = 0, refused = 0;
-  explicit Counts(const std::vector<CensusLine>& lines) {
-    for (const CensusLine& line : lines) {
-      own += line.resolved && line.own_metric;
-      moved += line.resolved && !line.own_metric;
-      refused += !line.reason.empty();
-      unresolved += !line.resolved && line.reason.empty();
-    }
-  }
-};
-
 /// What earlier runs of the same shard have found, by triangulation.
-std::unordered_map<std::string, CensusLine> lines_of(const Journal& journal) {
+std::unordered_map<std::string, CensusLine> known_from(const Journal& journal) {
   std::unordered_map<std::string, CensusLine> known;
-  for (std::size_t k = 0; k < journal.lines().size(); ++k) {
-    auto line = canonical::parse_journal_line(journal.lines()[k]);
-    if (!line) throw InvalidInput(journal.place(k) + " is not one of a census");
-    known.emplace(line->triangulation, std::move(*line));
+  for (CensusLine& line : lines_of(journal)) {
+    std::string triangulation = line.triangulation;
+    known.emplace(std::move(triangulation), std::move(line));
   }
   return known;
 }
@@ -120,7 +104,7 @@ int make_shard(ShardCommand command) {
     return kSuccess;
   }
   Journal journal(command.output + ".journal", to_string(shard.work));
-  auto known = lines_of(journal);
+  auto known = known_from(journal);
   std::vector<std::string> todo;
   for (const std::string& text : texts) {
     CensusLine line = read_line(text);
@@ -156,7 +140,7 @@ int make_shard(ShardCommand command) {
     if (line.reason.empty()) line = known.at(line.triangulation);
   write_file(command.output, canonical::to_text(shard));
   journal.remove();
-  const Counts counts(shard.lines);
+  const LineCounts counts = count_lines(shard.lines);
   if (!command.quiet)
     write_message(fmt::format(
         "{}: {} lines: {} carry their metric, {} after moves, {} unresolved, {} refused\n", name,

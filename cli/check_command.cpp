@@ -48,7 +48,8 @@ std::string proof_as_json(const std::string& input, const structure::ProofText& 
                           const structure::ProofCheck& result) {
   JsonText out;
   append_header(out, input);
-  append(out, ", \"kind\": \"strong-convexity\"");
+  append(out, ", \"kind\": ");
+  append_string(out, structure::kind_of(proof));
   append(out, result ? ", \"valid\": true" : ", \"valid\": false");
   append(out, ", \"message\": ");
   append_string(out, proof_verdict(proof, result));

@@ -114,7 +114,8 @@ void require_circles(const embedding::Embedding& embedded) {
     if (tetrahedron.diagonal != embedding::HyperboloidTetrahedron{}.diagonal ||
         tetrahedron.parabolic_edges != 0)
       throw Unsupported(
-          "circles at infinity are drawn for geodesic boundary only, not for cusps, finite vertices "
+          "circles at infinity are drawn for geodesic boundary only, not for cusps, finite "
+          "vertices "
           "and parabolic edges; write .json or a surface, such as .ply");
 }
 
@@ -142,8 +143,7 @@ Outcome embed_one(const EmbedCommand& command, const std::string& input) {
   std::optional<OutputFile> file, circles;
   if (!command.output.empty()) file.emplace(command.output);
   if (!command.circles.empty()) circles.emplace(command.circles);
-  Subject loaded =
-      load_ideal_subject(input, Balls::kRefused, interruptible(), require_with_remedy);
+  Subject loaded = load_ideal_subject(input, Balls::kRefused, interruptible(), require_with_remedy);
   const Solved solved = find_metric(std::move(loaded), {}, command.search);
   const Subject& subject = solved.subject;
   const structure::Report& report = solved.report;

@@ -33,8 +33,10 @@ using topology::LinkChoice;
 constexpr std::size_t kDrawnAtOnce = 500;
 
 struct EnumerateCommand {
-  int tetrahedra = 0, random = 0, seed = 0;
-  std::string links = "geodesic", engine = "tripus", shard, output;
+  int tetrahedra = 0, seed = 0;
+  std::optional<int> random;
+  std::optional<std::string> shard;
+  std::string links = "geodesic", engine = "tripus", output;
   unsigned threads = 0;
   bool count_only = false, quiet = false;
 };
@@ -131,7 +133,7 @@ bool write_all(const EnumerateCommand& command, const Shard& shard, Sink& sink) 
 }
 
 bool write_random(const EnumerateCommand& command, const Shard& shard, Sink& sink) {
-  const auto wanted = static_cast<std::size_t>(command.random);
+  const auto wanted = static_cast<std::size_t>(*command.random);
   const LinkChoice links = parse_links(command.links);
   const std::size_t parts = (wanted + kDrawnAtOnce - 1) / kDrawnAtOnce;
   return write_in_order(
@@ -165,18 +167,18 @@ bool write_tricensus(const EnumerateCommand& command, Sink& sink) {
 
 int run(const EnumerateCommand& command) {
   parse_links(command.links);
-  const Shard shard = command.shard.empty() ? Shard{} : parse_shard(command.shard);
+  const Shard shard = command.shard ? parse_shard(*command.shard) : Shard{};
   if (command.engine != "tripus" && command.engine != "tricensus")
     throw InvalidInput("--engine " + tripus::quoted(command.engine) +
                        ": write tripus or tricensus");
-  if (command.engine == "tricensus" && (!shard.is_all() || command.random > 0))
+  if (command.engine == "tricensus" && (command.shard || command.random))
     throw InvalidInput("--engine tricensus knows neither --shard nor --random");
   Sink sink(command);
   const auto rest = [&] { return fmt::format(" after {} triangulations", sink.count()); };
   set_last_words(command.output.empty() ? " before all triangulations were written"
                                         : "; no file was written");
   const bool whole = command.engine == "tricensus" ? write_tricensus(command, sink)
-                     : command.random > 0          ? write_random(command, shard, sink)
+                     : command.random              ? write_random(command, shard, sink)
                                                    : write_all(command, shard, sink);
   if (!whole) {
     write_message("tripus: " + stop_text() + rest() +
@@ -212,8 +214,8 @@ void add_enumerate(CLI::App& program, Command& chosen) {
                    "which vertex links: geodesic (all of genus >= 2, the default), mixed\n"
                    "(of genus >= 2 and tori, both), cusped (tori)")
       ->option_text("KIND");
-  auto* shard = verb->add_option("--shard", command->shard, "the I-th of M parts of the list only")
-                    ->option_text("I/M");
+  verb->add_option("--shard", command->shard, "the I-th of M parts of the list only")
+      ->option_text("I/M");
   auto* random = verb->add_option("--random", command->random,
                                   "instead of all, so many random ones; repetitions happen")
                      ->option_text("COUNT")
@@ -224,9 +226,7 @@ void add_enumerate(CLI::App& program, Command& chosen) {
       ->needs(random);
   verb->add_option("--engine", command->engine,
                    "tripus (default) or tricensus, Regina's program, where it is installed")
-      ->option_text("NAME")
-      ->excludes(shard)
-      ->excludes(random);
+      ->option_text("NAME");
   verb->add_flag("--count", command->count_only, "print their number only")
       ->option_text(" ")
       ->excludes(random);

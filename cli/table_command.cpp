@@ -1,4 +1,6 @@
 // tripus table: the tables of knots, links, theta curves and handlebody-knots.
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -131,21 +133,41 @@ std::vector<DiagramTable> tables_of(const std::string& name) {
   return {*table};
 }
 
+/// Throws InvalidInput: the name is in another table, or in none.
+[[noreturn]] void refuse_name(const std::string& name, const topology::TabledDiagram* found) {
+  for (const DiagramTable table : topology::kDiagramTables)
+    for (const topology::TabledDiagram& other : topology::table_of(table))
+      if (&other == found)
+        throw InvalidInput(quoted(name) + " is in another table: tripus table " +
+                           std::string(topology::table_name(table)) + " " + quoted(other.name));
+  throw InvalidInput("there is no " + quoted(name) +
+                     " in the tables; the nearest names there are " +
+                     topology::nearest_diagram_names(name));
+}
+
+/// What a row tells is the same for mirror images, but for signatures, diagrams and pictures.
+void note_mirror(const std::string& name, const std::string& found) {
+  write_message(
+      fmt::format("tripus: note: {} is the mirror image of {}, whose row this is: the orientations "
+                  "of its signatures and its diagram are the other ones\n",
+                  quoted(name), found));
+}
+
 std::vector<DiagramRow> chosen_rows(std::vector<DiagramRow> rows,
                                     const std::vector<std::string>& names) {
   if (names.empty()) return rows;
   std::vector<DiagramRow> chosen;
   for (const std::string& name : names) {
-    const topology::TabledDiagram* found = topology::find_diagram(name);
+    const auto [found, mirrored] = topology::find_diagram_up_to_mirror(name);
     const std::size_t before = chosen.size();
-    for (const DiagramRow& row : rows)
-      if (found != nullptr && row.name == found->name) chosen.push_back(row);
+    if (found != nullptr)
+      std::ranges::copy_if(rows, std::back_inserter(chosen),
+                           [&](const DiagramRow& row) { return row.name == found->name; });
     const bool is_short = chosen.size() == before;  // "5_1" for "5_1 theta" and "5_1 handcuff"
     for (const DiagramRow& row : rows)
       if (is_short && row.name.starts_with(name + " ")) chosen.push_back(row);
-    if (chosen.size() == before)
-      throw InvalidInput("there is no " + quoted(name) + " in this table; the nearest names are " +
-                         topology::nearest_diagram_names(name));
+    if (chosen.size() == before) refuse_name(name, found);
+    if (mirrored) note_mirror(name, found->name);
   }
   return chosen;
 }

@@ -15,8 +15,9 @@ if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_6
   find_package(Python3 COMPONENTS Interpreter QUIET)
   set(can_delay ${Python3_FOUND})
 endif()
-option(TRIPUS_DELAY_LOAD "Let the program load graphics and other heavy libraries when it uses them"
-       ${can_delay})
+include(CMakeDependentOption)
+cmake_dependent_option(TRIPUS_DELAY_LOAD
+  "Let the program load graphics and other heavy libraries when it uses them" ON "can_delay" OFF)
 if(TRIPUS_DELAY_LOAD)
   enable_language(ASM)
 endif()
@@ -48,7 +49,6 @@ function(tripus_archives_of out target)
       list(APPEND waiting ${link})
     endforeach()
   endwhile()
-  list(REMOVE_ITEM found ${target})
   set(${out} ${found} PARENT_SCOPE)
 endfunction()
 

@@ -53,10 +53,7 @@ struct Energy {
 /// prints them. Whatever stands here can be solved (`--method PREFIX:MINIMISER`).
 std::span<const Energy> energies();
 
-/// The functional on a triangulation whose tetrahedra are all true ones at these lengths x [E],
-/// which become the point that they correspond to. The contract tests sample every energy so.
-std::unique_ptr<Functional> at_lengths(const Energy& energy,
-                                       const topology::Triangulation& triangulation,
-                                       std::vector<double>& x);
+/// The one whose variables are the lengths, without a prefix: what flows follow.
+inline const Energy* energy_in_lengths() { return find_row(energies(), "co-volume"); }
 
 }  // namespace tripus::energies

@@ -47,6 +47,6 @@ struct Flow {
 std::span<const Flow> flows();
 
 /// The flow of that name, or null.
-const Flow* find_flow(std::string_view name);
+inline const Flow* find_flow(std::string_view name) { return find_row(flows(), name); }
 
 }  // namespace tripus::integrators

@@ -41,6 +41,6 @@ struct Stepper {
 std::span<const Stepper> steppers();
 
 /// The stepper of that name, or null.
-const Stepper* find_stepper(std::string_view name);
+inline const Stepper* find_stepper(std::string_view name) { return find_row(steppers(), name); }
 
 }  // namespace tripus::integrators

@@ -260,6 +260,7 @@ topology::NamedGluings load_as_given(const std::string& input, Wanted wanted,
     if (!is_name && !topology::looks_like_diagram(input)) word->name.clear();  // a signature
     return *std::move(word);
   }
+  if (topology::is_nearly_diagram_name(input)) refuse_unknown_name(input);
   const std::string message =
       quoted(input) +
       " is neither a file nor an isomorphism signature (letters, digits, + and -) nor "
@@ -388,8 +389,10 @@ topology::NamedDiagram load_diagram(const std::string& input) {
     return blame(source_of(input), [&] { return read(content); });
   }
   const bool is_tabled = topology::find_diagram_or_mirror(input).has_value();
-  if (!is_tabled && topology::is_diagram_name(input)) refuse_unknown_name(input);
-  if (!is_tabled && !topology::looks_like_diagram(input))
+  const bool is_known = is_tabled || topology::looks_like_diagram(input);
+  if (!is_known && (topology::is_diagram_name(input) || topology::is_nearly_diagram_name(input)))
+    refuse_unknown_name(input);
+  if (!is_known)
     throw InvalidInput(quoted(input) +
                        " is no diagram: give one as PD: X[4,2,5,1] ..., a file with one, or a name "
                        "of the tables (tripus table lists them)");

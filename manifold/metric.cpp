@@ -45,9 +45,8 @@ std::size_t CellComplex::write(const std::string& path, const CellFileOptions& o
 
 std::shared_ptr<const embedding::Embedding> Metric::shared_embedding() const {
   std::call_once(placed_, [this] {
-    embedding_ = std::make_shared<const embedding::Embedding>(
-        embedding::embed(triangulation_, report_.edge_lengths,
-                         {{cone_angles_.begin(), cone_angles_.end()}, 0}));
+    embedding_ = std::make_shared<const embedding::Embedding>(embedding::embed(
+        triangulation_, report_.edge_lengths, {{cone_angles_.begin(), cone_angles_.end()}, 0}));
   });
   return embedding_;
 }

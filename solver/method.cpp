@@ -6,12 +6,6 @@
 #include "base/error.hpp"
 
 namespace tripus::solver {
-const Method* find_method(std::string_view name) {
-  for (const Method& method : methods()) {
-    if (method.name == name) return &method;
-  }
-  return nullptr;
-}
 
 std::string_view to_string(Termination termination) {
   switch (termination) {

@@ -79,6 +79,6 @@ struct Method {
 std::span<const Method> methods();
 
 /// The method of that name, or null.
-const Method* find_method(std::string_view name);
+inline const Method* find_method(std::string_view name) { return find_row(methods(), name); }
 
 }  // namespace tripus::solver

@@ -19,7 +19,7 @@ SolveMethod find_solve_method(std::string_view name, std::size_t edge_count) {
   SolveMethod method;
   method.name = name;
   if (const auto flow = integrators::parse_flow_method(name)) {
-    method.energy = &energies::energies().front();
+    method.energy = energies::energy_in_lengths();
     method.flow = flow->first;
     method.stepper = flow->second;
     return method;

@@ -323,11 +323,12 @@ Report without_minimiser(const topology::Triangulation& triangulation, const Sol
                          detail::SmallDecision decided, Report report) {
   report.outcome = Outcome::kUnresolved;
   report.advice = Advice::kRetriangulate;
-  report.message = certificate_message(*decided.certificate);
+  report.message = "No metric was found; whether there is one is decided where evidence is wanted.";
   if (!options.evidence) return report;
   if (const CheckResult valid = check(triangulation, *decided.certificate); !valid)
     throw InternalError("a proof about angle structures does not pass its check: " + valid.reason);
   report.outcome = Outcome::kInfeasible;
+  report.message = certificate_message(*decided.certificate);
   report.certificate = std::move(decided.certificate);
   return report;
 }

@@ -38,9 +38,11 @@ Gluings draw(std::size_t tetrahedra, std::mt19937_64& random) {
 
 Gluings random_gluings(std::size_t tetrahedra, LinkChoice links, std::mt19937_64& random,
                        std::size_t* draws) {
-  if (tetrahedra < 1 || (tetrahedra < 2 && links == LinkChoice::kGeodesic))
-    throw InvalidInput("there is no such triangulation with " + std::to_string(tetrahedra) +
-                       " tetrahedra");
+  // Fewer tetrahedra have none, as `enumerate` finds.
+  const std::size_t least = links == LinkChoice::kMixed ? 3 : 2;
+  if (tetrahedra < least)
+    throw InvalidInput("the least number of tetrahedra of a triangulation with such links (" +
+                       std::string(to_string(links)) + ") is " + std::to_string(least));
   for (std::size_t count = 0; count < kMostDraws; ++count) {
     Triangulation triangulation(draw(tetrahedra, random));
     if (draws != nullptr) ++*draws;

@@ -13,8 +13,8 @@ namespace tripus::topology {
 /// are drawn again. So a triangulation comes with a probability proportional to 1 / (its number of
 /// automorphisms), as `enumerate` counts them. `draws`, if there, is increased by the number of
 /// draws. Nearly every draw hits for kGeodesic and three or more tetrahedra; for the other choices
-/// hits are rare. Throws InvalidInput for fewer than 1 tetrahedron, or 2 with kGeodesic, where
-/// there is none to be drawn, and after 10^8 draws without a hit.
+/// hits are rare. Throws InvalidInput for fewer than 2 tetrahedra, or 3 with kMixed, where there is
+/// none to be drawn, and after 10^8 draws without a hit.
 Gluings random_gluings(std::size_t tetrahedra, LinkChoice links, std::mt19937_64& random,
                        std::size_t* draws = nullptr);
 

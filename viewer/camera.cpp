@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -51,6 +52,20 @@ View view_of(const Camera& camera, const Ball& scene, int width, int height) {
   view.projection(2, 3) = -2 * view.far * view.near / depth;
   view.projection(3, 2) = -1;
   return view;
+}
+
+Vector3 key_light(const View& view) {
+  const Vector3 in_eye_space(-0.45, 0.65, 0.75);
+  return (view.model_view.topLeftCorner<3, 3>().transpose() * in_eye_space).normalized();
+}
+
+std::vector<std::size_t> nearest_first(std::span<const Ball> balls, const Vector3& eye) {
+  std::vector<double> distance;
+  for (const Ball& ball : balls) distance.push_back((ball.centre - eye).norm() - ball.radius);
+  std::vector<std::size_t> order(balls.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t i) { return distance[i]; });
+  return order;
 }
 
 Ray ray_through(const View& view, int width, int height, double x, double y) {

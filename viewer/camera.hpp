@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "viewer/scene.hpp"
@@ -32,6 +36,12 @@ struct View {
 
 /// Requires width, height > 0 and a scene of positive radius.
 View view_of(const Camera& camera, const Ball& scene, int width, int height);
+
+/// Unit, in the model, towards the light: from above the viewer's left shoulder.
+Vector3 key_light(const View& view);
+
+/// The numbers of balls, the one nearest to the eye first.
+std::vector<std::size_t> nearest_first(std::span<const Ball> balls, const Vector3& eye);
 
 /// The ray through a point of the picture, in pixels from its top left corner; unit direction.
 struct Ray {

@@ -63,6 +63,12 @@ inline bool is_solid(const PictureOptions& options) {
   return options.drawing == Drawing::kSolid && options.faces && options.truncations;
 }
 
+/// Whether the drawing is to end.
+inline bool is_stopped(const PictureOptions& options) {
+  return options.stop_requested != nullptr &&
+         options.stop_requested->load(std::memory_order_relaxed);
+}
+
 /// Throws InvalidInput, naming the option, for a size, a camera or a number of cells out of range.
 void require_drawable(const Scene& scene, const PictureOptions& options, int width, int height);
 

@@ -2,7 +2,7 @@
 
     >>> import tripus_census_5 as census                               # doctest: +SKIP
     >>> len(census.manifolds(boundary="g2", volume=(7, 7.5)))          # doctest: +SKIP
-    >>> census.find("fLLQcacdeeejguuvc").volume                        # doctest: +SKIP
+    >>> census.find("fLAMcbcbdeedhjhhs").volume                        # doctest: +SKIP
 
 `manifolds` gives the entries in the order of the table: by tetrahedra, boundary, volume, signature. A
 signature is an INPUT of Tripus: `tripus.Manifold(entry.signature)`. Needs nothing but Python.

@@ -15,34 +15,16 @@ TRIPUS names the program (default: the one that was built here). See docs/census
 USAGE
 }
 
-die() { echo "parallel.sh: $1" >&2; exit 2; }
-
-list="" shards="" into=""
-while (($# > 0)); do
-  case "$1" in
-    --help | -h) usage; exit 0 ;;
-    --into) into="${2:?}"; shift 2 ;;
-    --) shift; break ;;
-    -*) usage >&2; exit 2 ;;
-    *)
-      if [[ -z "$list" ]]; then list="$1"; elif [[ -z "$shards" ]]; then shards="$1"; else usage >&2; exit 2; fi
-      shift ;;
-  esac
-done
+# shellcheck source=scripts/cluster/common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+read_arguments "$@"
 : "${shards:=100}"
-[[ -n "$list" && "$shards" =~ ^[1-9][0-9]*$ ]] || { usage >&2; exit 2; }
-[[ -r "$list" ]] || die "there is no list $list"
+[[ -z "$tasks" ]] || { usage >&2; exit 2; }
 command -v parallel > /dev/null || die "GNU parallel is not installed; on Debian: apt install parallel"
-
-root="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
-program="$(realpath "${TRIPUS:-$root/build/release/bin/tripus}")"
-[[ -x "$program" ]] || die "there is no program $program; build it, or name it in TRIPUS"
-list="$(realpath "$list")"
-mkdir -p "${into:=$list.census}"
-into="$(realpath "$into")"
+prepare
 
 # A shard that was killed is made once more; one that fails twice is missing, and the merge says so.
-seq 1 "$shards" | parallel --will-cite --retries 2 --quote "$@" \
+seq 1 "$shards" | parallel --will-cite --retries 2 --quote "${engine_options[@]}" \
   "$program" census --from "$list" --shard "{}/$shards" -o "$into/{}.tcs" --threads 1 --quiet ||
   echo "parallel.sh: some shards failed" >&2
 cd "$into"

@@ -18,31 +18,11 @@ built here). See docs/census.md.
 USAGE
 }
 
-die() { echo "slurm.sh: $1" >&2; exit 2; }
-
-list="" shards="" into="" tasks=""
-while (($# > 0)); do
-  case "$1" in
-    --help | -h) usage; exit 0 ;;
-    --into) into="${2:?}"; shift 2 ;;
-    --tasks) tasks="${2:?}"; shift 2 ;;
-    --) shift; break ;;
-    -*) usage >&2; exit 2 ;;
-    *)
-      if [[ -z "$list" ]]; then list="$1"; elif [[ -z "$shards" ]]; then shards="$1"; else usage >&2; exit 2; fi
-      shift ;;
-  esac
-done
-[[ -n "$list" && "$shards" =~ ^[1-9][0-9]*$ ]] || { usage >&2; exit 2; }
-[[ -r "$list" ]] || die "there is no list $list"
+# shellcheck source=scripts/cluster/common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+read_arguments "$@"
 command -v sbatch > /dev/null || die "there is no Slurm here: sbatch is not found"
-
-root="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
-program="$(realpath "${TRIPUS:-$root/build/release/bin/tripus}")"
-[[ -x "$program" ]] || die "there is no program $program; build it, or name it in TRIPUS"
-list="$(realpath "$list")"
-mkdir -p "${into:=$list.census}"
-into="$(realpath "$into")"
+prepare
 : "${tasks:=$((shards < 1000 ? shards : 1000))}"
 [[ "$tasks" =~ ^[1-9][0-9]*$ ]] || die "--tasks $tasks is no number of tasks"
 ((tasks <= shards)) || tasks="$shards"
@@ -64,7 +44,7 @@ exec $(printf '%q' "$program") census --merge ./*.tcs -o census.sqlite --tsv cen
 JOB
 
 job="$(sbatch --parsable --job-name=tripus-census --array="1-$tasks" --requeue \
-  --output="$into/log-%a.txt" --open-mode=append "$@" "$into/shards.sbatch")"
+  --output="$into/log-%a.txt" --open-mode=append "${engine_options[@]}" "$into/shards.sbatch")"
 merge="$(sbatch --parsable --job-name=tripus-merge --dependency="afterany:${job%%;*}" \
-  --output="$into/merge.txt" "$@" "$into/merge.sbatch")"
+  --output="$into/merge.txt" "${engine_options[@]}" "$into/merge.sbatch")"
 echo "${job%%;*} ${merge%%;*}"

@@ -145,7 +145,24 @@ struct Checker {
     return l;
   }
 
+  /// A cusp needs angles of an exact sum, which no doubles have.
+  bool cusps_are_exact() {
+    for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t)
+      for (int e = 0; e < 6; ++e) {
+        const std::size_t edge = triangulation.edge_class(t, e);
+        if (cone_angles[edge].is_rational()) continue;
+        for (const int v : topology::kEdgeEnds[static_cast<std::size_t>(e)])
+          if (kind(t, v) == 0)
+            return refuse(
+                fmt::format("the cone angle of edge class {} is no fraction of pi: there is no "
+                            "cusp at its end",
+                            edge));
+      }
+    return true;
+  }
+
   bool read() {
+    if (!cusps_are_exact()) return false;
     const std::size_t count = triangulation.edge_count();
     if (proof.lengths.size() != count || proof.radii.size() != count)
       return refuse(fmt::format("{} lengths and {} radii for {} edge classes", proof.lengths.size(),

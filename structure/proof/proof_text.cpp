@@ -119,6 +119,10 @@ const json& proof_member(const json& document) {
 
 }  // namespace
 
+std::string_view kind_of(const ProofText& proof) {
+  return proof.interval_newton ? kIntervalNewton : kStrongConvexity;
+}
+
 ProofText proof_text(const Proof& proof, const Digits* digits) {
   ProofText text;
   text.proved = proof.proved && (digits == nullptr || digits->proved);
@@ -152,8 +156,7 @@ ProofText proof_text(const Proof& proof, const Digits* digits) {
 std::string to_json(const ProofText& proof) {
   const auto quoted_text = [](const std::string& text) { return '"' + text + '"'; };
   std::string text =
-      fmt::format("{{\"kind\": \"{}\", \"proved\": {}",
-                  proof.interval_newton ? kIntervalNewton : kStrongConvexity, proof.proved);
+      fmt::format("{{\"kind\": \"{}\", \"proved\": {}", kind_of(proof), proof.proved);
   if (!proof.proved) return text + ", \"reason\": " + json(proof.reason).dump() + "}";
   text += fmt::format(
       ", \"claim\": \"{}\", \"bits\": {}, \"escalated\": {}, \"lengths\": {}, "

@@ -27,6 +27,9 @@ struct ProofText {
   std::vector<std::size_t> flat;
 };
 
+/// The key "kind": "strong-convexity" or "interval-newton".
+std::string_view kind_of(const ProofText& proof);
+
 /// A proof in doubles; with digits, these instead of its numbers.
 ProofText proof_text(const Proof& proof, const Digits* digits = nullptr);
 

@@ -238,6 +238,7 @@ std::string out_of_reach(const detail::ConeMetric& metric, const ProveOptions& o
         return angle.is_parabolic();
       }))
     return "flat tetrahedra beside parabolic edges are not proved";
+  if (std::string reason = metric.inexact_cusp(); !reason.empty()) return reason;
   for (std::size_t e = 0; e < lengths.size(); ++e) {
     if (!std::isfinite(lengths[e]))
       return fmt::format("the length of edge class {} is not finite", e);

@@ -61,6 +61,25 @@ std::vector<double> moved(const std::vector<double>& x, const std::vector<double
   return y;
 }
 
+/// The functional on a triangulation whose tetrahedra are all true ones at these lengths x [E],
+/// which become the point that they correspond to.
+std::unique_ptr<Functional> at_lengths(const Energy& energy,
+                                       const topology::Triangulation& triangulation,
+                                       std::vector<double>& x) {
+  const auto angles = [&]() -> std::optional<std::vector<double>> {
+    CoVolume co_volume(triangulation);
+    std::vector<double> gradient(triangulation.edge_count());
+    co_volume.evaluate(x, gradient, {});
+    std::vector<double> all;
+    for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t) {
+      const auto theta = co_volume.dihedral_angles(t);
+      all.insert(all.end(), theta.begin(), theta.end());
+    }
+    return all;
+  };
+  return energy.begin(triangulation, {}, angles, x);
+}
+
 class EnergyContract : public ::testing::TestWithParam<Energy> {
  protected:
   /// The energy on the sample, and a point near the one of the sample's lengths: there all corners

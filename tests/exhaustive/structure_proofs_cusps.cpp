@@ -126,6 +126,45 @@ TEST(CuspedProofs, OrbifoldsOfOrb) {
   EXPECT_EQ(count, 60u);
 }
 
+// Two cone angles at a cusp, one wider and one narrower by as much: floating point solves for it,
+// but the angles are doubles, and their sum is not what a cusp needs.
+TEST(CuspedProofs, NotOfCuspsThatAreThereWithinRoundingOnly) {
+  std::size_t count = 0;
+  for (const auto& row : testing::data_table("cusped-census-5.tsv")) {
+    if (row.at("tetrahedra") == "5") continue;
+    SCOPED_TRACE(row.at("isosig"));
+    const topology::Triangulation triangulation(topology::decode_isosig(row.at("isosig")));
+    if (triangulation.edge_count() < 2 || !triangulation.is_orientable()) continue;
+    const detail::ConeMetric whole(triangulation, {});
+    const auto [a, b] = whole.ends(0);
+    const auto [c, d] = whole.ends(1);
+    if (a != b || c != d || a != c) continue;
+    SolveOptions options;
+    options.cone_angles.resize(triangulation.edge_count());
+    for (const double sign : {1.0, -1.0}) {
+      ConeAngle& angle = options.cone_angles[sign > 0 ? 0 : 1];
+      angle = ConeAngle(angle.radians() + sign * 0x1p-7);
+      ASSERT_FALSE(angle.is_rational());
+    }
+    const Report report = solve(triangulation, options);
+    if (report.outcome != Outcome::kGeometric) continue;
+    ++count;
+    ProveOptions prove_options;
+    prove_options.cone_angles = options.cone_angles;
+    const Proof proof = prove(triangulation, report.edge_lengths, prove_options);
+    EXPECT_FALSE(proof.proved);
+    EXPECT_NE(proof.reason.find("cusp only within rounding"), std::string::npos) << proof.reason;
+    ProofText claimed;
+    claimed.proved = true;
+    claimed.cone_angles = options.cone_angles;
+    claimed.lengths.assign(triangulation.edge_count(), "0.5");
+    claimed.radii.assign(triangulation.edge_count(), "1e-3");
+    EXPECT_NE(check_proof(triangulation, claimed).reason.find("no cusp at its end"),
+              std::string::npos);
+  }
+  EXPECT_GT(count, 50u);
+}
+
 // The tripus with cone angle k at its one edge: volumes fall as the angle grows (Schlaefli), and
 // the parabolic edge is the limit. Angles that are no fraction of pi are exact as doubles.
 TEST(CuspedProofs, OfOneEdgeWithEveryConeAngle) {

@@ -92,8 +92,17 @@ TEST(Enumeration, AgreesWithDrawing) {
 TEST(Enumeration, RefusesWhatIsTooLarge) {
   EXPECT_THROW(enumeration_pieces(0, LinkChoice::kGeodesic), InvalidInput);
   EXPECT_THROW(enumeration_pieces(kMaxEnumerated + 1, LinkChoice::kGeodesic), InvalidInput);
+}
+
+TEST(Enumeration, DrawingRefusesWhatHasNone) {
   std::mt19937_64 random(1);
-  EXPECT_THROW(random_gluings(1, LinkChoice::kGeodesic, random), InvalidInput);
+  for (const LinkChoice links : {LinkChoice::kGeodesic, LinkChoice::kMixed, LinkChoice::kCusped})
+    for (const std::size_t tetrahedra : {1u, 2u, 3u}) {
+      if (enumerate_all(tetrahedra, links).signatures.empty())
+        EXPECT_THROW(random_gluings(tetrahedra, links, random), InvalidInput);
+      else
+        EXPECT_TRUE(has_links(Triangulation(random_gluings(tetrahedra, links, random)), links));
+    }
 }
 
 }  // namespace

@@ -63,11 +63,24 @@ class Shards(ProgramTest):
         (self.folder / "copy.tcs").write_bytes((self.folder / "4.tcs").read_bytes())
         result = self.run_program("census", "--merge", "1.tcs", "2.tcs", "3.tcs", "4.tcs", "copy.tcs")
         self.assertIn("are both shard 4/4", result.err)
+        result = self.run_program("census", "--merge", *(f"{k}.tcs" for k in (1, 2, 3, 4)), "-o", "1.tcs")
+        self.assertIn('-o "1.tcs" would write over', result.err)
         self.run_program("census", *LISTS, "--shard", "4/4", "-o", "other.tcs", "--budget", "3")
         result = self.run_program("census", "--merge", "1.tcs", "2.tcs", "3.tcs", "other.tcs")
         self.assertIn("not of the same census", result.err)
         self.assertIn("budget 3", result.err)
         self.assertFalse((self.folder / "out.tsv").exists())
+
+    def test_that_are_missing_are_named_however_many(self):
+        self.run_program("census", *LISTS, "--shard", "5/1000000000", "-o", "one.tcs")
+        result = self.run_program("census", "--merge", "one.tcs")
+        self.assertEqual(result.status, 2)
+        self.assertIn("999999999 of 1000000000 shards are missing: 1 to 4, 6 to 1000000000;", result.err)
+        for k in range(1, 26, 2):
+            self.shard(k, 26, "--quiet")
+        result = self.run_program("census", "--merge", *(f"{k}.tcs" for k in range(25, 0, -2)))
+        self.assertIn("13 of 26 shards are missing: 2, 4, 6, 8, 10, 12, 14, 16, 18, 20 and 3 more;",
+                      result.err)
 
     def test_that_are_damaged_are_refused_and_made_anew(self):
         self.shard(1, 2)
@@ -139,11 +152,14 @@ class Shards(ProgramTest):
         for arguments, says in (
                 (("--shard", "1/2"), "--from"), ((*LISTS, "--shard", "1/2"), "-o"),
                 ((*LISTS, "--shard", "3/2", "-o", "x"), "NUMBER/COUNT"),
-                ((*LISTS, "-o", "x"), "--shard"),
+                ((*LISTS, "-o", "x"), "--shard"), ((*LISTS, "--shard", "", "-o", "x"), "NUMBER/COUNT"),
+                (("--merge", "x", "--check"), "--check"),
+                (("--merge", "x", "--budget", "3"), "--budget"),
+                (("--merge", "x", "--prove"), "--proofs"),
                 ((*LISTS, "--shard", "1/2", "-o", "x", "--tsv", "y"), "--tsv"),
                 ((*LISTS, "--merge", "x"), "--merge"), (("--merge", "x"), '"x"')):
             result = self.run_program("census", *arguments)
-            self.assertEqual(result.status, 2, arguments)
+            self.assertEqual((result.status, result.text), (2, ""), arguments)
             self.assertIn(says, result.err)
 
 

@@ -210,6 +210,23 @@ class Table(ProgramTest):
         run = self.run_program("table", "knots", "4_7")
         self.assertEqual(run.status, 2)
         self.assertIn("nearest names", run.err)
+        run = self.run_program("table", "knots", "5_1 theta")
+        self.assertEqual(run.status, 2)
+        self.assertIn('is in another table: tripus table theta-curves "5_1 theta"', run.err)
+
+    def test_names_of_mirror_images(self):
+        run = self.run_program("table", "handlebody-knots", "hk5_3m")
+        self.assertEqual(run.status, 0)
+        self.assertEqual(run.text, self.run_program("table", "handlebody-knots", "hk5_3").text)
+        self.assertIn('"hk5_3m" is the mirror image of hk5_3', run.err)
+
+    def test_slips_get_the_nearest_names(self):
+        for name, nearest in (("Knot[8,19]", "8_19"), ("!4_1", "4_1"), ("4_1!", "4_1"),
+                              ("5_1 tehta", "5_1 theta"), ("Knot[8,77]", "8_7")):
+            for verb in ("info", "draw"):
+                run = self.run_program(verb, name)
+                self.assertEqual(run.status, 2)
+                self.assertIn(f"the nearest names there are {nearest}", run.err)
 
 
 class DiagramHabits(ProgramTest):

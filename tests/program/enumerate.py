@@ -45,13 +45,18 @@ class Enumerate(ProgramTest):
         self.assertLess(set(some), set(lines_of("triangulations-4.txt")))
         self.assertEqual(some, self.enumerate("4", "--random", "1200", "--seed", "3", "--threads", "3"))
         self.assertNotEqual(some, self.enumerate("4", "--random", "1200"))
+        self.assertEqual(self.enumerate("4", "--random", "0"), [])
 
     def test_refuses(self):
         for arguments, says in (
                 (("0",), "N: "), (("13",), "N: "), (("x",), "N: "),
                 (("3", "--shard", "0/4"), "NUMBER/COUNT"), (("3", "--shard", "5/4"), "NUMBER/COUNT"),
                 (("3", "--shard", "1of4"), "NUMBER/COUNT"), (("3", "--links", "round"), "geodesic"),
-                (("3", "--engine", "luck"), "tricensus")):
+                (("3", "--shard", ""), "NUMBER/COUNT"), (("3", "--engine", "luck"), "tricensus"),
+                (("3", "--engine", "tricensus", "--shard", "1/2"), "--shard"),
+                (("3", "--engine", "tricensus", "--random", "2"), "--random"),
+                (("2", "--links", "mixed", "--random", "2"), "mixed"),
+                (("1", "--links", "cusped", "--random", "2"), "cusped")):
             result = self.run_program("enumerate", *arguments)
             self.assertEqual(result.status, 2, arguments)
             self.assertIn(says, result.err)

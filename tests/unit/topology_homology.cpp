@@ -96,6 +96,16 @@ TEST(SmithForm, IsThatOfADisguisedDiagonal) {
   }
 }
 
+// No entry is a unit, and nearly all minors are 0.
+TEST(SmithForm, OfManyEqualFactors) {
+  constexpr std::uint32_t kCount = 200;
+  std::vector<detail::SparseRow<std::int64_t>> rows;
+  for (std::uint32_t i = 0; i < kCount; ++i) rows.push_back({{i, 6}});
+  const auto form = detail::smith_form(rows, kCount);
+  EXPECT_EQ(form.rank, kCount);
+  EXPECT_EQ(form.factors, std::vector<detail::BigInteger>(kCount, 6));
+}
+
 TEST(DualGraph, SpanningForestHasAParentForAllButOne) {
   const Gluings gluings = decode_isosig("eLAkbccdddprdkcPcbbbihq");
   const SpanningForest forest = spanning_forest(gluings);

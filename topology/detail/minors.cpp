@@ -44,48 +44,78 @@ Residue residue(std::int64_t x, std::uint32_t p) {
   return static_cast<Residue>((x % signed_p + signed_p) % signed_p);
 }
 
-/// Gauss's elimination modulo p.
-struct Elimination {
-  Residue determinant = 1;        ///< of a square matrix
-  std::vector<std::size_t> rows;  ///< independent ones, as many as the rank
-};
-
-Elimination eliminate(ResidueMatrix matrix, std::uint32_t p) {
-  Elimination found;
-  std::vector<std::size_t> place(matrix.size());
-  for (std::size_t i = 0; i < place.size(); ++i) place[i] = i;
-  const std::size_t width = matrix.empty() ? 0 : matrix[0].size();
-  std::size_t top = 0;
-  for (std::size_t column = 0; column < width && top < matrix.size(); ++column) {
+/// The determinant of a square matrix modulo p, by Gauss's elimination.
+Residue determinant(ResidueMatrix matrix, std::uint32_t p) {
+  Residue result = 1;
+  for (std::size_t top = 0; top < matrix.size(); ++top) {
     std::size_t pivot = top;
-    while (pivot < matrix.size() && matrix[pivot][column] == 0) ++pivot;
-    if (pivot == matrix.size()) continue;
+    while (pivot < matrix.size() && matrix[pivot][top] == 0) ++pivot;
+    if (pivot == matrix.size()) return 0;
     if (pivot != top) {
       std::swap(matrix[pivot], matrix[top]);
-      std::swap(place[pivot], place[top]);
-      found.determinant = (p - found.determinant) % p;
+      result = (p - result) % p;
     }
-    const Residue scale = inverse(matrix[top][column], p);
-    found.determinant = found.determinant * matrix[top][column] % p;
+    const Residue scale = inverse(matrix[top][top], p);
+    result = result * matrix[top][top] % p;
     for (std::size_t i = top + 1; i < matrix.size(); ++i) {
-      if (matrix[i][column] == 0) continue;
-      const Residue factor = p - matrix[i][column] * scale % p;
-      for (std::size_t j = column; j < width; ++j)
+      if (matrix[i][top] == 0) continue;
+      const Residue factor = p - matrix[i][top] * scale % p;
+      for (std::size_t j = top; j < matrix.size(); ++j)
         matrix[i][j] = (matrix[i][j] + factor * matrix[top][j]) % p;
     }
-    found.rows.push_back(place[top++]);
   }
-  if (top < matrix.size()) found.determinant = 0;
-  return found;
+  return result;
 }
 
 using Rows = std::vector<SparseRow<std::int64_t>>;
 
-ResidueMatrix residues(const Rows& rows, std::size_t column_count, std::uint32_t p) {
-  ResidueMatrix matrix(rows.size(), std::vector<Residue>(column_count, 0));
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (const auto& entry : rows[i]) matrix[i][entry.column] = residue(entry.value, p);
-  return matrix;
+/// The columns that are not 0, each as its entries by row.
+struct Columns {
+  Rows entries;
+  std::vector<std::size_t> index;
+};
+
+Columns columns_of(const Rows& rows, std::size_t column_count) {
+  Rows all(column_count);
+  for (std::uint32_t r = 0; r < rows.size(); ++r)
+    for (const auto& entry : rows[r]) all[entry.column].push_back({r, entry.value});
+  Columns columns;
+  for (std::size_t j = 0; j < column_count; ++j) {
+    if (all[j].empty()) continue;
+    columns.index.push_back(j);
+    columns.entries.push_back(std::move(all[j]));
+  }
+  return columns;
+}
+
+/// A minor that is not 0, as large as there is one: its rows and columns.
+struct Regular {
+  std::vector<std::size_t> rows, columns;
+};
+
+/// The same modulo p: columns are brought to echelon form one by one, until there are enough.
+Regular regular_modulo(const Columns& columns, std::size_t height, std::uint32_t p,
+                       const std::atomic<bool>* stop_requested) {
+  Regular found;
+  ResidueMatrix basis(height);  // by first place, where it is 1
+  for (std::size_t j = 0; j < columns.index.size() && found.rows.size() < height; ++j) {
+    throw_if_stopped(stop_requested);
+    std::vector<Residue> vector(height, 0);
+    for (const auto& entry : columns.entries[j]) vector[entry.column] = residue(entry.value, p);
+    for (std::size_t first = 0; first < height; ++first) {
+      if (vector[first] == 0) continue;
+      const bool is_new = basis[first].empty();
+      const Residue factor = is_new ? inverse(vector[first], p) : p - vector[first];
+      for (std::size_t i = first; i < height; ++i)
+        vector[i] = is_new ? vector[i] * factor % p : (vector[i] + factor * basis[first][i]) % p;
+      if (!is_new) continue;
+      basis[first] = std::move(vector);
+      found.rows.push_back(first);
+      found.columns.push_back(columns.index[j]);
+      break;
+    }
+  }
+  return found;
 }
 
 /// log2 of a bound on all minors: the product of the rows' lengths, in the sum of absolute values.
@@ -99,50 +129,64 @@ double bits_of_minors(const Rows& rows) {
   return bits;
 }
 
-/// A matrix of -1, 0 and 1 with few entries in a row.
+/// A matrix of -1, 0 and 1 with at most three entries in a row.
 class Signs {
  public:
-  Signs(std::size_t height, std::size_t width, std::mt19937& random) : entries_(height) {
-    for (auto& row : entries_)
-      for (Entry& entry : row)
-        entry = {static_cast<std::uint32_t>(random() % width), random() % 2 == 0};
+  struct Entry {
+    std::uint32_t column = 0;
+    int sign = 0;
+  };
+  using Row = std::array<Entry, 3>;
+
+  /// The unit matrix in the rows `own`; the others are 0.
+  Signs(std::size_t height, const std::vector<std::size_t>& own)
+      : rows_(height), is_own_(height), width_(own.size()) {
+    for (std::uint32_t j = 0; j < own.size(); ++j) {
+      rows_[own[j]][0] = {j, 1};
+      is_own_[own[j]] = true;
+    }
   }
 
-  struct Entry {
-    std::uint32_t column;
-    bool positive;
-  };
-  const std::array<Entry, 3>& row(std::size_t i) const { return entries_[i]; }
+  /// Beside the unit matrix, signs at pseudo-random places. Without it a column would be empty now
+  /// and then, and all minors 0 where there are many columns.
+  void scatter(std::mt19937& random) {
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      for (std::size_t k = is_own_[i] ? 1 : 0; k < rows_[i].size(); ++k)
+        rows_[i][k] = {static_cast<std::uint32_t>(random() % width_), random() % 2 == 0 ? 1 : -1};
+  }
+
+  const Row& row(std::size_t i) const { return rows_[i]; }
 
  private:
-  std::vector<std::array<Entry, 3>> entries_;
+  std::vector<Row> rows_;
+  std::vector<bool> is_own_;
+  std::size_t width_;
 };
 
-/// Elimination on rows * signs.
-Elimination eliminate_product(const Rows& rows, const Signs& signs, std::uint32_t p) {
+/// The determinant of rows * signs modulo p.
+Residue determinant_of_product(const Rows& rows, const Signs& signs, std::uint32_t p) {
   ResidueMatrix product(rows.size(), std::vector<Residue>(rows.size(), 0));
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (const auto& entry : rows[i]) {
       const Residue plus = residue(entry.value, p), minus = (p - plus) % p;
-      for (const auto& [j, positive] : signs.row(entry.column))
-        product[i][j] = (product[i][j] + (positive ? plus : minus)) % p;
+      for (const auto& [j, sign] : signs.row(entry.column))
+        if (sign != 0) product[i][j] = (product[i][j] + (sign > 0 ? plus : minus)) % p;
     }
-  return eliminate(std::move(product), p);
+  return determinant(std::move(product), p);
 }
 
-/// Rows that are independent over the rationals, as many as the rank. Fewer modulo each of the
-/// primes, whose product is above every minor, would mean that all the larger minors are 0.
-std::vector<std::size_t> independent_rows(const Rows& rows, std::size_t column_count,
-                                          const std::vector<std::uint32_t>& primes,
-                                          const std::atomic<bool>* stop_requested) {
-  std::mt19937 random(1);
-  const Signs signs(column_count, rows.size(), random);
-  std::vector<std::size_t> best = eliminate_product(rows, signs, primes[0]).rows;
+/// A minor of the size of the rank. Were it smaller modulo each of the primes, whose product is
+/// above every minor, then all the larger minors would be 0.
+Regular regular_part(const Rows& rows, std::size_t column_count,
+                     const std::vector<std::uint32_t>& primes,
+                     const std::atomic<bool>* stop_requested) {
+  const Columns columns = columns_of(rows, column_count);
+  const std::size_t most = std::min(rows.size(), columns.index.size());
+  Regular best;
   for (const std::uint32_t p : primes) {
-    if (best.size() == rows.size()) break;
-    throw_if_stopped(stop_requested);
-    auto found = eliminate(residues(rows, column_count, p), p).rows;
-    if (found.size() > best.size()) best = std::move(found);
+    if (best.rows.size() == most) break;
+    Regular found = regular_modulo(columns, rows.size(), p, stop_requested);
+    if (found.rows.size() > best.rows.size()) best = std::move(found);
   }
   return best;
 }
@@ -168,25 +212,25 @@ Minors minors(const Rows& rows, std::size_t column_count, const std::atomic<bool
   constexpr int kMost = 8;
   Minors result;
   if (rows.empty()) return result;
-  // Entries of rows * signs are sums of at most three times a row's absolute values, and there are
-  // as many in a row as there are rows.
-  const auto count = static_cast<double>(rows.size());
-  const auto primes = primes_for(bits_of_minors(rows) + count * std::log2(3 * std::sqrt(count)));
-  const auto chosen = independent_rows(rows, column_count, primes, stop_requested);
-  result.rank = chosen.size();
-  if (chosen.empty()) return result;
+  // In rows * signs the sum of a row's absolute values is at most three times what it was.
+  const auto primes =
+      primes_for(bits_of_minors(rows) + static_cast<double>(rows.size()) * std::log2(3));
+  const Regular regular = regular_part(rows, column_count, primes, stop_requested);
+  result.rank = regular.rows.size();
+  if (result.rank == 0) return result;
   Rows independent;
-  for (const std::size_t r : chosen) independent.push_back(rows[r]);
+  for (const std::size_t r : regular.rows) independent.push_back(rows[r]);
   // Each determinant is a sum of minors with the minors of the signs as factors (Cauchy and Binet),
-  // so that the product of the invariant factors divides it.
+  // so that the product of the invariant factors divides it. The first is a minor that is not 0.
   result.multiple = 0;
+  Signs signs(column_count, regular.columns);
   std::mt19937 random(1);
-  for (int tried = 0; (tried < kMost || result.multiple == 0) && result.multiple != 1; ++tried) {
-    const Signs signs(column_count, chosen.size(), random);
+  for (int tried = 0; tried < kMost && result.multiple != 1; ++tried) {
+    if (tried > 0) signs.scatter(random);
     std::vector<Residue> determinants;
     for (const std::uint32_t p : primes) {
       throw_if_stopped(stop_requested);
-      determinants.push_back(eliminate_product(independent, signs, p).determinant);
+      determinants.push_back(determinant_of_product(independent, signs, p));
     }
     result.multiple = gcd(result.multiple, least_absolute_value(determinants, primes));
   }

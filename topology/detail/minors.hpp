@@ -16,11 +16,11 @@ struct Minors {
   BigInteger multiple = 1;
 };
 
-/// The rank, and the greatest common divisor of some minors of that size, which are combined from
-/// all by fixed pseudo-random numbers. Calculated modulo as many primes as Hadamard's bound asks
-/// for, so that numbers do not grow. Exact, whatever the pseudo-random numbers are; takes
-/// (k^2 n) times the number of digits of the largest minor for k rows and n columns. Polls
-/// `stop_requested` (may be null); throws Stopped.
+/// The rank, and the greatest common divisor of a minor of that size that is not 0 and of some that
+/// are combined from all by fixed pseudo-random numbers. Calculated modulo as many primes as
+/// Hadamard's bound asks for, so that numbers do not grow. Exact, whatever the pseudo-random
+/// numbers are; takes (k^2 n) times the number of digits of the largest minor for k rows and n
+/// columns. Polls `stop_requested` (may be null); throws Stopped.
 Minors minors(const std::vector<SparseRow<std::int64_t>>& rows, std::size_t column_count,
               const std::atomic<bool>* stop_requested);
 

@@ -208,6 +208,7 @@ std::string shape(std::string_view normalized_name) {
 /// 4^2_1 (Rolfsen) links.
 std::string as_known_shape(std::string name) {
   const std::string kind = shape(name);
+  if (kind == "knot_") return name.substr(name.find('t') + 1);
   if (kind == "ka" || kind == "kn" || kind == "a" || kind == "n") {
     if (name[0] == 'k') name.erase(0, 1);
     const std::size_t letter = name.find_first_of("an");
@@ -216,6 +217,15 @@ std::string as_known_shape(std::string name) {
   if (const std::size_t power = name.find('^'); power != std::string::npos && kind == "^_")
     return "l" + name.substr(0, power) + "a" + name.substr(name.find('_') + 1);
   return name;
+}
+
+/// A name that is not in the tables, in the form in which to look for near ones: of Knot[8,19]
+/// (KnotTheory) 8_19.
+std::string unknown_name(std::string_view given) {
+  std::string spread(given);
+  for (char& c : spread)
+    if (std::string_view("[],;:!?'\"").find(c) != std::string_view::npos) c = ' ';
+  return as_known_shape(wanted_name(spread).name);
 }
 
 }  // namespace
@@ -243,25 +253,38 @@ const TabledDiagram* find_diagram(std::string_view name) {
   return &table_of(found->second.table)[found->second.index];
 }
 
-std::optional<NamedDiagram> find_diagram_or_mirror(std::string_view name) {
-  if (const TabledDiagram* entry = find_diagram(name))
-    return NamedDiagram{.name = entry->name, .diagram = entry->diagram};
+WantedDiagram find_diagram_up_to_mirror(std::string_view name) {
+  if (const TabledDiagram* entry = find_diagram(name)) return {entry, false};
   const WantedName wanted = wanted_name(name);
-  const TabledDiagram* entry = find_diagram(wanted.name);
+  return {find_diagram(wanted.name), wanted.mirrored};
+}
+
+std::optional<NamedDiagram> find_diagram_or_mirror(std::string_view name) {
+  const auto [entry, mirrored] = find_diagram_up_to_mirror(name);
   if (entry == nullptr) return std::nullopt;
-  if (!wanted.mirrored) return NamedDiagram{.name = entry->name, .diagram = entry->diagram};
+  if (!mirrored) return NamedDiagram{.name = entry->name, .diagram = entry->diagram};
   return NamedDiagram{.name = "m(" + entry->name + ")", .diagram = entry->diagram.mirror_image()};
 }
 
 bool is_diagram_name(std::string_view text) {
-  const std::string name = as_known_shape(wanted_name(text).name);
+  const std::string name = unknown_name(text);
   constexpr std::array<std::string_view, 6> kShapes{"_", "la", "ln", "_theta", "_handcuff", "hk_"};
   return std::ranges::find(kShapes, shape(name)) != kShapes.end() &&
          std::ranges::any_of(name, is_digit) && (name[0] != '_' && name.back() != '_');
 }
 
+bool is_nearly_diagram_name(std::string_view text) {
+  constexpr std::size_t kLongest = 40;  // longer ones are near no name
+  if (text.size() > kLongest) return false;
+  const std::string name = unknown_name(text);
+  return std::ranges::any_of(by_name(), [&](const auto& known) {
+    const std::size_t changes = edit_distance(name, known.first);
+    return changes <= 2 && 2 * changes < known.first.size();
+  });
+}
+
 std::string nearest_diagram_names(std::string_view name, std::size_t count) {
-  const std::string wanted = as_known_shape(wanted_name(name).name);
+  const std::string wanted = unknown_name(name);
   const auto crossings = [](std::string_view text) {
     const std::size_t from = std::min(text.find_first_of("0123456789"), text.size());
     return text.substr(from, text.find_first_not_of("0123456789", from) - from);

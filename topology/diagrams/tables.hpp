@@ -31,17 +31,28 @@ struct TabledDiagram {
 /// The diagrams of a table in their order. Read once.
 std::span<const TabledDiagram> table_of(DiagramTable table);
 
+/// An entry of a table, and whether its mirror image is meant.
+struct WantedDiagram {
+  const TabledDiagram* entry = nullptr;  ///< null if there is none
+  bool mirrored = false;
+};
+
 /// By name; blanks, underscores and capitals do not matter, and Moriuchi's T5_1 and H2_1 stand for
 /// "5_1 theta" and "2_1 handcuff". Null if there is none.
 const TabledDiagram* find_diagram(std::string_view name);
 
-/// The same as a diagram with its name, or its mirror image, called "m(hk5_3)", where the name asks
-/// for it: "m(hk5_3)", "hk5_3m", "hk5_3*", "hk5_3 mirror" and "mirror hk5_3" all do. Nothing if
-/// there is none.
+/// The same; "m(hk5_3)", "hk5_3m", "hk5_3*", "hk5_3 mirror" and "mirror hk5_3" mean mirror images.
+WantedDiagram find_diagram_up_to_mirror(std::string_view name);
+
+/// The same as a diagram with its name; mirror images are called "m(hk5_3)". Nothing if there is
+/// none.
 std::optional<NamedDiagram> find_diagram_or_mirror(std::string_view name);
 
 /// Whether a text has the form of such a name: "hk9_9", "7_100", "L14n5", "8_1 theta", "hk9_9m".
 bool is_diagram_name(std::string_view text);
+
+/// Whether a text is a name of the tables but for a slip or two: "5_1 tehta".
+bool is_nearly_diagram_name(std::string_view text);
 
 /// The names nearest to one that is not there, for messages: "hk5_1, hk5_2, ...".
 std::string nearest_diagram_names(std::string_view name, std::size_t count = 4);

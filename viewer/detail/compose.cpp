@@ -34,7 +34,11 @@ vec2 picture_at(vec2 at) { return (2.0 * at - 1.0 + lens.zw) / lens.xy; }
 constexpr std::string_view kOpennessShader = R"(
 uniform float reach;           // of the darkening, in the model's unit
 
-vec3 place(vec2 at) { return vec3(picture_at(at), -1.0) * distance_at(at); }
+// Of the middle of a pixel, where its depth is known: elsewhere even round surfaces had nooks.
+vec3 place(vec2 at) {
+  at = (floor(at * size) + 0.5) / size;
+  return vec3(picture_at(at), -1.0) * distance_at(at);
+}
 
 void main() {
   vec2 pixel = float(kStep) * floor(gl_FragCoord.xy) + float(kStep / 2) + 0.5;

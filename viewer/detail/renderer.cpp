@@ -25,16 +25,29 @@ void Renderer::set_scene(const Scene& scene, Model model) {
 }
 
 std::size_t Renderer::draw(const PictureOptions& options, const Frame& frame) {
-  if (options.renderer == RendererKind::kOpenCsg) {
+  take_scene(options.renderer);
+  const View view = view_of(options.camera, ball_, frame.width, frame.height);
+  glPushAttrib(GL_ALL_ATTRIB_BITS);
+  composer_.begin(frame);
+  const std::size_t left = options.renderer == RendererKind::kOpenCsg
+                               ? opencsg_->draw(options, frame, view)
+                               : faces_->draw(options, frame, view);
+  composer_.finish(options, frame, view, ball_);
+  glPopAttrib();
+  require_no_error();
+  return left;
+}
+
+void Renderer::take_scene(RendererKind kind) {
+  if (kind == RendererKind::kOpenCsg) {
     if (!opencsg_) opencsg_ = std::make_unique<OpenCsgRenderer>();
     if (!opencsg_knows_) opencsg_->set_scene(scene_, model_);
     opencsg_knows_ = true;
-    return opencsg_->draw(options, frame);
+    return;
   }
   if (!faces_) faces_ = std::make_unique<FacesRenderer>();
-  if (!faces_know_) faces_->set_scene(scene_, model_, ball_);
+  if (!faces_know_) faces_->set_scene(scene_, model_, ball_.radius);
   faces_know_ = true;
-  return faces_->draw(options, frame);
 }
 
 }  // namespace tripus::viewer

@@ -32,6 +32,10 @@ class Renderer {
   const Ball& scene_ball() const { return ball_; }
 
  private:
+  /// Makes the renderer, and tells it of the scene, if it does not know it.
+  void take_scene(RendererKind kind);
+
+  Composer composer_;
   Scene scene_;
   Model model_ = Model::kUpperHalfSpace;
   Ball ball_;

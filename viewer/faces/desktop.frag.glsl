@@ -2,20 +2,14 @@
 // kDiscs, whether discs are drawn, is defined in front of it.
 uniform bool uIdentities;
 uniform vec3 uKeyLight;      // unit, towards the light
-uniform sampler2D uPlaces;   // five texels for each cell: to_tetrahedron of scene.hpp
 out vec4 colour;
 
 #if kDiscs
 vec3 discsAt(Meeting met, out int disc) {
-  int first = 5 * int(vColour.w);
-  vec4 column[5];
-  for (int k = 0; k < 5; ++k)
-    column[k] = texelFetch(uPlaces, ivec2((first + k) % 2048, (first + k) / 2048), 0);
-  vec4 x = column[0] * met.u.x + column[1] * met.u.y + column[2] * met.u.z +
-           column[3] * dot(met.u, met.u) + column[4];
-  float scale = inversesqrt(max(-discProduct(x, x), 1e-30));
+  float scale;
+  vec4 x = onHyperboloid(met, scale);
   float pixel = scale * sqrt(max(dot(met.right, met.right), dot(met.up, met.up)));
-  return discColour(int(vAbout.w), x * scale, pixel, disc);
+  return discColour(int(vAbout.w), x, pixel, disc);
 }
 #endif
 

@@ -1,8 +1,9 @@
 // Where the ray of a pixel meets a face: faces.vert.glsl has its numbers. After a camera, which
 // has uEye, uAxes (right, up, forward) and uPixel (the angle of a pixel), and before a main() that
-// gives the colour. Defined in front of it, and no uniforms, as renderers in software compute
-// branches that are not taken: kBounds; kSides, 1 for the outer side of faces alone, 2 for both;
-// kModel, 0 upper half-space, 1 Poincare ball, 2 Klein ball; kCut, whether uCut is heeded.
+// gives the colour; with discs also after discs.glsl. Defined in front of it, and no uniforms, as
+// renderers in software compute branches that are not taken: kBounds; kSides, 1 for the outer side
+// of faces alone, 2 for both; kModel, 0 upper half-space, 1 Poincare ball, 2 Klein ball; kCut,
+// whether uCut is heeded; kDiscs, whether discs are drawn.
 uniform float uShrink;       // of cells towards their middles; 1: not at all
 uniform float uCut;          // what lies beyond x = uCut in the model is not drawn
 uniform vec2 uLine;          // half the width of edges and of other borders, in pixels
@@ -128,3 +129,20 @@ bool meet(vec3 ray, out Meeting met) {
   return meets && (held || (held_behind && !only));
 #endif
 }
+
+#if kDiscs
+uniform sampler2D uPlaces;   // five texels for each cell: to_tetrahedron of scene.hpp
+
+/// The point of the hyperboloid where the ray meets the face, in the frame of its tetrahedron.
+///   scale  hyperbolic length there, where u moves by 1
+vec4 onHyperboloid(Meeting met, out float scale) {
+  int first = 5 * int(vColour.w);
+  vec4 column[5];
+  for (int k = 0; k < 5; ++k)
+    column[k] = texelFetch(uPlaces, ivec2((first + k) % 2048, (first + k) / 2048), 0);
+  vec4 x = column[0] * met.u.x + column[1] * met.u.y + column[2] * met.u.z +
+           column[3] * dot(met.u, met.u) + column[4];
+  scale = inversesqrt(max(-discProduct(x, x), 1e-30));
+  return x * scale;
+}
+#endif

@@ -287,7 +287,7 @@ class FaceDrawing {
     if (!programs.has(defined))
       programs.set(defined, this.graphics.program(
           'faces.vert.glsl', 'outside_faces.frag.glsl', [defined, 'outside_camera.glsl'],
-          ['discs.glsl', 'faces.glsl']));
+          ['discs.glsl', 'faces.glsl', 'outside_light.glsl']));
     return programs.get(defined);
   }
 
@@ -326,7 +326,7 @@ class FaceDrawing {
     let base = paletteColour(cell.tetrahedron);
     if (state.colour === 'depth') base = kDepthPalette[Math.min(cell.depth, 11)];
     if (state.colour === 'face' && wall < 4)
-      base = kLinearPalette[this.manifold.faceClass[cell.tetrahedron][wall] % 12];
+      base = paletteColour(this.manifold.faceClass[cell.tetrahedron][wall]);
     if (wall < 4) return base;
     // Truncations, the geodesic boundary, are pale, whatever the colours say.
     return base.map((x, k) => x + 0.4 * ([0.95, 0.93, 0.88][k] - x));
@@ -365,10 +365,6 @@ class FaceDrawing {
     const gl = this.graphics.gl;
     this.upload(set, cells, state, state.model);
     const shrink = this.project(set, cells.length, state, view, width, height);
-    // Over the camera's shoulder, so that no view is dark, and from above.
-    const sum = [0, 1, 2].map((i) => -0.5 * view.axes[i] + 0.6 * view.axes[3 + i] -
-        0.75 * view.axes[6 + i] + (i === 2 ? 0.35 : 0));
-    const key = scaled3(sum, 1 / Math.hypot(...sum));
     gl.bindVertexArray(this.array);
     gl.enableVertexAttribArray(0);
     for (const kind of this.kinds) {
@@ -386,7 +382,6 @@ class FaceDrawing {
       bind(0, 'uFaces', this.records);
       bind(2, 'uPlaces', this.places ?? this.records);
       gl.uniform1f(program.at('uShrink'), shrink);
-      gl.uniform3fv(program.at('uKey'), key);
       const line = state.lines ? 1.2 * scale : -1e3;
       gl.uniform2f(program.at('uLine'), line, state.lines ? 0.6 * line : line);
       gl.bindBuffer(gl.ARRAY_BUFFER, corners);

@@ -22,7 +22,7 @@ uniform float uFog;       // 1 / distance at which things fade
 uniform float uMirror;    // share of the light that the wall reflects
 uniform int uGrid;        // whether the wall shows its own geometry beyond its triangles
 uniform int uColourBy;    // wall: 0 truncation triangle, 1 boundary component
-uniform vec3 uPalette[12];
+uniform vec3 uPalette[48];  // as many as kColourCount of embedding/colour.hpp
 uniform vec3 uFogColour;
 out vec4 colour;
 
@@ -128,10 +128,7 @@ void trace(inout Hit hit, inout int from) {
   hit.along += 0.5 * log(far);
 }
 
-vec3 paletteOf(int i) {
-  int round = (i / 12) % 4;
-  return uPalette[i % 12] * (round < 2 ? round == 0 ? 1.0 : 0.72 : round == 2 ? 0.5184 : 0.3732);
-}
+vec3 paletteOf(int i) { return uPalette[i % 48]; }
 
 /// The hyperbolic size of a pixel on the wall, where it is longest.
 float pixelOnWall(Hit hit) {

@@ -99,7 +99,7 @@ class InsideView {
     gl.uniform1i(at('uGrid'), state.lines ? 1 : 0);
     gl.uniform1i(at('uColourBy'), state.wall === 'triangle' ? 0 : 1);
     this.manifold.discs.use(gl, this.program, this.discs, state.discs);
-    gl.uniform3fv(at('uPalette'), kLinearPalette.flat());
+    gl.uniform3fv(at('uPalette'), linearPalette.flat());
     gl.uniform3fv(at('uFogColour'), linearColour(state.theme.fog));
     gl.uniform1i(at('uOutput'), state.identities ? 1 : 0);
     gl.depthFunc(gl.ALWAYS);

@@ -5,7 +5,7 @@
 // that single precision serves the smallest cells as well as the largest.
 uniform sampler2D uCells;
 uniform int uColourBy;  // 0 tetrahedron, 1 depth, 2 face
-uniform vec3 uPalette[12];  // for faces
+uniform vec3 uPalette[48];  // for faces; as many as kColourCount of embedding/colour.hpp
 uniform vec3 uDepths[12];
 uniform float uLine;    // thickness of the edges in pixels
 
@@ -81,7 +81,7 @@ vec3 paint(int surface, vec4 own) {
   vec4 faceColours = texelFetch(uCells, vFirst + ivec2(12, 0), 0);
   vec3 base = own.rgb;
   if (uColourBy == 1) base = uDepths[min(int(own.w), 11)];
-  if (uColourBy == 2 && surface < 4) base = uPalette[int(faceColours[surface]) % 12];
+  if (uColourBy == 2 && surface < 4) base = uPalette[int(faceColours[surface]) % 48];
   // Truncations, the geodesic boundary, are pale, whatever the colours say.
   return surface < 4 ? base : mix(base, vec3(0.95, 0.93, 0.88), 0.40);
 }
@@ -100,22 +100,6 @@ float edgeLine(int surface, vec3 u, vec3 normal, float s) {
     line = max(line, 1.0 - smoothstep(0.55 * width, 0.55 * width + 0.9 * pixel, away));
   }
   return line;
-}
-
-/// Soft light: a key over the camera's shoulder, so that no view is dark, the sky above and a little
-/// from the ground.
-vec3 lit(vec3 base, vec3 normal, vec3 view) {
-  vec3 key = normalize(uAxes * vec3(-0.5, 0.6, -0.75) + vec3(0.0, 0.0, 0.35));
-  float diffuse = max(dot(normal, key), 0.0);
-  vec3 ambient = mix(vec3(0.40, 0.37, 0.38), vec3(0.50, 0.54, 0.60), 0.5 + 0.5 * normal.z);
-  vec3 halfway = normalize(key - view);
-  float gloss = max(dot(normal, halfway), 0.0);
-  gloss *= gloss;
-  gloss *= gloss;
-  gloss *= gloss;
-  gloss *= gloss;
-  gloss *= 0.12 * gloss * gloss;  // to the 48th
-  return base * (ambient + 0.62 * diffuse) + gloss;
 }
 
 void main() {

@@ -174,6 +174,10 @@ class OutsideView {
   draw(state, camera, width, height, scale) {
     const gl = this.graphics.gl;
     const view = camera.view(width / height);
+    // Over the camera's shoulder, so that no view is dark, and from above.
+    const sum = [0, 1, 2].map((i) => -0.5 * view.axes[i] + 0.6 * view.axes[3 + i] -
+        0.75 * view.axes[6 + i] + (i === 2 ? 0.35 : 0));
+    const key = scaled3(sum, 1 / Math.hypot(...sum));
     const setCamera = (program) => {
       gl.useProgram(program.program);
       gl.uniform3fv(program.at('uEye'), view.eye);
@@ -182,6 +186,7 @@ class OutsideView {
       gl.uniform2f(program.at('uSize'), width, height);
       gl.uniform2fv(program.at('uDepth'), view.depth);
       gl.uniform1f(program.at('uPixel'), 2 * view.tangent[1] / height);
+      gl.uniform3fv(program.at('uKey'), key);
       gl.uniform1i(program.at('uOutput'), state.identities ? 1 : 0);
       gl.uniform3fv(program.at('uInk'), linearColour(state.theme.outside.uInk));
       gl.uniform1f(program.at('uGlass'), state.model === 'upper' ? 0 : 1);
@@ -217,7 +222,8 @@ class OutsideView {
     const gl = this.graphics.gl;
     const count = this.upload(state.cells, state.model);
     this.cells ??= this.graphics.program('outside.vert.glsl', 'outside.frag.glsl',
-                                         ['outside_camera.glsl', 'discs.glsl']);
+                                         ['outside_camera.glsl', 'discs.glsl'],
+                                         ['outside_light.glsl']);
     setCamera(this.cells);
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D, this.texture);
@@ -227,7 +233,7 @@ class OutsideView {
     gl.uniform1f(this.cells.at('uExplode'), state.explode);
     gl.uniformMatrix4fv(this.cells.at('uProjection'), false, view.projection);
     gl.uniform1i(this.cells.at('uColourBy'), ['tetrahedron', 'depth', 'face'].indexOf(state.colour));
-    gl.uniform3fv(this.cells.at('uPalette'), kLinearPalette.flat());
+    gl.uniform3fv(this.cells.at('uPalette'), linearPalette.flat());
     gl.uniform3fv(this.cells.at('uDepths'), kDepthPalette.flat());
     gl.uniform1f(this.cells.at('uLine'), (state.lines ? 1.9 : 0) * scale);
     gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);

@@ -21,7 +21,7 @@ struct PageOptions {
   std::string name;                  ///< from outside: any bytes; the heading
   std::string isosig;                ///< empty where it is not known
   std::size_t cells = 20;            ///< shown at first, 1 to kMostPageCells
-  std::string model = "ball";        ///< shown at first: "ball" or "upper"
+  std::string model = "ball";        ///< shown at first: "ball", "upper" or "klein"
   bool inside = false;               ///< whether it begins inside, else outside
   const WallDiscs* discs = nullptr;  ///< on the truncations; null: none
   std::string gallery;               ///< relative address of a page to go back to, empty for none

@@ -5,15 +5,10 @@ function linearColour(hex) {
 // Depth goes from the middle outwards, so its colours go one way too.
 const kDepthStops = ['#0b3c6f', '#0072b2', '#56b4e9', '#bfe3d0', '#f0e442', '#e69f00', '#d55e00'];
 
-/// The colours of tetrahedra, which come with the data, in linear light; of the first twelve the
-/// others are darker versions.
-const tetrahedronPalette = [];
-const kLinearPalette = [];
+/// The colours of tetrahedra, which come with the data, in linear light.
+const linearPalette = [];
 
-function setPalette(colours) {
-  tetrahedronPalette.push(...colours.map(linearColour));
-  kLinearPalette.push(...tetrahedronPalette.slice(0, 12));
-}
+function setPalette(colours) { linearPalette.push(...colours.map(linearColour)); }
 
 /// Twelve colours along the stops.
 const kDepthPalette = Array.from({length: 12}, (_, i) => {
@@ -24,6 +19,4 @@ const kDepthPalette = Array.from({length: 12}, (_, i) => {
 });
 
 /// Colour of tetrahedron i.
-function paletteColour(i) {
-  return tetrahedronPalette[i % tetrahedronPalette.length];
-}
+function paletteColour(i) { return linearPalette[i % linearPalette.length]; }

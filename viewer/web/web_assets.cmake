@@ -2,7 +2,8 @@
 # together, and those of the desktop's renderer of faces. Sets TRIPUS_WEB_ASSETS_CPP, the source file
 # to compile.
 set(TRIPUS_WEB_SHADERS
-  common.glsl discs.glsl fullscreen.vert.glsl outside_camera.glsl outside.vert.glsl
+  common.glsl discs.glsl fullscreen.vert.glsl outside_camera.glsl outside_light.glsl
+  outside.vert.glsl
   outside.frag.glsl outside_ground.frag.glsl outside_faces.frag.glsl inside.frag.glsl
   ../faces/faces.vert.glsl ../faces/faces.glsl)
 set(TRIPUS_WEB_DESKTOPS ../faces/desktop.glsl ../faces/desktop.frag.glsl)

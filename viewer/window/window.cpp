@@ -25,7 +25,7 @@ namespace tripus::viewer {
 namespace {
 
 constexpr const char* kHelp =
-    "drag             turn\n"
+    "drag, arrows     turn\n"
     "right drag       shift\n"
     "wheel            zoom\n"
     "+  -             more or fewer cells\n"
@@ -39,7 +39,7 @@ constexpr const char* kHelp =
     "R                first view again\n"
     "P                save a picture\n"
     "H                this help\n"
-    "Esc              close";
+    "Esc  Q           close";
 
 /// What rests is drawn with four samples a pixel, if one took no longer than this, in milliseconds.
 constexpr double kFineWithin = 250;
@@ -274,10 +274,11 @@ class Viewer {
     draw_scene(width, height, quality);
     glFinish();
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-    if (moving_) quality_ = next_quality(quality, took.count());
+    last_took_ = took.count();
+    if (moving_) quality_ = next_quality(quality, last_took_);
     std::array<char, 160> line{};
-    std::snprintf(line.data(), line.size(), "%zu cells, %.0f ms%s", scene_.cells.size(),
-                  took.count(), help_ ? "" : "     H: help");
+    std::snprintf(line.data(), line.size(), "%zu cells, %.0f ms%s", scene_.cells.size(), last_took_,
+                  help_ ? "" : "     H: help");
     const int scale = std::max(1, height / 500);
     draw_text(scene_.title + ": " + line.data() + (message_.empty() ? "" : "     " + message_), 10,
               10, scale, width, height);

@@ -284,7 +284,8 @@ struct FiniteChecker {
     for (std::size_t r = 0; r < n; ++r) {
       for (std::size_t k = 0; k < n; ++k) arb_set(M.at(r, k), rows[r].entry[held[k]].get());
       arb_one(one.at(r, r));
-      if (larger(rows[r].constant, constant)) constant = rows[r].constant.upper_end();
+      const Arb most = rows[r].constant.upper_end();
+      if (larger(most, constant)) constant = most;
       const Arb size = absolute(claim.K_within[held[r]]);
       if (larger(size, largest)) largest = size;
     }
@@ -297,7 +298,8 @@ struct FiniteChecker {
         arb_set(entry.get(), inverse.at(r, k));
         sum = sum + absolute(entry);
       }
-      if (larger(sum, norm)) norm = sum.upper_end();
+      sum = sum.upper_end();
+      if (larger(sum, norm)) norm = sum;
     }
     const Arb product = constant * norm * largest;
     if (!(Arb(1.0) - product).positive())

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "topology/requirements.hpp"
 
 namespace tripus::structure::detail {
@@ -85,6 +87,19 @@ ConeMetric::ConeMetric(const Triangulation& triangulation,
 bool ConeMetric::is_any_sign(std::size_t e) const {
   const auto [a, b] = ends(e);
   return is_ideal(a) || is_ideal(b) || is_finite(a) != is_finite(b);
+}
+
+std::string ConeMetric::inexact_cusp() const {
+  for (std::size_t e = 0; e < cone_angles_.size(); ++e) {
+    if (cone_angles_[e].is_rational()) continue;
+    for (const std::uint32_t v : ends(e))
+      if (is_ideal(v))
+        return fmt::format(
+            "vertex class {} is a cusp only within rounding, as the cone angle of edge class {} is "
+            "no fraction of pi",
+            v, e);
+  }
+  return {};
 }
 
 std::vector<std::size_t> ConeMetric::pins_without(const std::vector<bool>& excluded) const {

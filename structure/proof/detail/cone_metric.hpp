@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "structure/proof/detail/arb_number.hpp"
@@ -30,6 +31,9 @@ class ConeMetric {
   Arb target(std::size_t e) const;
   /// A parabolic edge: its length is 0 and stays so.
   bool is_fixed(std::size_t e) const { return cone_angles_[e].is_parabolic(); }
+  /// Why there is no such metric although floating point sees a cusp: cone angles at it that are no
+  /// known fractions of pi do not add up to what a cusp needs. Empty if all cusps are exact.
+  std::string inexact_cusp() const;
   /// The vertex classes at the ends of an edge class.
   std::array<std::uint32_t, 2> ends(std::size_t e) const;
   /// Whether an end is ideal, or one finite and the other hyperideal: such a length may be any real

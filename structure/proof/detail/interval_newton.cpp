@@ -298,8 +298,10 @@ struct IntervalNewton {
         arb_set(M.at(r, k), (*found)[r].coefficient[left[k]].get());
         ends += (*found)[r].ends[left[k]];
       }
-      const Arb most = static_cast<double>(ends) * (static_cast<double>(ends) * (*found)[r].square);
-      if (larger(most, square_most)) square_most = most.upper_end();
+      const Arb most =
+          (static_cast<double>(ends) * (static_cast<double>(ends) * (*found)[r].square))
+              .upper_end();
+      if (larger(most, square_most)) square_most = most;
     }
     for (const std::size_t e : left) {
       const Arb size = angles.K[e].magnitude();
@@ -315,7 +317,8 @@ struct IntervalNewton {
         arb_abs(entry.get(), inverse.at(i, j));
         sum = sum + entry.upper_end();
       }
-      if (larger(sum, norm)) norm = sum.upper_end();
+      sum = sum.upper_end();
+      if (larger(sum, norm)) norm = sum;
     }
     if (!(Arb(1.0) - norm * (square_most * largest)).positive())
       return refuse(

@@ -150,10 +150,11 @@ std::optional<NumberField> NumberField::guess(const Arb& x, int most_degree) {
   arb_add_error_mag(about.get(), radius);
   mag_clear(radius);
   if (fmpz_poly_degree(f.get()) < 1 || !take_factor(f, about)) return std::nullopt;
-  // A change of sign shows the root.
+  // A change of sign shows the root, between ends that are rounded outwards.
   const Arb left = about.lower_end(), right = about.upper_end();
   const Arb product = evaluated(f.get(), left) * evaluated(f.get(), right);
   if (!product.negative()) return std::nullopt;
+  arb_union(about.get(), left.get(), right.get(), Precision::bits());
   return NumberField(std::make_shared<const Modulus>(f.get()), about);
 }
 

@@ -20,11 +20,6 @@ constexpr std::size_t kCellsBetweenWaits = 2000;
 /// Of faces.vert.glsl, and of the places of cells in desktop.frag.glsl.
 constexpr std::size_t kTexelsPerRow = 2048;
 
-bool is_stopped(const PictureOptions& options) {
-  return options.stop_requested != nullptr &&
-         options.stop_requested->load(std::memory_order_relaxed);
-}
-
 /// A texture of so many numbers, four a texel, rows of kTexelsPerRow.
 GlTexture number_texture(std::vector<float> numbers) {
   const std::size_t row = 4 * kTexelsPerRow;
@@ -80,10 +75,9 @@ FacesRenderer::FacesRenderer() : kinds_{{{3, {}, {}}, {6, {}, {}}, {kCutBounds, 
   triangles_ = new_buffer();
 }
 
-void FacesRenderer::set_scene(const Scene& scene, Model model, const Ball& ball) {
+void FacesRenderer::set_scene(const Scene& scene, Model model, double scene_radius) {
   scene_ = scene;
-  ball_ = ball;
-  set_ = FaceSet(model, scene, ball.radius);
+  set_ = FaceSet(model, scene, scene_radius);
   discs_.set(scene.discs);
   colours_.reset();
   places_written_ = false;
@@ -149,30 +143,13 @@ void FacesRenderer::write_places() {
   places_written_ = true;
 }
 
-std::size_t FacesRenderer::draw(const PictureOptions& options, const Frame& frame) {
-  const View view = view_of(options.camera, ball_, frame.width, frame.height);
+std::size_t FacesRenderer::draw(const PictureOptions& options, const Frame& frame,
+                                const View& view) {
   write_records(options);
   if (options.discs && !discs_.empty() && !places_written_) write_places();
-  glPushAttrib(GL_ALL_ATTRIB_BITS);
-  composer_.begin(frame);
-  const std::size_t left = draw_cells(options, frame, view);
-  composer_.finish(options, frame, view, ball_);
-  glPopAttrib();
-  require_no_error();
-  return left;
-}
-
-std::size_t FacesRenderer::draw_cells(const PictureOptions& options, const Frame& frame,
-                                      const View& view) {
   const Projector projector(view, frame.width * frame.samples, frame.height * frame.samples);
-  const auto& balls = set_.cell_balls();
-  // Nearest first, so that a stop leaves the best ones.
-  std::vector<std::size_t> order(balls.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::vector<double> distance(balls.size());
-  for (std::size_t i = 0; i < balls.size(); ++i)
-    distance[i] = (balls[i].centre - view.eye).norm() - balls[i].radius;
-  std::ranges::sort(order, {}, [&](std::size_t i) { return distance[i]; });
+  // So that a stop leaves the best ones.
+  const std::vector<std::size_t> order = nearest_first(set_.cell_balls(), view.eye);
   for (std::size_t done = 0; done < order.size();) {
     if (options.stop_requested != nullptr && done > 0) glFinish();
     if (is_stopped(options)) return order.size() - done;
@@ -245,9 +222,7 @@ void FacesRenderer::draw_meshes(const PictureOptions& options, const Frame& fram
   const Eigen::Matrix3d rows = view.model_view.topLeftCorner<3, 3>();
   Eigen::Matrix3f axes = rows.transpose().cast<float>();
   axes.col(2) = -axes.col(2);
-  // From above the viewer's left shoulder.
-  const Eigen::Vector3f light =
-      (rows.transpose() * Eigen::Vector3d(-0.45, 0.65, 0.75)).normalized().cast<float>();
+  const Eigen::Vector3f light = key_light(view).cast<float>();
   const Eigen::Vector3f eye = view.eye.cast<float>();
   const double widest = 1.5 * frame.samples * std::max(1.0, frame.height / 900.0);
   for (Kind& kind : kinds_) {

@@ -24,13 +24,12 @@ class FacesRenderer {
   FacesRenderer();
 
   /// Takes the scene to draw from now on, in a model; it is copied.
-  ///   ball  around it
-  void set_scene(const Scene& scene, Model model, const Ball& ball);
+  ///   scene_radius  of the ball around it
+  void set_scene(const Scene& scene, Model model, double scene_radius);
 
-  /// Draws into the framebuffer that is bound. `options.model` is that of the scene.
-  /// Returns the number of cells left out because a stop was requested.
-  /// Throws NoOpenGl if OpenGL reports an error.
-  std::size_t draw(const PictureOptions& options, const Frame& frame);
+  /// Draws colours and depths of cells into what Composer has bound. `options.model` is that of
+  /// the scene. Returns the number of cells left out because a stop was requested.
+  std::size_t draw(const PictureOptions& options, const Frame& frame, const View& view);
 
  private:
   /// Faces with so many bounds: programs, and what is drawn in this frame.
@@ -50,20 +49,17 @@ class FacesRenderer {
   void write_records(const PictureOptions& options);
   void write_cuts();
   void write_places();
-  std::size_t draw_cells(const PictureOptions& options, const Frame& frame, const View& view);
   void add_cell(std::size_t cell, const PictureOptions& options, const View& view,
                 const Projector& projector, int samples);
   void draw_meshes(const PictureOptions& options, const Frame& frame, const View& view);
   GLuint program_of(Kind& kind, const PictureOptions& options);
 
-  Composer composer_;
   std::array<Kind, 3> kinds_;
   GlBuffer corners_, triangles_;
   GlTexture records_, places_;
 
   Scene scene_;
   FaceSet set_;
-  Ball ball_;
   DrawnDiscs discs_;
   std::vector<float> texels_;        // four numbers each: the records of faces, then of cuts
   std::size_t fixed_texels_ = 0;     // numbers of faces in it

@@ -53,6 +53,7 @@ class CellProduct {
 
   CellProduct(Model model, const SceneCell& cell);
 
+  const Ball& ball() const { return ball_; }
   const Vector3& centre() const { return ball_.centre; }
   double scale() const { return ball_.radius; }
   const ToTetrahedron& to_tetrahedron() const { return to_tetrahedron_; }

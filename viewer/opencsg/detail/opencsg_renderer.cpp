@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -26,21 +25,15 @@ constexpr std::size_t kCellsBetweenWaits = 8;
 
 Eigen::Matrix4f as_floats(const Eigen::Matrix4d& matrix) { return matrix.cast<float>(); }
 
-bool is_stopped(const PictureOptions& options) {
-  return options.stop_requested != nullptr &&
-         options.stop_requested->load(std::memory_order_relaxed);
-}
-
 }  // namespace
 
 class OpenCsgRenderer::Implementation {
  public:
   Implementation();
   void set_scene(const Scene& scene, Model model);
-  std::size_t draw(const PictureOptions& options, const Frame& frame);
+  std::size_t draw(const PictureOptions& options, const Frame& frame, const View& view);
 
  private:
-  std::size_t draw_cells(const PictureOptions& options, const Frame& frame, const View& view);
   void draw_cell(std::size_t number, const PictureOptions& options, const Frame& frame,
                  const View& view, const HalfSpace* cut);
   void solve_product(const CellProduct& product, const View& view);
@@ -48,11 +41,9 @@ class OpenCsgRenderer::Implementation {
              const View& view);
 
   GlProgram wall_program_;
-  Composer composer_;
   DrawnMesh bounding_;
   Scene scene_;
   Model model_ = Model::kUpperHalfSpace;
-  Ball ball_;
   std::vector<CellProduct> products_;
   DrawnDiscs discs_;
 };
@@ -76,39 +67,23 @@ void OpenCsgRenderer::Implementation::set_scene(const Scene& scene, Model model)
   if (!grows) products_.clear();
   scene_ = scene;
   model_ = model;
-  ball_ = bounding_ball(model, scene);
   discs_.set(scene.discs);
   products_.reserve(scene.cells.size());
   while (products_.size() < scene.cells.size())
     products_.emplace_back(model, scene.cells[products_.size()]);
 }
 
-std::size_t OpenCsgRenderer::Implementation::draw(const PictureOptions& options,
-                                                  const Frame& frame) {
-  const View view = view_of(options.camera, ball_, frame.width, frame.height);
-  glPushAttrib(GL_ALL_ATTRIB_BITS);
-  composer_.begin(frame);
-  const std::size_t left = draw_cells(options, frame, view);
-  composer_.finish(options, frame, view, ball_);
-  glPopAttrib();
-  require_no_error();
-  return left;
-}
-
-std::size_t OpenCsgRenderer::Implementation::draw_cells(const PictureOptions& options,
-                                                        const Frame& frame, const View& view) {
+std::size_t OpenCsgRenderer::Implementation::draw(const PictureOptions& options, const Frame& frame,
+                                                  const View& view) {
   glMatrixMode(GL_PROJECTION);
   glLoadMatrixf(as_floats(view.projection).data());
   glMatrixMode(GL_MODELVIEW);
   HalfSpace cut{0, {1, 0, 0}, 0};
   if (options.cut_away) cut.c = -*options.cut_away;
-  // Nearest first: what is hidden then fails the depth test early.
-  std::vector<std::size_t> order(products_.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::vector<double> distance(products_.size());
-  for (std::size_t i = 0; i < products_.size(); ++i)
-    distance[i] = (products_[i].centre() - view.eye).norm() - products_[i].scale();
-  std::ranges::sort(order, {}, [&](std::size_t i) { return distance[i]; });
+  // What is hidden then fails the depth test early.
+  std::vector<Ball> balls;
+  for (const CellProduct& product : products_) balls.push_back(product.ball());
+  const std::vector<std::size_t> order = nearest_first(balls, view.eye);
   for (std::size_t i = 0; i < order.size(); ++i) {
     // Else the queue of drawing commands, seconds long, would have to be waited for.
     if (options.stop_requested != nullptr && i % kCellsBetweenWaits == 0) glFinish();
@@ -187,11 +162,7 @@ void OpenCsgRenderer::Implementation::shade(std::size_t number, const PictureOpt
     kind[i] = static_cast<GLfloat>(walls[i].kind);
   }
   const Eigen::Vector3f eye = ((view.eye - product.centre()) / product.scale()).cast<float>();
-  // From above the viewer's left shoulder.
-  const Eigen::Vector3f light =
-      (view.model_view.topLeftCorner<3, 3>().transpose() * Eigen::Vector3d(-0.45, 0.65, 0.75))
-          .normalized()
-          .cast<float>();
+  const Eigen::Vector3f light = key_light(view).cast<float>();
   glUseProgram(wall_program_.name());
   const Uniform uniform{wall_program_.name()};
   glUniform4fv(uniform.at("linear"), kMostHalfSpaces, linear.data());
@@ -252,8 +223,9 @@ OpenCsgRenderer::~OpenCsgRenderer() { OpenCSG::freeResources(); }
 void OpenCsgRenderer::set_scene(const Scene& scene, Model model) {
   implementation_->set_scene(scene, model);
 }
-std::size_t OpenCsgRenderer::draw(const PictureOptions& options, const Frame& frame) {
-  return implementation_->draw(options, frame);
+std::size_t OpenCsgRenderer::draw(const PictureOptions& options, const Frame& frame,
+                                  const View& view) {
+  return implementation_->draw(options, frame, view);
 }
 
 }  // namespace tripus::viewer

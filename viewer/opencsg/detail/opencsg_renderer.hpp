@@ -21,10 +21,9 @@ class OpenCsgRenderer {
   /// Takes the scene to draw from now on, in a model; it is copied.
   void set_scene(const Scene& scene, Model model);
 
-  /// Draws into the framebuffer that is bound. `options.model` is that of the scene.
-  /// Returns the number of cells left out because a stop was requested.
-  /// Throws NoOpenGl if OpenGL reports an error.
-  std::size_t draw(const PictureOptions& options, const Frame& frame);
+  /// Draws colours and depths of cells into what Composer has bound. `options.model` is that of
+  /// the scene. Returns the number of cells left out because a stop was requested.
+  std::size_t draw(const PictureOptions& options, const Frame& frame, const View& view);
 
  private:
   class Implementation;

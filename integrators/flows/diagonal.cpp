@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "integrators/flow.hpp"
+#include "integrators/limited_velocity.hpp"
 
 // dx/dt = -D^-1 g with D = diag(H): the curvature flow in units in which every direction is equally
 // steep. By docs/theory.md (40) the condition of D^-1 H does not grow with the triangulation.
@@ -23,6 +24,7 @@ class Diagonal final : public Field {
     }
     set_diagonal();
     for (std::size_t i = 0; i < x.size(); ++i) velocity[i] = -gradient[i] / diagonal_[i];
+    limit_velocity(x, velocity);
     return true;
   }
 

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "integrators/flow.hpp"
+#include "integrators/limited_velocity.hpp"
 
 // dx/dt = -H^s g: the curvature flow for s = 0, the Calabi flow for s = 1, Newton's for s = -1, and
 // what lies between. g decays like e^(-t l^(1+s)) for an eigenvalue l of H. It takes all
@@ -53,6 +54,7 @@ class Fractional final : public Field {
     for (double& value : powers_) value = value > least ? std::pow(value, power_) : 0;
     apply(gradient, velocity);
     for (double& v : velocity) v = -v;
+    if (power_ < 0) limit_velocity(x, velocity);
     return true;
   }
 

@@ -116,7 +116,9 @@ TEST(Census, TheShippedCuspedOnesAreWhatTheListsGive) {
   for (std::size_t k = 0; k < made.manifolds.size(); ++k) {
     const CensusEntry &a = first[static_cast<std::ptrdiff_t>(k)], &b = made.manifolds[k];
     SCOPED_TRACE(b.name);
-    EXPECT_NEAR(a.volume, b.volume, 1e-12);
+    // The table has proved digits (canonical_proofs.cpp); what is computed here has curvatures up
+    // to 1e-12, which shift a volume by that times the sum of the lengths.
+    EXPECT_NEAR(a.volume, b.volume, 1e-11);
     CensusEntry same = b;
     same.volume = a.volume;
     EXPECT_EQ(a, same);

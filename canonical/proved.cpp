@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "structure/proof/tilt_signs.hpp"
+#include "topology/isosig.hpp"
+#include "topology/labelled_isosig.hpp"
 
 namespace tripus::canonical {
 namespace {
@@ -24,37 +26,56 @@ std::string named(const std::vector<FaceOfTetrahedron>& faces) {
 
 CanonicalProof prove_canonical(const CanonicalManifold& manifold, const Context& context) {
   CanonicalProof result;
+  const topology::LabelledSignature signature =
+      topology::labelled_signature(manifold.triangulation, manifold.cone_angles);
+  result.triangulation = signature.text;
+  const topology::Triangulation triangulation(topology::decode_isosig(signature.isosig));
+  const auto edges =
+      topology::edge_images(manifold.triangulation, signature.isomorphism, triangulation);
+  std::vector<double> lengths(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    lengths[edges[e]] = manifold.report.edge_lengths[e];
   structure::ProveOptions options;
-  options.cone_angles = manifold.cone_angles;
-  result.metric =
-      structure::prove(manifold.triangulation, manifold.report.edge_lengths, options, context);
+  options.cone_angles = signature.labels;
+  result.metric = structure::prove(triangulation, lengths, options, context);
   if (!result.metric.proved) {
     result.reason = result.metric.reason;
     return result;
   }
   const structure::TiltSigns tilts =
-      structure::tilt_signs(manifold.triangulation, result.metric, {}, context);
-  const auto& signs = tilts.sign;
+      structure::tilt_signs(triangulation, result.metric, {}, context);
   result.field = tilts.field;
   const topology::Gluings& gluings = manifold.triangulation.gluings();
-  for (std::size_t t = 0; t < signs.size(); ++t)
+  for (std::size_t t = 0; t < gluings.tetrahedron_count(); ++t)
     for (int f = 0; f < 4; ++f) {
       const std::size_t other = gluings.neighbour(t, f);
       const bool once = other > t || (other == t && gluings.gluing(t, f)(f) > f);
       if (!once) continue;
-      const ProvedSign sign = signs[t][static_cast<std::size_t>(f)];
+      const FaceOfTetrahedron face{signature.isomorphism.tetrahedron_images[t],
+                                   signature.isomorphism.perms[t](f)};
+      const ProvedSign sign = tilts.sign[face.tetrahedron][static_cast<std::size_t>(face.face)];
       const FaceKind kind = manifold.faces.kind[t][static_cast<std::size_t>(f)];
       if (sign == ProvedSign::kZero && kind == FaceKind::kTransparent)
-        result.inside.push_back({t, f});
+        result.inside.push_back(face);
       else if (sign != ProvedSign::kNegative || kind != FaceKind::kTrue)
-        result.unproved.push_back({t, f});
+        result.unproved.push_back(face);
     }
   result.proved = result.unproved.empty();
   if (!result.proved)
-    result.reason =
-        fmt::format("the sign of the tilt sum is not proved at {} {}",
-                    result.unproved.size() == 1 ? "face" : "faces", named(result.unproved));
+    result.reason = fmt::format("the sign of the tilt sum is not proved at {} {} of {}",
+                                result.unproved.size() == 1 ? "face" : "faces",
+                                named(result.unproved), result.triangulation);
   return result;
+}
+
+structure::CanonicalProofText proof_text(const CanonicalProof& proof) {
+  return {proof.proved,
+          proof.reason,
+          proof.triangulation,
+          proof.unproved,
+          proof.inside,
+          proof.field,
+          structure::proof_text(proof.metric)};
 }
 
 ComparisonProof prove_comparison(const Comparison& comparison, const Context& context) {

@@ -1,6 +1,4 @@
 // tripus canonize: the canonical decomposition, the isometry group and the isometry signature.
-#include <array>
-
 #include <fmt/format.h>
 
 #include "canonical/proved.hpp"
@@ -11,37 +9,9 @@
 #include "cli/manifold_text.hpp"
 #include "cli/remedies.hpp"
 #include "cli/report_text.hpp"
-#include "structure/proof/proof_text.hpp"
 
 namespace tripus::cli {
 namespace {
-
-void append_field(JsonText& out, const structure::ExactField& field) {
-  append(out, ", \"field\": {\"polynomial\": ");
-  append_string(out, field.polynomial);
-  append(out, ", \"root\": ");
-  append_array(out, std::array{field.root.lower, field.root.upper}, append_string);
-  append(out, ", \"gram\": ");
-  append_array(out, field.gram, append_string);
-  append(out, "}");
-}
-
-void append_proof(JsonText& out, const canonical::CanonicalProof& proof) {
-  append(out, proof.proved ? ", \"proof\": {\"proved\": true" : ", \"proof\": {\"proved\": false");
-  if (!proof.proved) {
-    append(out, ", \"reason\": ");
-    append_string(out, proof.reason);
-  }
-  const auto append_face = [](JsonText& to, const auto& face) {
-    fmt::format_to(std::back_inserter(to), "[{}, {}]", face.tetrahedron, face.face);
-  };
-  append(out, ", \"unproved_faces\": ");
-  append_array(out, proof.unproved, append_face);
-  append(out, ", \"inner_faces\": ");
-  append_array(out, proof.inside, append_face);
-  if (proof.field) append_field(out, *proof.field);
-  append(out, ", \"metric\": " + structure::to_json(structure::proof_text(proof.metric)) + "}");
-}
 
 std::string as_json(const Subject& subject, const canonical::CanonizeAnswer& answer,
                     const canonical::CanonicalProof* proof) {
@@ -62,7 +32,8 @@ std::string as_json(const Subject& subject, const canonical::CanonizeAnswer& ans
     append(out, ", \"advice\": ");
     append_string(out, structure::to_string(answer.advice));
   }
-  if (proof != nullptr) append_proof(out, *proof);
+  if (proof != nullptr)
+    append(out, ", \"proof\": " + structure::to_json(canonical::proof_text(*proof)));
   append(out, ", \"message\": ");
   append_string(out, answer.message);
   out.push_back('}');

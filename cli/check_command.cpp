@@ -13,6 +13,7 @@
 #include "manifold/load.hpp"
 #include "manifold/subject.hpp"
 #include "structure/certificate.hpp"
+#include "structure/proof/canonical_proof_text.hpp"
 #include "structure/proof/proof_text.hpp"
 
 namespace tripus::cli {
@@ -44,17 +45,24 @@ std::string proof_verdict(const structure::ProofText& proof, const structure::Pr
                "triangulation carries no metric";
 }
 
-std::string proof_as_json(const std::string& input, const structure::ProofText& proof,
-                          const structure::ProofCheck& result) {
+std::string as_json(const std::string& input, std::string_view kind, bool valid,
+                    const std::string& message) {
   JsonText out;
   append_header(out, input);
   append(out, ", \"kind\": ");
-  append_string(out, structure::kind_of(proof));
-  append(out, result ? ", \"valid\": true" : ", \"valid\": false");
+  append_string(out, kind);
+  append(out, valid ? ", \"valid\": true" : ", \"valid\": false");
   append(out, ", \"message\": ");
-  append_string(out, proof_verdict(proof, result));
+  append_string(out, message);
   out.push_back('}');
   return fmt::to_string(out);
+}
+
+Outcome outcome(const CheckOptions& options, std::string_view kind, bool valid,
+                const std::string& message) {
+  if (!valid && is_work_over()) throw Stopped();  // which says nothing about the proof
+  return {options.json ? as_json(options.input, kind, valid, message) : message + "\n",
+          valid ? kSuccess : kNoAnswer};
 }
 
 constexpr const char* kOtherLabels =
@@ -72,10 +80,20 @@ Outcome check_one_proof(const CheckOptions& options, const std::string& text) {
       same_labels(subject, proof.cone_angles)
           ? structure::check_proof(subject.triangulation, proof, interruptible())
           : structure::ProofCheck{false, kOtherLabels};
-  if (!result && is_work_over()) throw Stopped();  // which says nothing about the proof
-  return {options.json ? proof_as_json(options.input, proof, result)
-                       : proof_verdict(proof, result) + "\n",
-          result ? kSuccess : kNoAnswer};
+  return outcome(options, structure::kind_of(proof), result.valid, proof_verdict(proof, result));
+}
+
+Outcome check_one_decomposition(const CheckOptions& options, const std::string& text) {
+  const auto proof = parse_file(options.certificate, text, structure::parse_canonical_proof);
+  const Subject subject = load_labelled_subject(options.input, Balls::kAllowed, interruptible());
+  const structure::ProofCheck result = structure::check_canonical_proof(
+      subject.triangulation, subject.cone_angles, proof, interruptible());
+  return outcome(
+      options, structure::kCanonicalDecomposition, result.valid,
+      !result ? "not valid: " + result.reason
+              : fmt::format("valid: this triangulation carries the hyperbolic metric, and its "
+                            "tetrahedra{} are the cells of the canonical decomposition",
+                            proof.inside.empty() ? "" : ", merged across the inner faces,"));
 }
 
 std::string verdict(const Certificate& certificate, const structure::CheckResult& result) {
@@ -88,23 +106,11 @@ std::string verdict(const Certificate& certificate, const structure::CheckResult
          "metric";
 }
 
-std::string as_json(const std::string& input, const Certificate& certificate,
-                    const structure::CheckResult& result) {
-  JsonText out;
-  append_header(out, input);
-  append(out, ", \"kind\": ");
-  append_string(out, to_string(certificate.kind));
-  append(out, result ? ", \"valid\": true" : ", \"valid\": false");
-  append(out, ", \"message\": ");
-  append_string(out, verdict(certificate, result));
-  out.push_back('}');
-  return fmt::to_string(out);
-}
-
 Outcome check_one(const CheckOptions& options) {
   if (options.certificate == "-" && options.input == "-")
     throw InvalidInput("the certificate and INPUT cannot both come from standard input");
   const std::string text = read_file(options.certificate);
+  if (structure::looks_like_canonical_proof(text)) return check_one_decomposition(options, text);
   if (structure::looks_like_proof(text)) return check_one_proof(options, text);
   const Certificate certificate =
       parse_file(options.certificate, text, structure::parse_certificate);
@@ -112,9 +118,7 @@ Outcome check_one(const CheckOptions& options) {
   const structure::CheckResult result = same_labels(subject, certificate.cone_angles)
                                             ? structure::check(subject.triangulation, certificate)
                                             : structure::CheckResult{false, kOtherLabels};
-  return {options.json ? as_json(options.input, certificate, result)
-                       : verdict(certificate, result) + "\n",
-          result ? kSuccess : kNoAnswer};
+  return outcome(options, to_string(certificate.kind), result.valid, verdict(certificate, result));
 }
 
 }  // namespace
@@ -136,9 +140,12 @@ void add_check(CLI::App& program, Command& chosen) {
   verb->footer(
       "A certificate proves that a triangulation has no strict angle structure, so that it "
       "carries\n"
-      "no metric, by integers alone: docs/theory.md (43). A proof (of `prove --json`) is checked "
-      "in Arb's\n"
-      "ball arithmetic, by code that shares nothing with the prover: docs/proof.md.\n\n"
+      "no metric, by integers alone: docs/theory.md (43). A proof (of `prove --json` or "
+      "of\n"
+      "`canonize --prove --json`) is checked in Arb's ball arithmetic and in a number field, by "
+      "code "
+      "that\n"
+      "shares nothing with the prover: docs/proof.md.\n\n"
       "Exit status: 0 valid, 1 not valid (the message says which inequality fails), 2 bad usage "
       "or\n"
       "bad input, 3 a failure of the program itself.");

@@ -1,5 +1,8 @@
 // tripus view: see the universal cover, in a window, as a picture, or as a page for a browser.
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <optional>
 
@@ -20,13 +23,18 @@
 #include "cli/report_text.hpp"
 #include "cli/view_pages.hpp"
 #include "embedding/universal_cover.hpp"
+#include "geometry/moebius.hpp"
 #include "manifold/load.hpp"
 #include "parameterise/picture.hpp"
 #include "viewer/egl/offscreen.hpp"
+#include "viewer/scene_words.hpp"
 #include "viewer/window/window.hpp"
 
 namespace tripus::cli {
 namespace {
+
+/// Larger maps move everything to the boundary of the model, where doubles end.
+constexpr double kLargestCoefficient = 1e4;
 
 struct ViewCommand {
   CommonOptions common;
@@ -40,6 +48,13 @@ struct ViewCommand {
   std::string colour_by = "tetrahedron";
   std::string renderer = "faces";
   std::optional<double> cut_away;
+  std::string moebius;
+  std::optional<std::uint32_t> transparent;
+  bool labels = false;
+  bool dark = false;
+  bool no_lines = false;
+  bool hollow = false;
+  geometry::Matrix4 motion = geometry::Matrix4::Identity();
   std::string discs;  ///< as typed; empty: not, or without a length
   DiscRequest disc_request;
   bool no_faces = false;
@@ -81,16 +96,43 @@ void parse_size(ViewCommand& command) {
 
 void parse_camera(ViewCommand& command) {
   if (command.camera.empty()) return;
-  const auto numbers = numbers_in(command.camera, ',', 3);
+  auto numbers = numbers_in(command.camera, ',', 3);
+  if (!numbers) numbers = numbers_in(command.camera, ',', 6);
   if (!numbers) {
-    throw InvalidInput(fmt::format(
-        "--camera {}: write AZIMUTH,ELEVATION,DISTANCE, in degrees and radii of the scene",
-        tripus::quoted(command.camera)));
+    throw InvalidInput(
+        fmt::format("--camera {}: write AZIMUTH,ELEVATION,DISTANCE, in degrees and radii of the "
+                    "scene, or these "
+                    "and ZOOM,X,Y, a magnification and a shift in halves of the picture's height",
+                    tripus::quoted(command.camera)));
   }
   viewer::Camera& camera = command.picture.camera;
   camera.azimuth = (*numbers)[0];
   camera.elevation = (*numbers)[1];
   camera.distance = (*numbers)[2];
+  if (numbers->size() < 6) return;
+  camera.zoom = (*numbers)[3];
+  camera.shift = {(*numbers)[4], (*numbers)[5]};
+}
+
+/// --moebius: eight numbers, the real and imaginary parts of a, b, c and d.
+geometry::Matrix4 parse_moebius(const std::string& text) {
+  if (text.empty()) return geometry::Matrix4::Identity();
+  const auto n = numbers_in(text, ',', 8);
+  const std::string what = "--moebius " + tripus::quoted(text);
+  if (!n) {
+    throw InvalidInput(what +
+                       ": write the real and imaginary parts of a, b, c and d of the map "
+                       "w -> (aw + b)/(cw + d), eight numbers with commas between them");
+  }
+  for (const double x : *n)
+    if (!(std::abs(x) <= kLargestCoefficient))
+      throw InvalidInput(fmt::format("{}: numbers go up to {:g}", what, kLargestCoefficient));
+  geometry::MoebiusMap map{
+      {(*n)[0], (*n)[1]}, {(*n)[2], (*n)[3]}, {(*n)[4], (*n)[5]}, {(*n)[6], (*n)[7]}};
+  const double size = std::norm(map.a) + std::norm(map.b) + std::norm(map.c) + std::norm(map.d);
+  if (!(std::abs(map.a * map.d - map.b * map.c) > 1e-9 * size))
+    throw InvalidInput(what + ": ad - bc is 0, or too near to it, and this is no Moebius map");
+  return geometry::to_matrix(geometry::normalised(map));
 }
 
 /// Names to what the viewers call it; the parser has let no other name through.
@@ -103,7 +145,20 @@ void name_choices(ViewCommand& command) {
   if (command.model == "klein") picture.model = Model::kKleinBall;
   if (command.colour_by == "face") picture.colour_by = ColourBy::kFace;
   if (command.colour_by == "depth") picture.colour_by = ColourBy::kDepth;
+  if (command.colour_by == "component") picture.colour_by = ColourBy::kComponent;
+  if (command.colour_by == "edge") picture.colour_by = ColourBy::kEdge;
   if (command.renderer == "opencsg") picture.renderer = viewer::RendererKind::kOpenCsg;
+}
+
+/// A text as one word of a shell's command.
+std::string shell_word(const std::string& text) {
+  const auto plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || std::strchr("_-./+:,", c) != nullptr;
+  };
+  if (!text.empty() && std::ranges::all_of(text, plain)) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
 }
 
 /// The metric of an INPUT, ready to be developed.
@@ -122,6 +177,7 @@ struct Developed {
         viewer::make_scene(printable(subject.name.empty() ? subject.input : subject.name),
                            embedding, cover, viewer::default_frame(model, embedding));
     scene.discs = discs;
+    viewer::add_classes(scene, subject.triangulation, report.edge_lengths);
     return scene;
   }
 };
@@ -149,7 +205,8 @@ Outcome picture_written(const Developed& developed, const ViewCommand& command, 
 }
 
 Outcome draw_picture(const Developed& developed, const ViewCommand& command) {
-  const viewer::Scene scene = developed.scene(command.cells, command.picture.model);
+  const viewer::Scene scene = viewer::moved(
+      command.picture.model, developed.scene(command.cells, command.picture.model), command.motion);
   const viewer::Image image =
       viewer::render_picture(scene, command.picture, command.width, command.height);
   const std::size_t drawn = scene.cells.size() - image.cells_left;
@@ -187,6 +244,8 @@ Outcome view_one(const ViewCommand& command, const std::string& input) {
     window.width = command.width;
     window.height = command.height;
     window.cells = command.cells;
+    window.motion = command.motion;
+    window.command = "tripus view " + shell_word(input);
     viewer::show_window(
         [&](std::size_t cells, viewer::Model model) { return developed.scene(cells, model); },
         window);
@@ -220,6 +279,12 @@ int run(ViewCommand& command) {
   parse_size(command);
   parse_camera(command);
   name_choices(command);
+  command.motion = parse_moebius(command.moebius);
+  command.picture.transparent = command.transparent;
+  command.picture.labels = command.labels;
+  command.picture.dark = command.dark;
+  command.picture.lines = !command.no_lines;
+  if (command.hollow) command.picture.drawing = viewer::Drawing::kHollow;
   command.picture.cut_away = command.cut_away;
   command.picture.faces = !command.no_faces;
   command.picture.truncations = !command.no_truncations;
@@ -239,9 +304,23 @@ void add_picture_options(CLI::App& verb, ViewCommand& command) {
   verb.add_option("--size", command.size, "of the picture or window (default: 1200x900)")
       ->option_text("WxH");
   verb.add_option("--colour-by", command.colour_by,
-                  "tetrahedron (default), face, or depth: gluings away from the\nfirst cell")
+                  "tetrahedron (default), face, component (of the boundary), edge, or\n"
+                  "depth: gluings away from the first cell")
       ->option_text("WHAT")
-      ->check(CLI::IsMember({"tetrahedron", "face", "depth"}));
+      ->check(CLI::IsMember({"tetrahedron", "face", "depth", "component", "edge"}));
+  verb.add_option("--transparent", command.transparent,
+                  "look through the cells of this tetrahedron")
+      ->option_text("T");
+  verb.add_flag("--labels", command.labels, "write the names of tetrahedra and edges")
+      ->option_text(" ");
+  verb.add_flag("--no-lines", command.no_lines, "no lines along edges")->option_text(" ");
+  verb.add_flag("--hollow", command.hollow, "walls alone: hollow where they are cut")
+      ->option_text(" ");
+  verb.add_flag("--dark", command.dark, "a dark background")->option_text(" ");
+  verb.add_option("--moebius", command.moebius,
+                  "move all cells by w -> (aw + b)/(cw + d): real and imaginary parts\n"
+                  "of a, b, c, d, eight numbers")
+      ->option_text("NUMBERS");
   verb.add_flag("--no-truncations", command.no_truncations,
                 "faces alone, so that one can look into the cells")
       ->option_text(" ");
@@ -262,7 +341,7 @@ void add_picture_options(CLI::App& verb, ViewCommand& command) {
       ->check(CLI::IsMember({"faces", "opencsg"}));
   verb.add_option("--camera", command.camera,
                   "azimuth and elevation in degrees, distance in radii of the scene\n"
-                  "(default: 30,20,4.2)")
+                  "(default: 30,20,4.2); with three more numbers zoom and shift")
       ->option_text("A,E,D");
 }
 

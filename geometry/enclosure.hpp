@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "geometry/batch.hpp"
+#include "geometry/enclosure_formulae.hpp"
 
 namespace tripus::geometry {
 
@@ -19,6 +20,13 @@ inline constexpr std::size_t kVolumeMid = 18;   ///< volume at the lengths given
 inline constexpr std::size_t kVolumeRadius = 19;
 inline constexpr std::size_t kAngleLow = 20;  ///< [6] to be added to the angles: below half an ulp
 inline constexpr std::size_t kEnclosed = 26;
+
+/// What a block holds after `mixed_angles`: the angles and the volume as above, and
+inline constexpr std::size_t kSound = 12;  ///< 1 where they are proved, else 0
+/// After `mixed_jacobian`: kSound, and
+inline constexpr std::size_t kJacobianMid = 26;     ///< [21] packed as packed_index says
+inline constexpr std::size_t kJacobianRadius = 47;  ///< [21]
+inline constexpr std::size_t kMixedEnclosed = 68;
 
 /// Enclosures of one truncated tetrahedron in doubles, every rounding accounted for; all
 /// instruction sets give the same bits.
@@ -36,6 +44,16 @@ struct EnclosureKernels {
   /// only computed if `with_volume`. Source: docs/theory.md section 9.
   void (*enclose)(std::size_t blocks, const double* lengths, const double* radii, double* out,
                   bool with_volume);
+
+  /// The same angles and volumes at the lengths of tetrahedra with hyperideal and ideal vertices,
+  /// all with one `diagonal`. Lengths at ideal vertices may be negative, theory (77). The
+  /// volume is sharp if the vertices are of one kind; elsewhere (24) is ill-conditioned.
+  ///   out  [blocks][kMixedEnclosed][8]
+  void (*mixed_angles)(std::size_t blocks, const double* lengths, const GramDiagonal& diagonal,
+                       double* out, bool with_volume);
+  /// Their Jacobian over the box: where it is sound, all members are of true tetrahedra.
+  void (*mixed_jacobian)(std::size_t blocks, const double* lengths, const double* radii,
+                         const GramDiagonal& diagonal, double* out);
 };
 
 /// The fastest kernels that this processor runs, and every set, "portable" first.

@@ -43,18 +43,26 @@ bool keeps_orientation(const Isomorphism& isomorphism, const std::vector<char>& 
 
 }  // namespace
 
-std::vector<ConeAngle> relabelled_edges(const Triangulation& from,
-                                        std::span<const ConeAngle> labels,
-                                        const Isomorphism& isomorphism, const Triangulation& to) {
-  std::vector<ConeAngle> result(to.edge_count());
-  for (std::size_t e = 0; e < labels.size(); ++e) {
+std::vector<std::size_t> edge_images(const Triangulation& from, const Isomorphism& isomorphism,
+                                     const Triangulation& to) {
+  std::vector<std::size_t> images;
+  for (std::size_t e = 0; e < from.edge_count(); ++e) {
     const EdgeCorner corner = from.corners(e)[0];
     const Perm4 p = isomorphism.perms[corner.tetrahedron()];
     const auto ends = kEdgeEnds[static_cast<std::size_t>(corner.edge())];
     const int edge =
         kEdgeNumber[static_cast<std::size_t>(p(ends[0]))][static_cast<std::size_t>(p(ends[1]))];
-    result[to.edge_class(isomorphism.tetrahedron_images[corner.tetrahedron()], edge)] = labels[e];
+    images.push_back(to.edge_class(isomorphism.tetrahedron_images[corner.tetrahedron()], edge));
   }
+  return images;
+}
+
+std::vector<ConeAngle> relabelled_edges(const Triangulation& from,
+                                        std::span<const ConeAngle> labels,
+                                        const Isomorphism& isomorphism, const Triangulation& to) {
+  std::vector<ConeAngle> result(to.edge_count());
+  const auto images = edge_images(from, isomorphism, to);
+  for (std::size_t e = 0; e < labels.size(); ++e) result[images[e]] = labels[e];
   return result;
 }
 

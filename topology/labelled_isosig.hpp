@@ -10,6 +10,10 @@
 
 namespace tripus::topology {
 
+/// [E] the edge class of `to` to which an isomorphism carries each of `from`.
+std::vector<std::size_t> edge_images(const Triangulation& from, const Isomorphism& isomorphism,
+                                     const Triangulation& to);
+
 /// The labels [E] of a triangulation's edge classes carried to another one by an isomorphism from
 /// the first to the second.
 std::vector<ConeAngle> relabelled_edges(const Triangulation& from,

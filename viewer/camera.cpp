@@ -17,10 +17,23 @@ constexpr double kFieldOfView = 30 * std::numbers::pi / 180;
 /// Primitives of cells lie within so many radii of the scene: kFarthestPoint radii of a cell.
 constexpr double kPrimitivesWithin = 2.1;
 static_assert(kPrimitivesWithin < kClosestDistance);
+/// Depths are told apart from this part of the way to the scene's middle on.
+constexpr double kNearest = 0.02;
 
 }  // namespace
 
-View view_of(const Camera& camera, const Ball& scene, int width, int height) {
+View view_of(const Camera& camera, Model model, const Scene& scene, int width, int height) {
+  const Ball focus = focus_of(model, scene);
+  return view_of(camera, focus, width, height, reach_of(model, scene, focus));
+}
+
+double reach_of(Model model, const Scene& scene, const Ball& focus) {
+  if (!scene.focus) return 0;
+  const Ball around = bounding_ball(model, scene);
+  return (around.centre - focus.centre).norm() + around.radius;
+}
+
+View view_of(const Camera& camera, const Ball& scene, int width, int height, double reach) {
   constexpr double kDegree = std::numbers::pi / 180;
   const double azimuth = camera.azimuth * kDegree, elevation = camera.elevation * kDegree;
   const Vector3 back(std::cos(elevation) * std::cos(azimuth),
@@ -40,8 +53,9 @@ View view_of(const Camera& camera, const Ball& scene, int width, int height) {
   const double aspect = static_cast<double>(width) / height;
   const double middle = camera.distance * scene.radius;
   // Primitives reach beyond their cells, and must not be clipped.
-  view.near = middle - kPrimitivesWithin * scene.radius;
-  view.far = middle + kPrimitivesWithin * scene.radius;
+  const double within = std::max(kPrimitivesWithin * scene.radius, reach);
+  view.near = std::max(middle - within, kNearest * middle);
+  view.far = middle + within;
   const double depth = view.far - view.near;
   view.projection.setZero();
   view.projection(0, 0) = 2 / (view.height_at_one * aspect);

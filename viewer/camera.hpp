@@ -35,7 +35,14 @@ struct View {
 };
 
 /// Requires width, height > 0 and a scene of positive radius.
-View view_of(const Camera& camera, const Ball& scene, int width, int height);
+///   reach  what is drawn lies within this of the scene's centre; 0: within its radius
+View view_of(const Camera& camera, const Ball& scene, int width, int height, double reach = 0);
+
+/// The same for a scene in a model, at its focus.
+View view_of(const Camera& camera, Model model, const Scene& scene, int width, int height);
+
+/// How far from the middle of the focus cells lie that were moved away from it; 0 if they were not.
+double reach_of(Model model, const Scene& scene, const Ball& focus);
 
 /// Unit, in the model, towards the light: from above the viewer's left shoulder.
 Vector3 key_light(const View& view);

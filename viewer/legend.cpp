@@ -26,9 +26,13 @@ class Legend {
     rectangles_.push_back({left, top, right, bottom, colour});
   }
 
+  float width(std::string text) const {  // the font's functions take it without const
+    return scale_ * static_cast<float>(stb_easy_font_width(text.data()));
+  }
+
   /// `anchor`: the share of the text that lies left of x.
   void write(std::string text, float x, float y, float anchor) {
-    const float left = x - anchor * scale_ * static_cast<float>(stb_easy_font_width(text.data()));
+    const float left = x - anchor * width(text);
     std::vector<char> quads(64 * 12 * (text.size() + 1));  // more than any letter needs
     const int count = stb_easy_font_print(0, 0, text.data(), nullptr, quads.data(),
                                           static_cast<int>(quads.size()));
@@ -48,7 +52,7 @@ class Legend {
   std::vector<LegendRectangle> rectangles_;
 };
 
-void paint(Image& image, const LegendRectangle& rectangle) {
+void paint_one(Image& image, const LegendRectangle& rectangle) {
   const auto pixel = [](float x, int most) {
     return std::clamp(static_cast<int>(std::lround(x)), 0, most);
   };
@@ -98,10 +102,25 @@ std::vector<LegendRectangle> legend_of(const WallDiscs& discs, int width, int he
   return std::move(legend).rectangles();
 }
 
+std::vector<LegendRectangle> rectangles_of(std::span<const SceneLabel> labels, int scale) {
+  const auto size = static_cast<float>(scale);
+  Legend legend(size);
+  for (const SceneLabel& label : labels) {
+    const float half = legend.width(label.text) / 2;
+    legend.fill(label.x - half - 2 * size, label.y - 6 * size, label.x + half + 2 * size,
+                label.y + 6 * size, kPaper);
+    legend.write(label.text, label.x, label.y - 4 * size, 0.5F);
+  }
+  return std::move(legend).rectangles();
+}
+
+void paint(Image& image, std::span<const LegendRectangle> rectangles) {
+  for (const LegendRectangle& rectangle : rectangles) paint_one(image, rectangle);
+}
+
 void add_legend(const Scene& scene, const PictureOptions& options, Image& image) {
   if (scene.discs == nullptr || !options.discs) return;
-  for (const LegendRectangle& rectangle : legend_of(*scene.discs, image.width, image.height))
-    paint(image, rectangle);
+  paint(image, legend_of(*scene.discs, image.width, image.height));
 }
 
 }  // namespace tripus::viewer

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "viewer/picture.hpp"
+#include "viewer/scene_words.hpp"
 
 namespace tripus::viewer {
 
@@ -17,6 +19,16 @@ struct LegendRectangle {
 /// What the colours of discs mean, for the lower left corner of a picture: a bar with lengths under
 /// it, one thing drawn over the other. Nothing where the picture is too small to read it.
 std::vector<LegendRectangle> legend_of(const WallDiscs& discs, int width, int height);
+
+/// Of letters in a picture so high.
+constexpr int label_scale(int height) { return height < 900 ? 1 : height / 450; }
+
+/// Labels on paper, their middles at their places.
+///   scale  of the letters, 1: about 10 pixels high
+std::vector<LegendRectangle> rectangles_of(std::span<const SceneLabel> labels, int scale);
+
+/// Paints rectangles over a picture, one after the other.
+void paint(Image& image, std::span<const LegendRectangle> rectangles);
 
 /// Paints the legend of the scene's discs over a picture of it, if it shows them.
 void add_legend(const Scene& scene, const PictureOptions& options, Image& image);

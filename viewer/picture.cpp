@@ -39,6 +39,15 @@ void require_drawable(const Scene& scene, const PictureOptions& options, int wid
   require(std::isfinite(camera.zoom) && camera.zoom > 0 && camera.shift.allFinite(),
           "the camera's zoom is not positive, or its shift no number");
   require(!options.cut_away || std::isfinite(*options.cut_away), "the cut-away is no number");
+  require(
+      options.renderer == RendererKind::kFaces ||
+          (!options.transparent && options.colour_by != ColourBy::kEdge && !scene.focus),
+      "the renderer opencsg knows no transparent tetrahedra, no colours of edges and no Moebius "
+      "moves; the renderer faces does");
+  require(!options.transparent || *options.transparent < scene.tetrahedron_count,
+          "there is no tetrahedron " + std::to_string(options.transparent.value_or(0)) +
+              " to be transparent: they go from 0 to " +
+              std::to_string(scene.tetrahedron_count - 1));
   require(options.samples >= 0 && options.samples <= 4,
           std::to_string(options.samples) + " samples a pixel: ask for up to 4");
   require(options.faces || options.truncations,

@@ -38,7 +38,13 @@ struct PictureOptions {
   Drawing drawing = Drawing::kSolid;
   RendererKind renderer = RendererKind::kFaces;
   bool occlusion = true;  ///< whether nooks are darkened; costs some
-  int samples = 0;        ///< a pixel, in each direction, up to 4; 0: what its size allows
+  bool lines = true;      ///< along edges and borders of walls; OpenCSG always draws them
+  bool dark = false;      ///< the background
+  bool labels = false;    ///< names of tetrahedra and edges; of pictures and windows
+  /// One can look through the cells of this tetrahedron; hollow cells are left out instead. Not by
+  /// OpenCSG.
+  std::optional<std::uint32_t> transparent;
+  int samples = 0;  ///< a pixel, in each direction, up to 4; 0: what its size allows
   /// Ends the drawing between two cells when it becomes true; null: nothing does.
   const std::atomic<bool>* stop_requested = nullptr;
 };

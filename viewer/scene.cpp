@@ -64,6 +64,23 @@ Scene make_scene(std::string title, const embedding::Embedding& embedding,
   return scene;
 }
 
+Scene moved(Model model, const Scene& scene, const geometry::Matrix4& isometry) {
+  Scene result = scene;
+  if (isometry == geometry::Matrix4::Identity()) return result;
+  result.focus = focus_of(model, scene);
+  for (SceneCell& cell : result.cells) {
+    for (Vector4& wall : cell.walls) wall = isometry * wall;
+    for (Vector4& corner : cell.corners) corner = isometry * corner;
+    cell.place = isometry * cell.place;
+  }
+  return result;
+}
+
+std::size_t edge_between(std::size_t vertex, std::size_t other) {
+  const std::size_t low = std::min(vertex, other), high = std::max(vertex, other);
+  return low == 0 ? high - 1 : low + high;
+}
+
 geometry::Matrix4 default_frame(Model model, const embedding::Embedding& embedding,
                                 std::uint32_t root) {
   using geometry::lorentz_product;
@@ -157,6 +174,10 @@ Ball bounding_ball(Model model, const Scene& scene) {
   return ball;
 }
 
+Ball focus_of(Model model, const Scene& scene) {
+  return scene.focus ? *scene.focus : bounding_ball(model, scene);
+}
+
 ToTetrahedron to_tetrahedron(Model model, const SceneCell& cell, const Ball& ball) {
   // In every model the hyperboloid's point is linear in (p, |p|^2, 1), up to a factor.
   Eigen::Matrix<double, 4, 5> of_model = Eigen::Matrix<double, 4, 5>::Zero();
@@ -194,8 +215,12 @@ Colour wall_colour(ColourBy colour_by, const SceneCell& cell, std::size_t wall) 
   };
   constexpr Colour kPaper{0.94F, 0.93F, 0.89F};
   constexpr float kTint = 0.62F;
+  constexpr Colour kGrey{0.72F, 0.73F, 0.74F};
   if (colour_by == ColourBy::kFace)
-    return is_truncation(wall) ? kPaper : palette(static_cast<std::uint32_t>(wall));
+    return is_truncation(wall) ? kPaper : palette(cell.face_class[wall]);
+  if (colour_by == ColourBy::kComponent)
+    return is_truncation(wall) ? palette(cell.vertex_class[wall - 4]) : kGrey;
+  if (colour_by == ColourBy::kEdge) return is_truncation(wall) ? kPaper : kGrey;
   Colour colour = palette(cell.tetrahedron);
   if (colour_by == ColourBy::kDepth) {
     constexpr float kFade = 6;  // gluings after which the ramp is nearly at its end

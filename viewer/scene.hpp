@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +24,12 @@ constexpr bool is_truncation(std::size_t wall) { return wall >= 4; }
 /// truncation.
 std::vector<std::size_t> corners_of_wall(std::size_t wall);
 
+/// A ball in a model.
+struct Ball {
+  Vector3 centre = Vector3::Zero();
+  double radius = 0;
+};
+
 /// One cell of the universal cover, ready to be drawn: an intersection of 8 half-spaces.
 struct SceneCell {
   std::uint32_t tetrahedron = 0;
@@ -33,6 +40,10 @@ struct SceneCell {
   /// the tetrahedron at v, in the order of the other vertices.
   std::array<Vector4, 12> corners;
   geometry::Matrix4 place;  ///< the isometry from the frame of the tetrahedron
+  /// What its parts are glued to, for colours and words: a number for each pair of glued faces,
+  /// each boundary component and each edge class, edges in the order 01, 02, 03, 12, 13, 23.
+  std::array<std::uint32_t, 4> face_class{0, 1, 2, 3}, vertex_class{0, 0, 0, 0};
+  std::array<std::uint32_t, 6> edge_class{0, 1, 2, 3, 4, 5};
 };
 
 /// What is drawn, by every viewer.
@@ -42,6 +53,9 @@ struct Scene {
   std::vector<SceneCell> cells;
   /// On the truncations; null: none.
   std::shared_ptr<const WallDiscs> discs;
+  std::vector<double> edge_lengths;  ///< of the edge classes; empty: not known
+  /// The ball that the camera looks at; nothing: the one around all cells.
+  std::optional<Ball> focus;
 };
 
 /// Puts cells into a scene.
@@ -49,16 +63,13 @@ struct Scene {
 Scene make_scene(std::string title, const embedding::Embedding& embedding,
                  std::span<const embedding::Cell> cells, const geometry::Matrix4& frame);
 
+/// The same cells elsewhere: all are moved by an isometry, while the camera looks where it looked.
+Scene moved(Model model, const Scene& scene, const geometry::Matrix4& isometry);
+
 /// An isometry that puts the first cell where its picture tells most: its middle at the middle of
 /// the ball; in the upper half-space one of its edges on the vertical axis, as in the paper.
 geometry::Matrix4 default_frame(Model model, const embedding::Embedding& embedding,
                                 std::uint32_t root = 0);
-
-/// A ball in a model.
-struct Ball {
-  Vector3 centre = Vector3::Zero();
-  double radius = 0;
-};
 
 /// Points of the cell's surface whose spread is that of the cell, its corners among them.
 std::vector<Vector3> outline(Model model, const SceneCell& cell);
@@ -69,6 +80,9 @@ Ball bounding_ball(Model model, const SceneCell& cell);
 /// A ball that contains all cells. Throws InvalidInput if there are none.
 Ball bounding_ball(Model model, const Scene& scene);
 
+/// The ball that the camera looks at. Throws InvalidInput if there are no cells.
+Ball focus_of(Model model, const Scene& scene);
+
 /// From points centre + radius q of a model to the hyperboloid in the frame of the cell's
 /// tetrahedron: (q, |q|^2, 1) becomes the point times 1 / s, where q moves s of hyperbolic length
 /// for one of its own (exactly so in the models that keep angles).
@@ -78,9 +92,12 @@ ToTetrahedron to_tetrahedron(Model model, const SceneCell& cell, const Ball& bal
 /// What tells cells apart.
 enum class ColourBy {
   kTetrahedron,  ///< the tetrahedron of the triangulation
-  kFace,         ///< the face 0..3
+  kFace,         ///< SceneCell::face_class: glued faces have one colour
   kDepth,        ///< gluings away from the first cell
+  kComponent,    ///< the boundary component of a truncation; faces are grey
+  kEdge,         ///< the class of each edge, which is drawn wider; walls are grey
 };
+inline constexpr int kColourByCount = 5;
 
 /// Red, green, blue in [0, 1], sRGB.
 using Colour = std::array<float, 3>;
@@ -88,5 +105,9 @@ using Colour = std::array<float, 3>;
 /// The colour of a wall of a cell: Okabe and Ito's palette, safe for colour-blind readers, and a
 /// ramp of one hue to another for the depth. Truncations have a light tint of their cell's colour.
 Colour wall_colour(ColourBy colour_by, const SceneCell& cell, std::size_t wall);
+
+/// The number of the edge of a tetrahedron between two of its vertices, 0..5: 01, 02, 03, 12,
+/// 13, 23.
+std::size_t edge_between(std::size_t vertex, std::size_t other);
 
 }  // namespace tripus::viewer

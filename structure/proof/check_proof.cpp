@@ -13,6 +13,7 @@
 #include "structure/proof/detail/checked_convexity.hpp"
 #include "structure/proof/detail/checked_finite.hpp"
 #include "structure/proof/detail/checked_tetrahedron.hpp"
+#include "structure/proof/detail/read_number.hpp"
 #include "structure/proof/proof_text.hpp"
 #include "topology/requirements.hpp"
 
@@ -22,57 +23,21 @@ namespace {
 using detail::Arb;
 using detail::CheckedGram;
 using detail::Precision;
+using detail::read_number;
 using topology::Triangulation;
 
 /// Bits beyond the digits that the proof has.
 constexpr long kCheckGuard = 64;
 constexpr long kMostCheckBits = 400000;
-/// The box on which convexity is shown: this many radii, but no less than a share of the length.
-constexpr double kBoxRadii = 64;
-constexpr double kBoxShare = 0x1p-36;
-
-// ---- numbers as texts
-// ----------------------------------------------------------------------------
-
-[[noreturn]] void unreadable(const std::string& text) {
-  throw InvalidInput(
-      "proof: " + quoted(text) +
-      " is no number; write a decimal such as 0.25e-3, or a binary such as 0x1.3p-1");
-}
-
-/// A decimal or binary number, exactly or, for a decimal one, within Arb's rounding.
-Arb number_of(const std::string& text) {
-  Arb result;
-  const bool negative = text.starts_with("-0x");
-  if (negative || text.starts_with("0x")) {
-    const std::size_t begin = negative ? 3 : 2;
-    double value = 0;
-    const auto [end, code] = std::from_chars(text.data() + begin, text.data() + text.size(), value,
-                                             std::chars_format::hex);
-    // More than 14 hexadecimal digits would have been rounded; a sign has been read.
-    const std::size_t mantissa = std::min(text.find('p'), text.size());
-    if (code != std::errc() || end != text.data() + text.size() || mantissa > begin + 15 ||
-        std::signbit(value))
-      unreadable(text);
-    return Arb(negative ? -value : value);
-  }
-  const std::size_t exponent = text.find('e');
-  const std::string digits = text.substr(0, exponent);
-  const bool shaped = !digits.empty() &&
-                      digits.find_first_not_of("0123456789.-") == std::string::npos &&
-                      digits.find('-', 1) == std::string::npos &&
-                      std::count(digits.begin(), digits.end(), '.') <= 1 &&
-                      digits.find_first_of("0123456789") != std::string::npos;
-  if (!shaped) unreadable(text);
-  if (exponent != std::string::npos) {
-    int power = 0;
-    const char *begin = text.data() + exponent + 1, *end = text.data() + text.size();
-    const auto [stop, code] = std::from_chars(*begin == '+' ? begin + 1 : begin, end, power);
-    if (code != std::errc() || stop != end || std::abs(power) > 200000) unreadable(text);
-  }
-  if (arb_set_str(result.get(), text.c_str(), Precision::bits()) != 0) unreadable(text);
-  return result;
-}
+/// The box on which it is shown, so many radii but no less than a share of the length; and by what.
+struct Attempt {
+  double radii, share;
+  bool by_newton;
+};
+/// The first that does counts. Nearly flat tetrahedra are true in small boxes only, and some of
+/// them are not shown to be convex in any; where there are no cusps Newton's method then may do.
+constexpr Attempt kAttempts[] = {
+    {64, 0x1p-36, false}, {64, 0, false}, {2, 0, false}, {64, 0, true}};
 
 long bits_for(const ProofText& proof) {
   std::size_t longest = 16;
@@ -90,6 +55,7 @@ struct Checker {
   const Triangulation& triangulation;
   const ProofText& proof;
   const Context& context;
+  Attempt size;
   std::vector<topology::ConeAngle> cone_angles =
       topology::completed(proof.cone_angles, triangulation.edge_count());
   std::vector<topology::OrbifoldLink> links = topology::orbifold_links(triangulation, cone_angles);
@@ -168,8 +134,8 @@ struct Checker {
       return refuse(fmt::format("{} lengths and {} radii for {} edge classes", proof.lengths.size(),
                                 proof.radii.size(), count));
     for (std::size_t e = 0; e < count; ++e) {
-      x.push_back(number_of(proof.lengths[e]));
-      radius.push_back(number_of(proof.radii[e]));
+      x.push_back(read_number(proof.lengths[e]));
+      radius.push_back(read_number(proof.radii[e]));
       if (!arb_is_nonnegative(radius[e].get()))
         return refuse(fmt::format("the radius of edge class {} is not >= 0", e));
       if (cone_angles[e].is_parabolic()) {
@@ -179,8 +145,8 @@ struct Checker {
         continue;
       }
       const bool any_sign = has_any_sign(e);
-      const Arb share = any_sign ? Arb(kBoxShare) : Arb(kBoxShare) * x[e];
-      const Arb some = Arb(kBoxRadii) * radius[e];
+      const Arb share = any_sign ? Arb(size.share) : Arb(size.share) * x[e];
+      const Arb some = Arb(size.radii) * radius[e];
       const bool held = finite && arb_is_zero(radius[e].get()) != 0;
       box.push_back(held ? Arb() : finite || !larger(share, some) ? some : share);
       if (!any_sign && !x[e].widened_by(box[e]).positive())
@@ -303,7 +269,7 @@ struct Checker {
   }
 
   bool within(const Arb& value, const DecimalInterval& claimed, const std::string& what) {
-    const Arb lower = number_of(claimed.lower), upper = number_of(claimed.upper);
+    const Arb lower = read_number(claimed.lower), upper = read_number(claimed.upper);
     if (arb_le(lower.get(), value.get()) && arb_le(value.get(), upper.get())) return true;
     return refuse(fmt::format("{}: {} (+- {:.2g}) is not shown to be from {} to {}", what,
                               shown(value), mag_get_d(arb_radref(value.get())),
@@ -376,15 +342,11 @@ bool has_kind(const std::vector<topology::OrbifoldLink>& links, topology::Vertex
   return std::ranges::any_of(links, [&](const auto& link) { return link.kind == kind; });
 }
 
-}  // namespace
-
-ProofCheck check_proof(const Triangulation& triangulation, const ProofText& proof,
-                       const Context& context) {
-  topology::require_solvable(triangulation, proof.cone_angles);
-  if (!proof.proved) return {false, "nothing is claimed"};
-  const Precision precision(bits_for(proof));
-  Checker checker{triangulation, proof, context};
-  checker.finite = proof.interval_newton || has_kind(checker.links, topology::VertexKind::kFinite);
+ProofCheck check_by(const Attempt& attempt, const Triangulation& triangulation,
+                    const ProofText& proof, const Context& context) {
+  Checker checker{triangulation, proof, context, attempt};
+  checker.finite = proof.interval_newton || attempt.by_newton ||
+                   has_kind(checker.links, topology::VertexKind::kFinite);
   checker.together =
       has_kind(checker.links, topology::VertexKind::kIdeal) ||
       std::ranges::any_of(checker.cone_angles, [](const auto& k) { return k.is_parabolic(); });
@@ -392,8 +354,26 @@ ProofCheck check_proof(const Triangulation& triangulation, const ProofText& proo
     checker.hessian.resize(triangulation.edge_count());
     checker.own_entry.resize(triangulation.edge_count());
   }
+  if (attempt.by_newton && (checker.together || !proof.flat.empty()))
+    return {false, "Newton's method is of no use with cusps and flat tetrahedra"};
   const bool valid = checker.run();
   return {valid, valid ? std::string() : checker.reason};
+}
+
+}  // namespace
+
+ProofCheck check_proof(const Triangulation& triangulation, const ProofText& proof,
+                       const Context& context) {
+  topology::require_solvable(triangulation, proof.cone_angles);
+  if (!proof.proved) return {false, "nothing is claimed"};
+  const Precision precision(bits_for(proof));
+  ProofCheck first;
+  for (const Attempt& attempt : kAttempts) {
+    ProofCheck check = check_by(attempt, triangulation, proof, context);
+    if (check || context.stop_requested() || context.expired()) return check;
+    if (first.reason.empty()) first = std::move(check);
+  }
+  return first;
 }
 
 }  // namespace tripus::structure

@@ -9,14 +9,23 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "structure/proof/detail/proof_json.hpp"
+#include "structure/proof/detail/read_number.hpp"
 
 namespace tripus::structure {
 namespace {
 
+using detail::interval_json;
+using detail::list_json;
+using detail::member;
+using detail::read_interval;
+using detail::read_texts;
+using detail::refuse;
 using nlohmann::json;
 
 constexpr std::string_view kStrongConvexity = "strong-convexity";
 constexpr std::string_view kIntervalNewton = "interval-newton";
+constexpr std::string_view kTexts = "an array of texts, one number an edge class";
 
 /// A decimal number that is larger by at least half a percent: radii need no more digits.
 std::string rounded_up(double value) {
@@ -26,48 +35,6 @@ std::string rounded_up(double value) {
 /// Two units in the last place outwards, where 17 digits are off by less than one.
 std::string outwards(double value, double direction) {
   return fmt::format("{:.17g}", std::nextafter(std::nextafter(value, direction), direction));
-}
-
-std::string interval_json(const DecimalInterval& interval) {
-  return fmt::format("[\"{}\", \"{}\"]", interval.lower, interval.upper);
-}
-
-template <class Items, class ToText>
-std::string list_json(const Items& items, ToText to_text) {
-  std::string text = "[";
-  for (const auto& item : items) {
-    if (text.size() > 1) text += ", ";
-    text += to_text(item);
-  }
-  return text + "]";
-}
-
-[[noreturn]] void refuse(const std::string& place, std::string_view expected) {
-  throw InvalidInput(fmt::format("proof: {}: expected {}", place, expected));
-}
-
-const json& member(const json& object, const char* name, std::string_view expected) {
-  const auto found = object.find(name);
-  if (found == object.end()) refuse(fmt::format("\"{}\" is missing", name), expected);
-  return *found;
-}
-
-std::vector<std::string> read_texts(const json& object, const char* name) {
-  constexpr std::string_view kShape = "an array of texts, one number an edge class";
-  const json& list = member(object, name, kShape);
-  if (!list.is_array()) refuse(fmt::format("\"{}\"", name), kShape);
-  std::vector<std::string> texts;
-  for (const json& item : list) {
-    if (!item.is_string()) refuse(fmt::format("\"{}\" {}", name, texts.size()), "a text");
-    texts.push_back(item.get<std::string>());
-  }
-  return texts;
-}
-
-DecimalInterval read_interval(const json& value, const std::string& place) {
-  if (!value.is_array() || value.size() != 2 || !value[0].is_string() || !value[1].is_string())
-    refuse(place, "an array of two texts, lower and upper bound");
-  return {value[0].get<std::string>(), value[1].get<std::string>()};
 }
 
 /// In units of pi, "2/3"; or in radians, exactly, "0x1.8p+0", where it is no such fraction.
@@ -102,6 +69,15 @@ topology::ConeAngle read_cone_angle(const std::string& text, std::size_t edge) {
       std::max(terms[0], terms[1]) > ConeAngle::kLargestTerm)
     refuse_it();
   return ConeAngle::rational(terms[0], terms[1]);
+}
+
+/// What is not checked, as it only says how the proof was made.
+std::size_t read_count(const json& object, const char* name, std::size_t without) {
+  const auto found = object.find(name);
+  if (found == object.end()) return without;
+  if (!found->is_number_unsigned() || *found > 1000000000000u)
+    refuse(fmt::format("\"{}\"", name), "a whole number");
+  return found->get<std::size_t>();
 }
 
 json parse_object(std::string_view text) {
@@ -198,15 +174,20 @@ ProofText parse_proof(std::string_view text) {
   const json& kind = member(object, "kind", kKinds);
   if (kind != kStrongConvexity && kind != kIntervalNewton) refuse("\"kind\"", kKinds);
   proof.interval_newton = kind == kIntervalNewton;
+  proof.bits = static_cast<long>(read_count(object, "bits", 53));
+  proof.escalated = read_count(object, "escalated", 0);
   const json& claim = member(object, "claim", R"("metric" or "flat")");
   if (claim != "metric" && claim != "flat") refuse("\"claim\"", R"("metric" or "flat")");
   proof.claim = claim == "metric" ? Proof::Claim::kMetric : Proof::Claim::kFlat;
   if (const auto angles = object.find("cone_angles"); angles != object.end()) {
-    for (const std::string& angle : read_texts(object, "cone_angles"))
+    for (const std::string& angle : read_texts(object, "cone_angles", kTexts))
       proof.cone_angles.push_back(read_cone_angle(angle, proof.cone_angles.size()));
   }
-  proof.lengths = read_texts(object, "lengths");
-  proof.radii = read_texts(object, "radii");
+  proof.lengths = read_texts(object, "lengths", kTexts);
+  proof.radii = read_texts(object, "radii", kTexts);
+  // Here, where an error names the file.
+  for (const auto* texts : {&proof.lengths, &proof.radii})
+    for (const std::string& number : *texts) detail::read_number(number);
   if (const auto volume = object.find("volume"); volume != object.end())
     proof.volume = read_interval(*volume, "\"volume\"");
   if (const auto angles = object.find("dihedral_angles"); angles != object.end()) {
@@ -220,11 +201,7 @@ ProofText parse_proof(std::string_view text) {
     }
   }
   if (const auto flat = object.find("flat_tetrahedra"); flat != object.end()) {
-    if (!flat->is_array()) refuse("\"flat_tetrahedra\"", "an array of numbers");
-    for (const json& t : *flat) {
-      if (!t.is_number_unsigned()) refuse("\"flat_tetrahedra\"", "an array of numbers");
-      proof.flat.push_back(t.get<std::size_t>());
-    }
+    proof.flat = detail::read_numbers(*flat, "\"flat_tetrahedra\"");
   }
   return proof;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "geometry/edge_frames.hpp"
 #include "geometry/enclosure_formulae.hpp"
@@ -135,8 +136,8 @@ class Settler {
 
   const Tilt& tilt(std::size_t t, int f, const std::vector<Arb>& lengths) {
     if (!tilts_[t])
-      tilts_[t] = tilts_of(detail::lengths_of(metric_.triangulation(), lengths, t),
-                           metric_.diagonal(t));
+      tilts_[t] =
+          tilts_of(detail::lengths_of(metric_.triangulation(), lengths, t), metric_.diagonal(t));
     return (*tilts_[t])[static_cast<std::size_t>(f)];
   }
 
@@ -158,12 +159,19 @@ std::optional<std::vector<Arb>> precise_lengths(const Triangulation& triangulati
   return lengths;
 }
 
-ExactField text_of(const detail::ExactMetric& exact) {
+ExactField text_of(const detail::ConeMetric& metric, const detail::ExactMetric& exact) {
   ExactField text;
   text.polynomial = exact.field().polynomial();
   const Arb& root = exact.field().root();
   text.root = {detail::decimal_below(root, kManyDigits), detail::decimal_above(root, kManyDigits)};
   for (const detail::Algebraic& entry : exact.gram()) text.gram.push_back(entry.text());
+  for (std::size_t t = 0; t < metric.triangulation().tetrahedron_count(); ++t) {
+    auto [factor, of] = exact.root(t);
+    text.roots.push_back({factor.text(), std::move(of)});
+  }
+  if (!metric.pins().empty())
+    for (const detail::Algebraic& factor : exact.horospheres())
+      text.horospheres.push_back(factor.text());
   return text;
 }
 
@@ -199,7 +207,7 @@ TiltSigns tilt_signs(const Triangulation& triangulation, const Proof& proof,
     const auto exact = detail::ExactMetric::find(metric, *lengths, degree);
     tried = degree;
     if (!exact) continue;
-    result.field = text_of(*exact);
+    result.field = text_of(metric, *exact);
     settler.settle(*fifty, &*exact, context);
     break;
   }

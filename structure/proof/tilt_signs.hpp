@@ -16,9 +16,24 @@ enum class ProvedSign : std::int8_t { kNegative = -1, kUnknown = 0, kPositive = 
 /// The number field in which tilt sums were shown to be 0. Everything holds in exact arithmetic
 /// modulo the polynomial, and can be checked with any system that knows rational polynomials.
 struct ExactField {
+  /// factor * the product of sqrt D of these tetrahedra, D = -det G.
+  struct Root {
+    std::string factor;
+    std::vector<std::size_t> of;
+  };
   std::string polynomial;         ///< "x^2-3*x+1"
   DecimalInterval root;           ///< there is a root between these: x below
   std::vector<std::string> gram;  ///< [E] -G_ij as polynomials in x; 1 at a pin of each cusp
+  std::vector<Root> roots;        ///< [T] sqrt D; of {t} itself where it is no such product
+  /// [V] sqrt(A / A_v) as polynomials in x, A_v the area of the horosphere at a cusp and A that of
+  /// the first; 1 elsewhere. Empty without cusps, and where they are not in the field.
+  std::vector<std::string> horospheres;
+};
+
+/// A face of a tetrahedron.
+struct FaceOfTetrahedron {
+  std::size_t tetrahedron = 0;
+  int face = 0;
 };
 
 struct TiltSigns {

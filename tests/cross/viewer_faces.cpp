@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "embedding/universal_cover.hpp"
+#include "geometry/moebius.hpp"
 #include "tests/support/data_files.hpp"
 #include "tests/support/embedded_manifolds.hpp"
 #include "tests/support/one_renderer.hpp"
@@ -67,8 +68,8 @@ struct Agreement {
 Agreement compare(const Scene& scene, const PictureOptions& options, std::mt19937& random,
                   int samples) {
   const Image image = draw(scene, options, Pixels::kIdentities);
-  const Ball ball = bounding_ball(options.model, scene);
-  const View view = view_of(options.camera, ball, kWidth, kHeight);
+  const Ball ball = focus_of(options.model, scene);
+  const View view = view_of(options.camera, options.model, scene, kWidth, kHeight);
   Agreement result;
   for (int i = 0; i < samples; ++i) {
     const int x = static_cast<int>(random() % kWidth), y = static_cast<int>(random() % kHeight);
@@ -125,6 +126,70 @@ std::vector<std::uint32_t> numbers(const Image& image) {
   for (std::size_t i = 0; i < image.pixels.size(); i += 4)
     result.push_back(image.pixels[i] + 256U * image.pixels[i + 1] + 65536U * image.pixels[i + 2]);
   return result;
+}
+
+TEST(ViewerFaces, AreWhereRaysMeetThemAfterMoebiusMoves) {
+  std::mt19937 random(20261201);
+  const testing::Embedded manifold = *testing::try_embed("dLQbcccherw");
+  int compared = 0, wrong = 0;
+  for (int n = 0; n < 12; ++n) {
+    PictureOptions options;
+    options.model = kModels[n % 3];
+    options.camera = random_camera(random);
+    options.camera.zoom = 1;
+    // w -> (w + b) / (c w + 1 + bc), far from the identity.
+    const auto number = [&] {
+      return geometry::Complex(uniform(random, -1, 1), uniform(random, -1, 1));
+    };
+    const geometry::Complex b = number(), c = number();
+    const Scene scene = moved(options.model, scene_of(manifold, 60, options.model),
+                              geometry::to_matrix({1, b, c, 1.0 + b * c}));
+    const Agreement agreement = compare(scene, options, random, 400);
+    compared += agreement.compared;
+    wrong += agreement.wrong;
+  }
+  EXPECT_GT(compared, 3000);
+  EXPECT_LE(wrong * 1000, compared);
+}
+
+TEST(ViewerFaces, OfATransparentTetrahedronHideNothing) {
+  for (const char* signature : {"dLQbcccherw", "cPcbbbihq"}) {
+    const testing::Embedded manifold = *testing::try_embed(signature);
+    for (const Model model : kModels) {
+      const Scene scene = scene_of(manifold, 40, model);
+      Scene rest = scene;  // without the cells that one looks through
+      rest.focus = focus_of(model, scene);
+      std::erase_if(rest.cells, [](const SceneCell& cell) { return cell.tetrahedron == 1; });
+      std::vector<std::uint32_t> number{0};  // of the other scene's cells in this one
+      for (std::size_t i = 0; i < scene.cells.size(); ++i)
+        if (scene.cells[i].tetrahedron != 1) number.push_back(static_cast<std::uint32_t>(i + 1));
+      PictureOptions options;
+      options.model = model;
+      options.samples = 1;
+      options.occlusion = false;
+      const auto opaque = draw(scene, options, Pixels::kColours).pixels;
+      const auto without = numbers(draw(rest, options, Pixels::kIdentities));
+      const auto without_colours = draw(rest, options, Pixels::kColours).pixels;
+      options.transparent = 1;
+      const auto seen = numbers(draw(scene, options, Pixels::kIdentities));
+      const auto colours = draw(scene, options, Pixels::kColours).pixels;
+      std::size_t different = 0, tinted = 0;
+      for (std::size_t i = 0; i < seen.size(); ++i) {
+        const std::uint32_t expected =
+            number[without[i] & 65535U] + (without[i] & ~std::uint32_t{65535});
+        different += seen[i] != expected;
+        int change = 0, from_opaque = 0;
+        for (std::size_t k = 4 * i; k < 4 * i + 3; ++k) {
+          change = std::max(change, std::abs(colours[k] - without_colours[k]));
+          from_opaque = std::max(from_opaque, std::abs(colours[k] - opaque[k]));
+        }
+        tinted += change > 2 && from_opaque > 2;
+      }
+      // Depths of two views of other ranges are rounded otherwise.
+      EXPECT_LE(different * 1000, seen.size()) << signature << geometry::to_string(model);
+      EXPECT_GT(tinted, seen.size() / 100) << signature << geometry::to_string(model);
+    }
+  }
 }
 
 /// Whether all pixels of an image within `reach` of one have its number.

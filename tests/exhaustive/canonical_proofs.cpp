@@ -7,6 +7,7 @@
 #include "canonical/census_proofs.hpp"
 #include "canonical/proved.hpp"
 #include "tests/support/data_files.hpp"
+#include "topology/isomorphism.hpp"
 #include "topology/isosig.hpp"
 
 namespace tripus::canonical {
@@ -32,6 +33,15 @@ std::size_t transparent_faces(const CanonicalManifold& manifold) {
   return sides / 2;
 }
 
+/// The checker reads what is written down, and agrees.
+void expect_valid(const CanonicalManifold& manifold, const CanonicalProof& proof) {
+  const auto text = structure::parse_canonical_proof(to_json(proof_text(proof)));
+  EXPECT_EQ(to_json(text), to_json(proof_text(proof)));
+  const auto check =
+      structure::check_canonical_proof(manifold.triangulation, manifold.cone_angles, text);
+  EXPECT_TRUE(check) << check.reason;
+}
+
 /// Every face is settled, and the transparent ones are those that lie inside cells.
 void expect_proved(const CanonicalManifold& manifold, const std::string& name) {
   SCOPED_TRACE(name);
@@ -43,6 +53,7 @@ void expect_proved(const CanonicalManifold& manifold, const std::string& name) {
   if (!proof.inside.empty()) {
     EXPECT_TRUE(proof.field);
   }
+  expect_valid(manifold, proof);
 }
 
 TEST(CanonicalProofs, CoverDecompositionsIntoTetrahedra) {
@@ -91,8 +102,8 @@ TEST(CanonicalProofs, CoverAllDecompositionsWithCusps) {
 TEST(CanonicalProofs, EnclosuresAloneProveNoZero) {
   for (const char* signature : {"eLAkbccddelben", "eLMkbbddddhape"}) {
     const CanonicalManifold manifold = canonized(signature);
-    structure::Proof metric = structure::prove(manifold.triangulation,
-                                               manifold.report.edge_lengths);
+    structure::Proof metric =
+        structure::prove(manifold.triangulation, manifold.report.edge_lengths);
     const auto tilts = structure::tilt_signs(manifold.triangulation, metric, {.exact = false});
     std::size_t unknown = 0;
     for (const auto& faces : tilts.sign)
@@ -115,6 +126,22 @@ TEST(CanonicalProofs, OfOrbifolds) {
   const CanonicalProof proof = prove_canonical(*answer.manifold);
   EXPECT_TRUE(proof.metric.proved) << proof.metric.reason;
   EXPECT_EQ(proof.metric.cone_angles.size(), answer.manifold->triangulation.edge_count());
+  EXPECT_TRUE(proof.proved) << proof.reason;
+  expect_valid(*answer.manifold, proof);
+}
+
+// Numbers of a proof are those of the signature that it names, whatever the input's labels are.
+TEST(CanonicalProofs, HoldForTheLabelsOfTheSignature) {
+  const topology::Gluings gluings = topology::decode_isosig("eLMkbbddddhahu");
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+    const auto answer =
+        canonize(topology::Triangulation(topology::random_relabelling(gluings, seed)));
+    ASSERT_TRUE(answer.manifold);
+    const CanonicalProof proof = prove_canonical(*answer.manifold);
+    EXPECT_EQ(proof.triangulation, topology::isosig(answer.manifold->triangulation.gluings()));
+    EXPECT_TRUE(proof.proved) << proof.reason;
+    expect_valid(*answer.manifold, proof);
+  }
 }
 
 TEST(CanonicalProofs, DecideComparisons) {

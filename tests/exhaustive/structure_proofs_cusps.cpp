@@ -62,6 +62,8 @@ TEST(CuspedProofs, SnapPysCensusUpToFiveTetrahedra) {
   for (const auto& row : testing::data_table("cusped-census-5.tsv")) {
     SCOPED_TRACE(row.at("isosig"));
     const Proved one = proved(row.at("isosig"));
+    EXPECT_EQ(one.proof.bits, 53);
+    EXPECT_EQ(one.proof.escalated, 0u);
     EXPECT_LT(one.proof.largest_radius(), 1e-12);
     const long double volume = std::stold(row.at("volume"));
     EXPECT_LE(one.proof.volume.lower, volume + 2e-18L * volume);

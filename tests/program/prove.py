@@ -149,6 +149,29 @@ class Prove(ProgramTest):
             self.assertAlmostEqual(float(eval(terms, {"x": x, "F": Fraction})),
                                    math.cosh(float.fromhex(length)), 12)
 
+    def test_checks_decompositions(self):
+        for input, text in (("t4g2.98", "merged across the inner faces"), ("cPcbbbiht", "tetrahedra are")):
+            answer = self.json_answer("canonize", input, "--prove")
+            self.write("answer", json.dumps(answer))
+            self.write("proof", json.dumps(answer["proof"]))
+            for given in ("answer", "proof"):
+                self.assertIn(text, self.run_program("check", given, input).text)
+                checked = self.json_answer("check", given, input)
+                self.assertEqual((checked["kind"], checked["valid"]), ("canonical-decomposition", True))
+        answer = self.json_answer("canonize", "t4g2.98", "--prove")
+        self.write("answer", json.dumps(answer))
+        self.assertIn('it is about the triangulation "' + answer["proof"]["triangulation"],
+                      self.run_program("check", "answer", TRIPUS).text)
+        self.assertEqual(self.run_program("check", "answer", TRIPUS).status, 1)
+        answer["proof"]["inner_faces"].pop()
+        self.write("answer", json.dumps(answer))
+        refused = self.json_answer("check", "answer", "t4g2.98", status=1)
+        self.assertIs(refused["valid"], False)
+        self.assertIn("its tilt sum < 0 fails", refused["message"])
+        answer["proof"]["field"]["gram"][0] = "x^"
+        self.write("answer", json.dumps(answer))
+        self.assert_refused("check", "answer", "t4g2.98", says='"answer": proof: "x^" is no polynomial')
+
     def test_canonize_and_compare(self):
         answer = self.json_answer("canonize", TRIPUS, "--prove")
         self.assertIs(answer["proof"]["proved"], True)

@@ -35,13 +35,15 @@ def defect(m):
 
 
 class OutsideTracer:
-    """Straight rays against cells in the two balls or the upper half-space."""
+    """Straight rays against cells in the two balls or the upper half-space, which may be cut, or of
+    which one tetrahedron's may be looked through."""
 
     def __init__(self, data, picture):
         facts = picture.facts
         self.upper, self.klein = facts["model"] == "upper", facts["model"] == "klein"
         self.camera = facts["camera"]
         self.size = (picture.width, picture.height)
+        self.cut, self.clear = facts["state"]["cut"], facts["state"]["transparent"]
         self.cells = []
         self.places = []
         self.tetrahedra = [cell["tetrahedron"] for cell in facts["cells"]]
@@ -102,16 +104,24 @@ class OutsideTracer:
         o, d = self.camera["eye"], self.ray(x, y)
         nearest, seen, met = math.inf, (0, 0), None
         for number, normals in enumerate(self.cells):
-            for surface, n in enumerate(normals):
-                for s in self.crossings(n, o, d):
-                    if s >= nearest:
-                        continue
-                    point = self.lift([a + s * b for a, b in zip(o, d)])
-                    if point is None:
-                        continue
-                    if all(i == surface or product(m, point) <= 0 for i, m in enumerate(normals)):
-                        nearest, seen = s, (number, surface + 1)
-                        met = apply_inverse(self.places[number], point)
+            if self.tetrahedra[number] == self.clear:
+                continue
+            ways = [(surface, s) for surface, n in enumerate(normals)
+                    for s in self.crossings(n, o, d)]
+            if self.cut is not None and d[0] != 0:
+                ways.append((8, (self.cut - o[0]) / d[0]))
+            for surface, s in ways:
+                if s >= nearest or s <= 0:
+                    continue
+                place = [a + s * b for a, b in zip(o, d)]
+                point = self.lift(place)
+                if point is None:
+                    continue
+                if self.cut is not None and surface != 8 and place[0] > self.cut:
+                    continue
+                if all(i == surface or product(m, point) <= 0 for i, m in enumerate(normals)):
+                    nearest, seen = s, (number, surface + 1)
+                    met = apply_inverse(self.places[number], point)
         return seen, met
 
 

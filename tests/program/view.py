@@ -70,8 +70,18 @@ class Pictures(ProgramTest):
         self.assertEqual(usual, self.picture(TRIPUS, "--model", "ball"))  # the same every time
         for change in (["--renderer", "opencsg"], ["--colour-by", "face"],
                        ["--colour-by", "depth"], ["--no-truncations"],
+                       ["--colour-by", "component"], ["--colour-by", "edge"],
+                       ["--dark"], ["--transparent", "1"], ["--no-lines"],
+                       ["--moebius", "1,0,0.2,0.1,0,0,1,0"], ["--camera", "30,20,4.2,2,0.1,0"],
                        ["--no-faces"], ["--cut-away", "0"], ["--camera", "120,-30,6"]):
-            self.assertNotEqual(usual, self.picture(TRIPUS, "--model", "ball", *change), change)
+            self.assertFalse(usual == self.picture(TRIPUS, "--model", "ball", *change), change)
+
+    def test_names_are_written_where_there_is_room(self):
+        pictures = [self.picture(TRIPUS, "--cells", "2", *labels, size=size)
+                    for size in ((240, 180), (40, 30)) for labels in ([], ["--labels"])]
+        ink = [sum(max(p) < 60 for row in rows for p in row) for rows in pictures]
+        self.assertGreater(ink[1], ink[0] + 20)
+        self.assertEqual(ink[2], ink[3])
 
     def test_works_without_a_display(self):
         environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
@@ -173,6 +183,18 @@ class RefusedViews(ProgramTest):
             self.assertIn("camera", self.refused("--png", "a.png", "--camera", camera))
         for cut in ("x", "nan", "inf"):
             self.assertIn("cut", self.refused("--png", "a.png", "--cut-away", cut))
+
+    def test_moebius_maps(self):
+        for numbers in ("1", "1,0,0,0,0,0,1", "1,0,0,0,0,0,1,x", "0,0,0,0,0,0,0,0",
+                        "1,0,1,0,1,0,1,0", "nan,0,0,0,0,0,1,0", "1e9,0,0,0,0,0,1,0", "inf,0,0,0,0,0,1,0"):
+            self.assertIn("moebius", self.refused("--png", "a.png", "--moebius", numbers))
+        for options in (["--moebius", "2,0,0,0,0,0,1,0"], ["--transparent", "0"],
+                        ["--colour-by", "edge"]):
+            self.assertIn("opencsg", self.refused("--png", "a.png", "--renderer", "opencsg", *options))
+
+    def test_tetrahedra(self):
+        for number in ("2", "-1", "x", "99999999999"):
+            self.assertIn("transparent", self.refused("--png", "a.png", "--transparent", number))
 
     def test_names(self):
         self.refused("--png", "a.png", "--model", "disk")

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import samples
 from browser import draw, notice, page_data, page_text
+from live_browser import LiveBrowser
 from support import DATA, TRIPUS, TRIPUS_VOLUME, ProgramTest, read_json
 from tracers import InsideTracer, OutsideTracer, defect, multiply, product
 
@@ -31,6 +32,16 @@ class Pictures(ProgramTest):
             "dragged": "size=40x30&model=ball&drag=30:15",
             "klein": "size=200x150&model=klein&cells=20",
             "reference": "size=200x150&model=ball&cells=20&renderer=cells",
+            "moved": "size=200x150&model=ball&cells=20&keys=w:0.6,d:0.5",
+            "moved upper": "size=200x150&model=upper&cells=12&yaw=2&pitch=0.6&keys=a:0.4,r:0.3",
+            "cut": "size=200x150&model=ball&cells=20&cut=0.1",
+            "cut klein": "size=200x150&model=klein&cells=20&cut=-0.1&yaw=1",
+            "clear": "size=200x150&model=ball&cells=20&transparent=1",
+            "named": "size=300x220&model=ball&cells=6&labels=1",
+            "by edge": "size=100x80&model=ball&cells=6&colour=edge",
+            "by component": "size=100x80&model=ball&cells=6&colour=component",
+            "hollow": "size=100x80&model=ball&cells=6&hollow=1&cut=0",
+            "walls": "size=100x80&model=ball&cells=6&truncations=0",
             "paced": "size=400x300&model=ball&motion=4&paces=300:20,40:20,5:60",
             "wheeled": "size=120x90&model=ball&wheel=-100:10:10",
             "pinched": "size=40x30&model=ball&pinch=2",
@@ -114,6 +125,52 @@ class Pictures(ProgramTest):
         self.check_outside(TRIPUS, "upper", 0.05, 0.6)
         self.check_outside(ASYMMETRIC, "one", 0.02, 0.6)
         self.check_outside(TRIPUS, "klein", 0.2, 0.7)
+        moved = self.check_outside(TRIPUS, "moved", 0.05, 0.7)
+        self.assertNotEqual(moved, self.check_outside(TRIPUS, "ball", 0.2, 0.6))
+        self.check_outside(TRIPUS, "moved upper", 0.02, 0.7)
+        for name in ("cut", "cut klein"):
+            self.assertIn(9, {surface for _, surface in self.check_outside(TRIPUS, name, 0.05, 0.6)})
+        clear = {cell for cell, surface in self.check_outside(TRIPUS, "clear", 0.05, 0.6) if surface}
+        self.assertEqual({self.facts("clear")["cells"][cell]["tetrahedron"] for cell in clear}, {0})
+
+    def test_what_is_clear_still_tints(self):
+        clear, ball = self.pictures["clear"], self.pictures["ball"]
+        tinted = 0
+        for y in range(clear.height):
+            for x in range(clear.width):
+                behind = clear.at(clear.identities, x, y)[2] == 0
+                if behind and ball.at(ball.identities, x, y)[2] != 0:
+                    colours = [each.at(each.colours, x, y) for each in (clear, ball)]
+                    tinted += colours[0] != colours[1]
+        self.assertGreater(tinted, 300)
+
+    def test_names_stand_on_their_cells(self):
+        picture = self.pictures["named"]
+        labels = picture.facts["labels"]
+        self.assertGreater(len(labels), 5)
+        for label in labels:
+            x = int(label["x"] * picture.width)
+            y = picture.height - 1 - int(label["y"] * picture.height)
+            around = {picture.at(picture.identities, x + i, y + j)
+                      for i in range(-3, 4) for j in range(-3, 4)}
+            cells = {p[0] + 256 * p[1] for p in around if p[2] != 0}
+            tetrahedra = {str(picture.facts["cells"][cell]["tetrahedron"]) for cell in cells}
+            self.assertTrue(label["text"] == "e0" or label["text"] in tetrahedra, label)
+
+    def test_every_key_does_something(self):
+        keys = [key for key, name, _ in self.data[TRIPUS]["keys"]
+                if name and name not in ("save", "link", "help", "reset", "transparent")]
+        self.assertGreater(len(keys), 12)
+        with tempfile.TemporaryDirectory() as folder:
+            page = Path(folder) / "page.html"
+            subprocess.run([os.environ["TRIPUS_PROGRAM"], "view", TRIPUS, "-o", page],
+                           check=True, stdout=subprocess.DEVNULL, timeout=100)
+            usual = "size=20x15&cells=10&cut=0.5"
+            escaped = {",": "%252C"}
+            still, *pressed = draw(page, usual, *(f"{usual}&keys={escaped.get(key, key)}:0"
+                                                  for key in keys))
+            for key, picture in zip(keys, pressed):
+                self.assertNotEqual(picture.facts["state"], still.facts["state"], key)
 
     def test_faces_and_whole_cells_make_the_same_picture(self):
         faces, cells = self.pictures["ball"], self.pictures["reference"]
@@ -422,6 +479,39 @@ class Files(ProgramTest):
         page.write_text(page.read_text().replace("'use strict';\n(() => {",
                                                  "'use strict';\n" + lose + "(() => {", 1))
         self.assertIn("has given up on this page", notice(page_text(page)))
+
+
+class Live(ProgramTest):
+    """A page that stays open, moved by real pointers, fingers and keys."""
+
+    def test_moves_and_counts_its_frames(self):
+        self.run_program("view", TRIPUS, "-o", "page.html", "--cells", "60")
+        with LiveBrowser() as browser:
+            browser.open(self.folder / "page.html", "rate=1")
+            first = browser.view()
+            browser.drag(0.5)
+            status = browser.hold("ArrowLeft", 1.5)
+            rate, share = map(int, re.match(r"(\d+) frames a second, (\d+) % of", status).groups())
+            self.assertGreater(rate, 0)
+            self.assertLessEqual(share, 100)
+            turned = browser.view()
+            self.assertNotEqual((turned["yaw"], turned["pitch"]), (first["yaw"], first["pitch"]))
+            self.assertEqual(turned["distance"], first["distance"])
+            browser.mouse("mouseWheel", 200, 150, deltaX=0, deltaY=-120)
+            nearer = browser.view()
+            self.assertLess(float(nearer["distance"]), float(turned["distance"]))
+            browser.fingers("touchStart", (150, 200), (250, 200))
+            browser.fingers("touchMove", (100, 200), (300, 200))
+            browser.fingers("touchEnd")
+            spread = browser.view()
+            self.assertAlmostEqual(float(spread["distance"]) / float(nearer["distance"]), 0.5,
+                                   delta=0.01)
+            # The tetrahedron under the pointer, and none again.
+            browser.mouse("mouseMoved", 240, 280)
+            browser.key("t")
+            self.assertIn(browser.view().get("transparent"), ("0", "1"))
+            browser.key("t")
+            self.assertNotIn("transparent", browser.view())
 
 
 class Refusals(ProgramTest):

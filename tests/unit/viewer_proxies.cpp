@@ -104,7 +104,7 @@ TEST(ViewerFaceSet, KnowsSharedFaces) {
       int shared = 0;
       for (const SceneFace& face : set.faces()) {
         if (is_truncation(face.wall)) {
-          EXPECT_FALSE(face.shared);
+          EXPECT_FALSE(face.is_shared());
           continue;
         }
         const embedding::Cell& cell = cells[face.cell];
@@ -113,8 +113,8 @@ TEST(ViewerFaceSet, KnowsSharedFaces) {
         const bool there = std::ranges::any_of(cells, [&](const embedding::Cell& other) {
           return geometry::hyperbolic_distance(other.isometry.col(3), beyond.col(3)) < 1e-4;
         });
-        EXPECT_EQ(face.shared, there) << name << " " << geometry::to_string(model);
-        shared += face.shared;
+        EXPECT_EQ(face.is_shared(), there) << name << " " << geometry::to_string(model);
+        shared += face.is_shared();
       }
       EXPECT_GE(shared, 2 * 79);  // every cell but the first was reached across a face
     }

@@ -80,21 +80,25 @@ uniform mat3 to_model;         // directions from eye space
 uniform vec3 eye;              // in the model
 uniform vec3 middle;           // of the scene, and its radius
 uniform float extent;
+uniform float dark;            // 1: the background is
 
 vec3 background(vec2 at) {
   vec3 direction = to_model * normalize(vec3(picture_at(at), -1.0));
-  vec3 sky = mix(vec3(0.93, 0.945, 0.96), vec3(0.985, 0.985, 0.98), smoothstep(0.0, 1.0, 1.0 - at.y));
+  vec3 high = mix(vec3(0.93, 0.945, 0.96), vec3(0.04, 0.065, 0.125), dark);
+  vec3 low = mix(vec3(0.985, 0.985, 0.98), vec3(0.12, 0.17, 0.24), dark);
+  vec3 sky = mix(high, low, smoothstep(0.0, 1.0, 1.0 - at.y));
 #if kModel == 0
   // The plane at infinity, z = 0, fading out around the scene.
   float t = -eye.z / direction.z;
   vec2 ground = eye.xy + t * direction.xy - middle.xy;
   float fade = exp(-dot(ground, ground) / (3.2 * extent * extent));
-  if (eye.z * direction.z < 0.0) sky = mix(sky, vec3(0.80, 0.83, 0.86), 0.75 * fade);
+  if (eye.z * direction.z < 0.0) sky = mix(sky, mix(vec3(0.80, 0.83, 0.86), vec3(0.19, 0.24, 0.31), dark), 0.75 * fade);
 #else
   // The ball: a faint glass sphere.
   float b = dot(eye, direction);
   float gap = dot(eye, eye) - b * b, gap2 = gap * gap;
-  if (gap < 1.0 && b < 0.0) sky = mix(sky, vec3(0.74, 0.79, 0.85), 0.18 + 0.42 * gap2 * gap2 * gap2);
+  vec3 glass = mix(vec3(0.74, 0.79, 0.85), vec3(0.45, 0.57, 0.70), dark);
+  if (gap < 1.0 && b < 0.0) sky = mix(sky, glass, (1.0 - 0.6 * dark) * (0.18 + 0.42 * gap2 * gap2 * gap2));
 #endif
   return sky;
 }
@@ -128,7 +132,8 @@ void main() {
 #if kNooks
       shown *= mix(vec3(0.05, 0.07, 0.12), vec3(1.0), openness_at(pixel, distance_at(at)));
 #endif
-      sum += drawn.a == 0.0 ? background(at) : shown;
+      // Colours are weighed by their alpha already.
+      sum += drawn.a == 1.0 ? shown : shown + (1.0 - drawn.a) * background(at);
     }
   }
   gl_FragColor = vec4(sum / float(kSamples * kSamples), 1.0);
@@ -248,6 +253,7 @@ void Composer::finish(const PictureOptions& options, const Frame& frame, const V
   glUniform3fv(uniform.at("eye"), 1, eye.data());
   glUniform3fv(uniform.at("middle"), 1, middle.data());
   glUniform1f(uniform.at("extent"), number(scene.radius));
+  glUniform1f(uniform.at("dark"), options.dark ? 1 : 0);
   draw_all();
   glUseProgram(0);
 }

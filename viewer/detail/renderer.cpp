@@ -13,20 +13,24 @@ Renderer::~Renderer() = default;
 void Renderer::set_scene(const Scene& scene, Model model) {
   const bool same =
       known_ && model == model_ && scene.discs == scene_.discs &&
+      scene.focus.has_value() == scene_.focus.has_value() &&
       std::ranges::equal(scene.cells, scene_.cells, [](const SceneCell& a, const SceneCell& b) {
-        return a.tetrahedron == b.tetrahedron && a.depth == b.depth && a.walls == b.walls;
+        return a.tetrahedron == b.tetrahedron && a.depth == b.depth && a.walls == b.walls &&
+               a.face_class == b.face_class && a.vertex_class == b.vertex_class &&
+               a.edge_class == b.edge_class;
       });
   if (same) return;
   known_ = true;
   scene_ = scene;
   model_ = model;
-  ball_ = bounding_ball(model, scene);
+  ball_ = focus_of(model, scene);
+  reach_ = reach_of(model, scene, ball_);
   faces_know_ = opencsg_knows_ = false;
 }
 
 std::size_t Renderer::draw(const PictureOptions& options, const Frame& frame) {
   take_scene(options.renderer);
-  const View view = view_of(options.camera, ball_, frame.width, frame.height);
+  const View view = view_of(options.camera, ball_, frame.width, frame.height, reach_);
   glPushAttrib(GL_ALL_ATTRIB_BITS);
   composer_.begin(frame);
   const std::size_t left = options.renderer == RendererKind::kOpenCsg

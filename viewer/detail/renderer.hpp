@@ -39,6 +39,7 @@ class Renderer {
   Scene scene_;
   Model model_ = Model::kUpperHalfSpace;
   Ball ball_;
+  double reach_ = 0;  // of cells around its middle, where they were moved; else 0
   std::unique_ptr<FacesRenderer> faces_;
   std::unique_ptr<OpenCsgRenderer> opencsg_;
   bool known_ = false;       // whether there is a scene

@@ -91,7 +91,16 @@ class OffscreenRenderer::Implementation {
                                           : samples_for(options.renderer, width, height);
     const std::size_t left = renderer_.draw(options, frame);
     Image image = read_pixels(width, height);
-    if (!frame.identities) add_legend(scene, options, image);
+    if (!frame.identities) {
+      add_legend(scene, options, image);
+      if (options.labels && left == 0) {
+        frame.identities = true;
+        frame.samples = 1;
+        renderer_.draw(options, frame);
+        paint(image, rectangles_of(labels_of(scene, options, read_pixels(width, height)),
+                                   label_scale(height)));
+      }
+    }
     image.cells_left = left;
     return image;
   }

@@ -2,6 +2,7 @@
 // kDiscs, whether discs are drawn, is defined in front of it.
 uniform bool uIdentities;
 uniform vec3 uKeyLight;      // unit, towards the light
+uniform float uAlpha;        // of what is no border
 out vec4 colour;
 
 #if kDiscs
@@ -38,5 +39,11 @@ void main() {
   vec3 light = albedo * (0.75 * key + mix(vec3(0.26, 0.24, 0.23), vec3(0.46, 0.49, 0.54), sky));
   light += vec3(0.10 * shine) + vec3(0.05, 0.055, 0.06) * facing * facing * facing;
   vec3 shown = sqrt(clamp(light, 0.0, 1.0));
-  colour = vec4(mix(shown, 0.22 * own, met.border), 1.0);
+  shown = mix(shown, 0.22 * own, met.border);
+  float drawn = met.border;
+#if kEdges
+  shown = mix(shown, met.edge.rgb, met.edge.a);
+  drawn = max(drawn, met.edge.a);
+#endif
+  colour = vec4(shown, mix(uAlpha, 1.0, drawn));
 }

@@ -1,9 +1,11 @@
 #include "viewer/faces/face_set.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include "embedding/colour.hpp"
 #include "viewer/faces/wall_outline.hpp"
 
 namespace tripus::viewer {
@@ -57,7 +59,8 @@ void FaceSet::find_shared() {
     for (std::size_t j = i + 1; j < order.size() && order[j].first - order[i].first <= reach; ++j) {
       SceneFace& other = faces_[order[j].second];
       if ((face.ball.centre - other.ball.centre).norm() > kSamePlace * face.ball.radius) continue;
-      face.shared = other.shared = true;
+      face.partner = other.cell;
+      other.partner = face.cell;
       break;
     }
   }
@@ -70,6 +73,19 @@ std::vector<std::size_t> bounds_of_wall(std::size_t wall) {
   if (!is_truncation(wall))
     for (std::size_t i = 0; i < 3; ++i) bounds.push_back(4 + bounds[i]);
   return bounds;
+}
+
+float edge_colours(const SceneCell& cell, std::size_t face) {
+  const std::vector<std::size_t> bounds = bounds_of_wall(face);
+  std::uint32_t packed = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::array<std::size_t, 2> ends{};  // the vertices on neither face
+    std::size_t found = 0;
+    for (std::size_t v = 0; v < 4; ++v)
+      if (v != face && v != bounds[i]) ends.at(found++) = v;
+    packed |= cell.edge_class[edge_between(ends[0], ends[1])] % embedding::kColourCount << 6 * i;
+  }
+  return static_cast<float>(packed);
 }
 
 void append_record(std::vector<float>& texels, const Ball& cell_ball, const HalfSpace& own,
@@ -93,6 +109,7 @@ void append_record(std::vector<float>& texels, const Ball& cell_ball, const Half
   append(look.cell);
   for (const HalfSpace& h : bounds) append_slope(local(h));
   for (const HalfSpace& h : bounds) append(local(h).c);
+  if (bounds.size() % 4 != 0) append(look.edge_colours);
   while (texels.size() % 4 != 0) append(0);
 }
 

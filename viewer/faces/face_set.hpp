@@ -9,13 +9,17 @@
 
 namespace tripus::viewer {
 
+/// The number of no cell.
+inline constexpr std::uint32_t kNoCell = ~std::uint32_t{0};
+
 /// One wall of one cell, as the faces renderer draws it.
 struct SceneFace {
   std::uint32_t cell = 0;
   std::uint8_t wall = 0;
-  /// Whether another cell of the scene has this face too, on its other side. Of solid cells it is
+  /// The cell of the scene that has this face too, on its other side: between solid cells it is
   /// never seen.
-  bool shared = false;
+  std::uint32_t partner = kNoCell;
+  bool is_shared() const { return partner != kNoCell; }
   std::uint32_t first_point = 0, point_count = 0;  ///< of its outline
   float margin = 0;                                ///< it lies within this of the points' hull
   Ball ball;
@@ -62,7 +66,13 @@ struct FaceLook {
   bool shared = false;
   float first_disc = -1;  ///< texel; negative: none
   Colour colour{};
+  /// Of a face: numbers of the colours of its edges in its first three bounds, of 48, so many times
+  /// 1, 64 and 4096.
+  float edge_colours = 0;
 };
+
+/// FaceLook::edge_colours of a face of a cell.
+float edge_colours(const SceneCell& cell, std::size_t face);
 
 /// Appends the record of a face, as faces.vert.glsl reads it: all half-spaces in units of the
 /// cell's ball, where floats suffice for any cell.

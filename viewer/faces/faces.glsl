@@ -3,10 +3,14 @@
 // gives the colour; with discs also after discs.glsl. Defined in front of it, and no uniforms, as
 // renderers in software compute branches that are not taken: kBounds; kSides, 1 for the outer side
 // of faces alone, 2 for both; kModel, 0 upper half-space, 1 Poincare ball, 2 Klein ball; kCut,
-// whether uCut is heeded; kDiscs, whether discs are drawn.
+// whether uCut is heeded; kDiscs, whether discs are drawn; kEdges, whether edges have the colours of
+// their classes.
 uniform float uShrink;       // of cells towards their middles; 1: not at all
 uniform float uCut;          // what lies beyond x = uCut in the model is not drawn
 uniform vec2 uLine;          // half the width of edges and of other borders, in pixels
+#if kEdges
+uniform vec3 uPalette[48];   // as many as kColourCount of embedding/colour.hpp
+#endif
 
 flat in vec4 vOwn;
 flat in vec4 vAbout;
@@ -26,6 +30,9 @@ struct Meeting {
   vec3 normal;   // outward, of length 1
   vec3 right, up;  // what a step of one pixel moves u by
   float border;  // 1 on a border of the face, and less across a pixel beside it
+#if kEdges
+  vec4 edge;     // the colour of the edge there, and how much of it is seen
+#endif
 };
 
 int wallNumber() { return int(vAbout.y); }
@@ -75,10 +82,11 @@ bool holds(vec3 ray, vec3 u, float along, float towards, out Meeting met) {
   met.right = size * uAxes[0] - away * dot(met.normal, uAxes[0]);
   met.up = size * uAxes[1] - away * dot(met.normal, uAxes[1]);
   float square = dot(u, u), right = 2.0 * dot(u, met.right), up = 2.0 * dot(u, met.up);
-  float faces = 1e9, others = 1e9;  // pixels to them
-  bounded(vBound[0], vBoundConstant[0].x, met, square, right, up, inside, faces);
-  bounded(vBound[1], vBoundConstant[0].y, met, square, right, up, inside, faces);
-  bounded(vBound[2], vBoundConstant[0].z, met, square, right, up, inside, faces);
+  vec3 edges = vec3(1e9);  // pixels to them
+  bounded(vBound[0], vBoundConstant[0].x, met, square, right, up, inside, edges.x);
+  bounded(vBound[1], vBoundConstant[0].y, met, square, right, up, inside, edges.y);
+  bounded(vBound[2], vBoundConstant[0].z, met, square, right, up, inside, edges.z);
+  float faces = min(edges.x, min(edges.y, edges.z)), others = 1e9;
 #if kBounds > 3
   bounded(vBound[3], vBoundConstant[0].w, met, square, right, up, inside, others);
   bounded(vBound[4], vBoundConstant[1].x, met, square, right, up, inside, others);
@@ -94,7 +102,16 @@ bool holds(vec3 ray, vec3 u, float along, float towards, out Meeting met) {
   // Where two faces meet is an edge of the triangulation. Small cells have thin lines, or they
   // would be nothing but lines.
   vec2 widths = min(uLine, vec2(0.03, 0.015) * vCentre.w);
-#if kBounds == 6
+#if kEdges && kBounds == 6
+  int classes = int(vBoundConstant[1].z);
+  int edge = edges.x == faces ? classes : edges.y == faces ? classes >> 6 : classes >> 12;
+  float wide = min(2.5 * uLine.x, 0.05 * vCentre.w);
+  met.edge = vec4(uPalette[edge & 63], lineAt(faces - wide));
+  met.border = 0.55 * lineAt(others - widths.y);
+#elif kEdges
+  met.edge = vec4(0.0);
+  met.border = 0.55 * lineAt(min(faces, others) - widths.y);
+#elif kBounds == 6
   met.border = max(0.85 * lineAt(faces - widths.x), 0.55 * lineAt(others - widths.y));
 #else
   met.border = 0.55 * lineAt(min(faces, others) - widths.y);

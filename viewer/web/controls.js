@@ -1,4 +1,5 @@
 // Mouse, touch and keys. One pointer turns, two zoom and shift; keys walk as long as they are held.
+// Letters move the cells by Moebius maps outside, arrows turn them.
 const kKeyWays = {
   w: [0, 0, 1], arrowup: [0, 0, 1], s: [0, 0, -1], arrowdown: [0, 0, -1], a: [-1, 0, 0],
   d: [1, 0, 0], r: [0, 1, 0], f: [0, -1, 0], forward: [0, 0, 1], back: [0, 0, -1],
@@ -21,6 +22,7 @@ class Controls {
     this.page = page;
     this.pointers = new Map();
     this.held = new Set();
+    this.place = null;  // of the pointer on the picture, x and y from 0 to 1
     const listen = (type, handler, options) => canvas.addEventListener(type, handler, options);
     listen('pointerdown', (e) => this.down(e));
     listen('pointermove', (e) => this.move(e));
@@ -57,6 +59,8 @@ class Controls {
   }
 
   move(e) {
+    const box = this.canvas.getBoundingClientRect();
+    this.place = [(e.clientX - box.left) / box.width, (e.clientY - box.top) / box.height];
     const before = this.pointers.get(e.pointerId);
     if (!before) return;
     const now = [e.clientX, e.clientY];
@@ -103,10 +107,8 @@ class Controls {
   key(e) {
     if (e.ctrlKey || e.metaKey || e.altKey) return;
     const key = e.key.toLowerCase();
-    const acts = {i: 'change view', m: 'change model', c: 'change colour', 0: 'reset', p: 'save',
-                  l: 'link', h: 'help', '?': 'help'};
-    if (acts[key]) {
-      this.page.act(acts[key]);
+    if (this.page.acts.has(key)) {
+      this.page.act(this.page.acts.get(key));
     } else if (kKeyWays[key] || kKeyTurns[key] || key === '+' || key === '-' || key === '=') {
       this.held.add(key);
     } else {
@@ -119,9 +121,10 @@ class Controls {
   /// Moves by what is held for `seconds`; returns whether anything was.
   advance(seconds) {
     if (this.held.size === 0) return false;
-    let [way, turn, roll, zoom] = [[0, 0, 0], [0, 0], 0, 0];
+    let [way, flight, turn, roll, zoom] = [[0, 0, 0], [0, 0, 0], [0, 0], 0, 0];
     for (const key of this.held) {
       if (kKeyWays[key]) way = way.map((x, i) => x + kKeyWays[key][i]);
+      if (kKeyWays[key] && key.length === 1) flight = flight.map((x, i) => x + kKeyWays[key][i]);
       if (kKeyTurns[key]) [turn[0], roll] = [turn[0] + kKeyTurns[key][0], roll + kKeyTurns[key][1]];
       if (key === '+' || key === '=') --zoom;
       if (key === '-') ++zoom;
@@ -130,7 +133,8 @@ class Controls {
       this.page.walker.turn(turn[0] * seconds, 0, roll * seconds);
       if (way.some((x) => x !== 0)) this.page.walker.walk(way, 0.6 * seconds);
     } else {
-      this.page.orbit.turn(turn[0] * seconds * 1.5, -way[2] * seconds * 1.2);
+      this.page.orbit.turn(turn[0] * seconds * 1.5, (flight[2] - way[2]) * seconds * 1.2);
+      if (flight.some((x) => x !== 0)) this.page.fly(flight, 0.6 * seconds);
       this.page.orbit.zoom(Math.exp(zoom * seconds));
     }
     return true;

@@ -13,7 +13,8 @@ function hexOf(pixels) {
 function act(page) {
   const send = (type, event) => page.canvas.dispatchEvent(event(type));
   for (const part of (page.wishes.get('keys') ?? '').split(',').filter(Boolean)) {
-    const [key, seconds] = part.split(':');
+    const [name, seconds] = part.split(':');
+    const key = decodeURIComponent(name);
     const event = (type) => new KeyboardEvent(type, {key, cancelable: true});
     send('keydown', event);
     for (let passed = 0; passed < Number(seconds); passed += 0.02) page.controls.advance(0.02);
@@ -95,6 +96,8 @@ function dump(page) {
       return page.quality;
     });
     out.fragment = page.fragment();
+    out.labels = page.state.labels ? labelsOf(page) : [];
+    out.state = {...page.state};
     out.target = page.orbit.target;
     out.cells = page.views.outside.cover.cells.slice(0, page.state.cells)
         .map((cell) => ({...cell, centre: Lorentz.column(cell.isometry, 3)}));

@@ -6,7 +6,12 @@ const kFaceBounds = [0, 1, 2, 3].map((w) => {
   return [...others, ...others.map((i) => 4 + i)];
 });
 const kTruncationBounds = [0, 1, 2, 3].map((v) => [0, 1, 2, 3].filter((i) => i !== v));
-const boundsOfWall = (wall) => (wall < 4 ? kFaceBounds[wall] : kTruncationBounds[wall - 4]);
+const kCutWall = 8, kAllWalls = [0, 1, 2, 3, 4, 5, 6, 7];
+const boundsOfWall = (wall) => (
+    wall === kCutWall ? kAllWalls : wall < 4 ? kFaceBounds[wall] : kTruncationBounds[wall - 4]);
+/// Cells without some of their walls are not solid.
+const isSolid = (state) => !state.hollow && state.faces && state.truncations;
+const kClearAlpha = 0.22;
 const kRecordTexelsPerRow = 2048;
 const recordTexels = (bounds) => 4 + bounds + Math.ceil(bounds / 4);
 
@@ -26,7 +31,10 @@ function cornersOfWall({corners}, wall) {
 
 /// The walls of cells in a model; grows with the universal cover.
 class FaceSet {
-  constructor(manifold, model, toModel) {
+  ///   toModel  from the coordinates of the first cell to those of the model
+  ///   number   another one for another set
+  constructor(manifold, model, toModel, number) {
+    this.number = number;
     this.manifold = manifold;
     this.model = kModels[model];
     this.toModel = toModel;
@@ -120,21 +128,22 @@ class FaceSet {
     }
   }
 
-  /// Writes the record of a face; returns where the next one begins.
-  ///   look  {number, shared, disc, colour}
-  write(numbers, at, face, look) {
-    const cell = face >> 3, wall = face & 7;
+  /// Writes the record of a wall of a cell; returns where the next one begins.
+  ///   own   its half-space
+  ///   look  {shared, disc, colour, edges}; edges: numbers of the colours of a face's edges
+  write(numbers, at, cell, wall, own, look) {
     const [x, y, z, radius] = this.balls[cell];
     const local = ({a, b, c}) => ({
       b: [b[0] + 2 * a * x, b[1] + 2 * a * y, b[2] + 2 * a * z], a: a * radius,
       c: (a * (x * x + y * y + z * z) + b[0] * x + b[1] * y + b[2] * z + c) / radius,
     });
-    const own = local(this.halfSpaces[face]);
-    numbers.set([...own.b, own.a, own.c, wall, look.shared ? 1 : 0, look.disc, x, y, z, radius,
-                 ...look.colour, look.number], at);
+    const {a, b, c} = local(own);
+    numbers.set([...b, a, c, wall, look.shared ? 1 : 0, look.disc, x, y, z, radius,
+                 ...look.colour, cell], at);
     const bounds = boundsOfWall(wall).map((other) => local(this.halfSpaces[8 * cell + other]));
     bounds.forEach((h, i) => numbers.set([...h.b, h.a], at + 16 + 4 * i));
     bounds.forEach((h, i) => { numbers[at + 16 + 4 * bounds.length + i] = h.c; });
+    if (bounds.length % 4 !== 0) numbers[at + 16 + 5 * bounds.length] = look.edges;
     return at + 4 * recordTexels(bounds.length);
   }
 }
@@ -271,19 +280,21 @@ class FaceDrawing {
     this.manifold = manifold;
     this.discs = discs;
     const gl = graphics.gl;
-    this.kinds = [3, 6].map((bounds) => ({
+    this.kinds = [3, 6, 8].map((bounds) => ({
       bounds, programs: new Map(), mesh: new ProxyMesh(), corners: gl.createBuffer(),
       triangles: gl.createBuffer(),
     }));
     this.array = gl.createVertexArray();
-    this.records = this.places = null;
-    this.shown = '';
+    this.records = this.places = this.cuts = null;
+    this.shown = this.cutShown = '';
   }
 
   /// The program for faces of a kind; see faces.glsl for what is defined.
-  program({bounds, programs}, model, discs) {
-    const defined = `#define kBounds ${bounds}\n#define kSides 1\n#define kCut 0\n` +
-        `#define kModel ${model}\n#define kDiscs ${discs}\n`;
+  program({bounds, programs}, model, discs, state) {
+    const cut = state.cut !== null && bounds !== 8, edges = state.colour === 'edge' && state.lines;
+    const defined = `#define kBounds ${bounds}\n#define kSides ${isSolid(state) ? 1 : 2}\n` +
+        `#define kModel ${model}\n#define kDiscs ${discs}\n#define kCut ${cut ? 1 : 0}\n` +
+        `#define kEdges ${edges ? 1 : 0}\n`;
     if (!programs.has(defined))
       programs.set(defined, this.graphics.program(
           'faces.vert.glsl', 'outside_faces.frag.glsl', [defined, 'outside_camera.glsl'],
@@ -293,8 +304,15 @@ class FaceDrawing {
 
   /// Sends the records of the first `count` cells to the graphics card.
   upload(set, cells, state, modelName) {
-    const key = `${modelName} ${cells.length} ${state.colour}`;
-    if (key === this.shown) return;
+    const key = `${modelName} ${set.number} ${cells.length} ${state.colour}`;
+    if (key !== this.shown) this.uploadFaces(set, cells, state);
+    this.shown = key;
+    const cutKey = `${key} ${state.cut}`;
+    if (state.cut !== null && cutKey !== this.cutShown) this.uploadCuts(set, cells, state);
+    this.cutShown = cutKey;
+  }
+
+  uploadFaces(set, cells, state) {
     const texels = cells.length * 4 * (recordTexels(3) + recordTexels(6));
     const rows = Math.max(1, Math.ceil(texels / kRecordTexelsPerRow));
     const numbers = new Float32Array(4 * kRecordTexelsPerRow * rows);
@@ -304,10 +322,11 @@ class FaceDrawing {
       for (let wall = 0; wall < 8; ++wall) {
         const face = 8 * number + wall;
         this.first[face] = at / 4;
-        at = set.write(numbers, at, face, {
-          number, shared: set.partner[face] < cells.length,
+        at = set.write(numbers, at, number, wall, set.halfSpaces[face], {
+          shared: set.partner[face] < cells.length,
           disc: wall < 4 ? -1 : this.manifold.discs.first[4 * cell.tetrahedron + wall - 4],
-          colour: this.colour(state, cell, wall)});
+          colour: this.colour(state, cell, wall),
+          edges: wall < 4 ? this.edgeColours(cell.tetrahedron, wall) : 0});
       }
     });
     const gl = this.graphics.gl;
@@ -319,10 +338,39 @@ class FaceDrawing {
               set.isometries[i], set.model, set.balls[i].slice(0, 3), set.balls[i][3]))),
               kRecordTexelsPerRow, 1)
         : null;
-    this.shown = key;
+  }
+
+  /// The records of the cells' cuts, and the balls that hold them.
+  uploadCuts(set, cells, state) {
+    const texels = recordTexels(8), own = {a: 0, b: [1, 0, 0], c: -state.cut};
+    this.cutBalls = [];
+    set.balls.slice(0, cells.length).forEach(([x, y, z, radius], cell) => {
+      const beyond = x - state.cut;
+      if (Math.abs(beyond) < radius)
+        this.cutBalls.push({cell, points: [state.cut, y, z],
+                            margin: Math.sqrt(radius * radius - beyond * beyond)});
+    });
+    const rows = Math.max(1, Math.ceil(this.cutBalls.length * texels / kRecordTexelsPerRow));
+    const numbers = new Float32Array(4 * kRecordTexelsPerRow * rows);
+    this.cutBalls.forEach(({cell}, i) => set.write(numbers, 4 * texels * i, cell, kCutWall, own, {
+      shared: false, disc: -1, colour: this.colour(state, cells[cell], 4), edges: 0}));
+    if (this.cuts) this.graphics.gl.deleteTexture(this.cuts);
+    this.cuts = this.graphics.dataTexture(numbers, kRecordTexelsPerRow, 1);
+  }
+
+  /// As FaceLook::edge_colours of face_set.hpp.
+  edgeColours(t, face) {
+    return kTruncationBounds[face].reduce((sum, other, i) => {
+      const edge = kEdgeEnds.findIndex((ends) => !ends.includes(face) && !ends.includes(other));
+      return sum + (this.manifold.edgeClass[t][edge] % linearPalette.length) * 64 ** i;
+    }, 0);
   }
 
   colour(state, cell, wall) {
+    const grey = [0.46, 0.47, 0.49], paper = [0.88, 0.86, 0.80];
+    if (state.colour === 'edge') return wall < 4 ? grey : paper;
+    if (state.colour === 'component')
+      return wall < 4 ? grey : paletteColour(this.manifold.vertexClass[cell.tetrahedron][wall - 4]);
     let base = paletteColour(cell.tetrahedron);
     if (state.colour === 'depth') base = kDepthPalette[Math.min(cell.depth, 11)];
     if (state.colour === 'face' && wall < 4)
@@ -332,15 +380,24 @@ class FaceDrawing {
     return base.map((x, k) => x + 0.4 * ([0.95, 0.93, 0.88][k] - x));
   }
 
-  /// Finds the polygons of the faces that may be seen.
-  project(set, count, state, view, width, height) {
-    const shrink = 1 / (1 + state.explode);
+  /// Finds the polygons of the faces that may be seen, of cells that one cannot look through, or,
+  /// where `clear`, of the others, the farthest first.
+  project(set, cells, state, view, width, height, clear) {
+    const shrink = 1 / (1 + state.explode), count = cells.length, solid = isSolid(state);
+    const isClear = (cell) => cells[cell].tetrahedron === state.transparent;
+    let order = cells.map((_, i) => i);
+    if (state.transparent !== null) order = order.filter((cell) => isClear(cell) === clear);
+    if (clear) {
+      const away = ([x, y, z]) => Math.hypot(x - view.eye[0], y - view.eye[1], z - view.eye[2]);
+      const distance = new Map(order.map((cell) => [cell, away(set.balls[cell])]));
+      order.sort((one, other) => distance.get(other) - distance.get(one));
+    }
     for (const {mesh} of this.kinds) {
       mesh.clear();
       mesh.look(view, width, height);
     }
     const focal = height / 2 / view.tangent[1], eye = new Float64Array(3);
-    for (let cell = 0; cell < count; ++cell) {
+    for (const cell of order) {
       const ball = set.balls[cell], radius = ball[3] * shrink;
       let square = 0;
       for (let k = 0; k < 3; ++k) {
@@ -349,29 +406,56 @@ class FaceDrawing {
         eye[k] = ball[k] + away / shrink;
       }
       if (square > radius * radius && radius * focal < 0.4 * Math.sqrt(square)) continue;
+      if (state.cut !== null && ball[0] - state.cut > ball[3]) continue;
       for (let face = 8 * cell; face < 8 * cell + 8; ++face) {
-        if (shrink === 1 && set.partner[face] < count) continue;
+        if (face % 8 < 4 ? !state.faces : !state.truncations) continue;
+        const partner = set.partner[face];
+        // Through a transparent partner it is seen.
+        if (solid && shrink === 1 && partner < count && (clear || !isClear(partner))) continue;
         const outline = set.outlines[face];
-        if (!mayFace(set.halfSpaces[face], outline.points, outline.margin, eye)) continue;
+        if (solid && !mayFace(set.halfSpaces[face], outline.points, outline.margin, eye)) continue;
         this.kinds[face % 8 < 4 ? 1 : 0].mesh.add(outline.points, outline.margin, ball, shrink,
                                                   this.first[face]);
       }
+    }
+    if (state.cut !== null && solid && !clear) {
+      this.cutBalls.forEach(({cell, points, margin}, i) => {
+        if (!isClear(cell))
+          this.kinds[2].mesh.add(points, margin, set.balls[cell], shrink, recordTexels(8) * i);
+      });
     }
     return shrink;
   }
 
   /// `setCamera(program)` uses it and sets the camera's uniforms.
   draw(set, cells, state, view, width, height, scale, setCamera) {
-    const gl = this.graphics.gl;
     this.upload(set, cells, state, state.model);
-    const shrink = this.project(set, cells.length, state, view, width, height);
+    const shrink = this.project(set, cells, state, view, width, height, false);
+    this.drawMeshes(set, state, scale, setCamera, shrink, 1);
+  }
+
+  /// What one looks through: after all else, and it hides nothing.
+  drawClear(set, cells, state, view, width, height, scale, setCamera) {
+    if (state.transparent === null || !isSolid(state) || state.identities) return;
+    const gl = this.graphics.gl;
+    const shrink = this.project(set, cells, state, view, width, height, true);
+    gl.enable(gl.BLEND);
+    gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ZERO, gl.ONE);
+    gl.depthMask(false);
+    this.drawMeshes(set, state, scale, setCamera, shrink, kClearAlpha);
+    gl.depthMask(true);
+    gl.disable(gl.BLEND);
+  }
+
+  drawMeshes(set, state, scale, setCamera, shrink, alpha) {
+    const gl = this.graphics.gl;
     gl.bindVertexArray(this.array);
     gl.enableVertexAttribArray(0);
     for (const kind of this.kinds) {
       const {mesh, corners, triangles} = kind;
       if (mesh.triangleCount === 0) continue;
       const withDiscs = kind.bounds === 3 && this.manifold.discs.exist && state.discs;
-      const program = this.program(kind, set.model.number, withDiscs ? 1 : 0);
+      const program = this.program(kind, set.model.number, withDiscs ? 1 : 0, state);
       setCamera(program);
       this.manifold.discs.use(gl, program, this.discs, state.discs);
       const bind = (unit, name, texture) => {
@@ -379,9 +463,12 @@ class FaceDrawing {
         gl.bindTexture(gl.TEXTURE_2D, texture);
         gl.uniform1i(program.at(name), unit);
       };
-      bind(0, 'uFaces', this.records);
+      bind(0, 'uFaces', kind.bounds === 8 ? this.cuts : this.records);
       bind(2, 'uPlaces', this.places ?? this.records);
       gl.uniform1f(program.at('uShrink'), shrink);
+      gl.uniform1f(program.at('uCut'), state.cut ?? 0);
+      gl.uniform1f(program.at('uAlpha'), alpha);
+      if (state.colour === 'edge') gl.uniform3fv(program.at('uPalette'), linearPalette.flat());
       const line = state.lines ? 1.2 * scale : -1e3;
       gl.uniform2f(program.at('uLine'), line, state.lines ? 0.6 * line : line);
       gl.bindBuffer(gl.ARRAY_BUFFER, corners);

@@ -46,6 +46,7 @@ class Hover {
     for (let cell = cells[number]; cell.parent !== null; cell = cells[cell.parent])
       letters.unshift(this.letter(cells[cell.parent].tetrahedron, cell.face));
     const t = cells[number].tetrahedron;
+    if (surface === 9) return `tetrahedron ${t}, cut; word ${this.word(letters)}`;
     return `${surface > 4 ? this.truncation(t, surface - 5, disc) : this.face(t, surface - 1)}; ` +
         `word ${this.word(letters)}`;
   }

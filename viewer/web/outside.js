@@ -112,6 +112,8 @@ class OutsideView {
     this.cover = new UniversalCover(manifold);
     this.records = {upper: [], ball: []};
     this.sets = {};
+    this.moves = 0;  // so often have cells been moved
+    this.motion = Lorentz.identity;
     this.texture = null;
     this.shown = '';
     this.connect();
@@ -128,7 +130,17 @@ class OutsideView {
 
   /// The isometry from the coordinates of the root to those of the model.
   toModel(model) {
-    return Lorentz.inverse(kModels[model].frame(this.manifold.tetrahedra[0]));
+    return Lorentz.multiply(this.motion,
+                            Lorentz.inverse(kModels[model].frame(this.manifold.tetrahedra[0])));
+  }
+
+  /// Moves all cells from where they stood at first.
+  setMotion(motion) {
+    this.motion = motion;
+    ++this.moves;
+    this.sets = {};
+    this.records = {upper: [], ball: []};
+    this.shown = '';
   }
 
   /// 19 x 4 numbers of a cell for the shader; see outside.frag.glsl.
@@ -156,7 +168,7 @@ class OutsideView {
   /// Sends the first `count` cells to the graphics card; returns how many there are.
   upload(count, model) {
     const cells = this.cover.grow(count);
-    const key = `${model} ${cells.length}`;
+    const key = `${model} ${cells.length} ${this.moves}`;
     if (key === this.shown) return cells.length;
     const records = this.records[model];
     const toModel = this.toModel(model);
@@ -193,10 +205,11 @@ class OutsideView {
       gl.uniform1f(program.at('uSoft'), 1 / (3 * Math.sqrt(2 * view.tangent[1] / height)));
     };
     gl.depthFunc(gl.LEQUAL);
+    let faces = null;
     if (state.renderer === 'cells' && state.model !== 'klein')
       this.drawCells(state, view, scale, setCamera);
     else
-      this.drawFaces(state, view, width, height, scale, setCamera);
+      faces = this.drawFaces(state, view, width, height, scale, setCamera);
 
     // Last, where there is nothing yet.
     const upper = state.model === 'upper' ? 1 : 0;
@@ -207,14 +220,20 @@ class OutsideView {
     for (const name of ['uHigh', 'uLow'])
       gl.uniform3fv(ground.at(name), linearColour(state.theme.outside[name]));
     gl.drawArrays(gl.TRIANGLES, 0, 3);
+    if (faces) this.faces.drawClear(...faces);
   }
 
   drawFaces(state, view, width, height, scale, setCamera) {
     const cells = this.cover.grow(state.cells);
     const set = this.sets[state.model] ??=
-        new FaceSet(this.manifold, state.model, this.toModel(state.model));
+        new FaceSet(this.manifold, state.model, this.toModel(state.model), this.moves);
     set.grow(cells);
-    this.faces.draw(set, cells, state, view, width, height, scale, setCamera);
+    if (this.moves > 0)  // they may be anywhere
+      view.depth[1] = Math.max(view.depth[1], ...set.balls.map(
+          ([x, y, z, r]) => Math.hypot(x - view.eye[0], y - view.eye[1], z - view.eye[2]) + r));
+    const drawing = [set, cells, state, view, width, height, scale, setCamera];
+    this.faces.draw(...drawing);
+    return drawing;
   }
 
   /// Each cell by its eight half-spaces: the reference that faces are compared with.
@@ -232,7 +251,9 @@ class OutsideView {
     this.manifold.discs.use(gl, this.cells, this.discs, state.discs);
     gl.uniform1f(this.cells.at('uExplode'), state.explode);
     gl.uniformMatrix4fv(this.cells.at('uProjection'), false, view.projection);
-    gl.uniform1i(this.cells.at('uColourBy'), ['tetrahedron', 'depth', 'face'].indexOf(state.colour));
+    // It knows no other colours.
+    gl.uniform1i(this.cells.at('uColourBy'),
+                 Math.max(0, ['tetrahedron', 'depth', 'face'].indexOf(state.colour)));
     gl.uniform3fv(this.cells.at('uPalette'), linearPalette.flat());
     gl.uniform3fv(this.cells.at('uDepths'), kDepthPalette.flat());
     gl.uniform1f(this.cells.at('uLine'), (state.lines ? 1.9 : 0) * scale);

@@ -1,4 +1,5 @@
 // The colours of faces in a page. kDiscs, whether discs are drawn, is defined in front of it.
+uniform float uAlpha;       // of what is no border
 out vec4 colour;
 
 #if kDiscs
@@ -26,6 +27,13 @@ void main() {
                   float(wallNumber() + 1) + discIdentity(disc), 255.0) / 255.0;
     return;
   }
-  vec3 shade = lit(base, met.normal, ray) * (1.0 - 0.96 * met.border);
+  vec3 normal = dot(met.normal, ray) < 0.0 ? met.normal : -met.normal;
+  vec3 shade = lit(base, normal, ray) * (1.0 - 0.96 * met.border);
+  float drawn = met.border;
+#if kEdges
+  shade = mix(shade, met.edge.rgb, met.edge.a);
+  drawn = max(drawn, met.edge.a);
+#endif
   colour = finite(throughGlass(toDisplay(shade), ray));
+  colour.a *= mix(uAlpha, 1.0, drawn);
 }

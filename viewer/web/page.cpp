@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,7 @@
 #include "base/version.hpp"
 #include "embedding/colour.hpp"
 #include "topology/covers/presentation.hpp"
+#include "viewer/keys.hpp"
 #include "viewer/web/detail/assets.hpp"
 
 namespace tripus::viewer {
@@ -133,6 +135,18 @@ void append_colours(Text& out) {
   });
 }
 
+/// The one list of keys: what they are, what they ask for, in words.
+void append_keys(Text& out) {
+  std::vector<KeyLine> lines;
+  for (const KeyLine& line : key_lines())
+    if (line.in_page) lines.push_back(line);
+  append_key(out, "keys");
+  append_list(out, lines.size(), [&](std::size_t i) {
+    fmt::format_to(std::back_inserter(out), "[{},{},{}]", detail::json_string(lines[i].keys),
+                   detail::json_string(lines[i].name), detail::json_string(lines[i].text));
+  });
+}
+
 /// The discs of each tile as numbers, five each: the centre and the length.
 void append_discs(Text& out, const WallDiscs& discs) {
   append_key(out, "discs");
@@ -179,6 +193,7 @@ std::string page_data(const PageOptions& options, const topology::Triangulation&
   append_report(out, report);
   append_embedding(out, embedding);
   append_colours(out);
+  append_keys(out);
   if (options.discs != nullptr) append_discs(out, *options.discs);
   out.push_back('}');
   return fmt::to_string(out);

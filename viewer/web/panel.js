@@ -1,6 +1,9 @@
 // The panel: facts about the manifold, and the controls that change the state of the page.
 const kCellCounts = [1, 2, 3, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 3000, 5000, 10000];
 
+/// What of the state is on or off, and has a box to tick.
+const kSwitches = ['mirror', 'lines', 'discs', 'faces', 'truncations', 'hollow', 'labels', 'rate'];
+
 const kThemes = {
   light: {outside: {uHigh: '#d3dfea', uLow: '#f6f4ef', uInk: '#33506e'}, fog: '#dfe7ee'},
   dark: {outside: {uHigh: '#0a1120', uLow: '#1f2c3d', uInk: '#a9c8e8'}, fog: '#0b1420'},
@@ -46,6 +49,16 @@ function showFacts(data) {
   }
 }
 
+/// The list of keys, in the help.
+function showKeys({keys}) {
+  for (const [key, , text] of keys) {
+    if (!text) continue;
+    const [dt, dd] = [document.createElement('dt'), document.createElement('dd')];
+    [dt.textContent, dd.textContent] = [key, text];
+    element('keys').append(dt, dd);
+  }
+}
+
 /// Connects the controls; `changed(name)` is called after every change of the state.
 function connectPanel(state, changed) {
   const connect = (id, event, read) => element(id).addEventListener(event, () => {
@@ -55,16 +68,16 @@ function connectPanel(state, changed) {
   connect('cells', 'input', (e) => { state.cells = kCellCounts[Number(e.value)]; });
   for (const id of ['explode', 'tube', 'sight'])
     connect(id, 'input', (e) => { state[id] = Number(e.value); });
+  connect('cut', 'input', (e) => { state.cut = e.value === e.max ? null : Number(e.value); });
+  connect('transparent', 'change', (e) => { state.transparent = e.value ? Number(e.value) : null; });
   for (const id of ['model', 'colour', 'wall', 'place'])
     connect(id, 'change', (e) => { state[id] = e.value; });
-  for (const id of ['mirror', 'lines', 'discs']) connect(id, 'change', (e) => { state[id] = e.checked; });
+  for (const id of kSwitches) connect(id, 'change', (e) => {
+    state[id] = e.checked;
+    if (!state.faces && !state.truncations) state[id === 'faces' ? 'truncations' : 'faces'] = true;
+  });
   for (const button of document.querySelectorAll('[data-view]'))
     button.addEventListener('click', () => { state.view = button.dataset.view; changed('view'); });
-  element('theme').addEventListener('click', () => {
-    setTheme(state, state.themeName === 'dark' ? 'light' : 'dark');
-    changed('theme');
-  });
-  element('help').addEventListener('click', () => element('help-text').showModal());
   element('fold').addEventListener('click', () => fold(!element('panel').classList.contains('folded')));
   fold(matchMedia('(max-width: 760px)').matches);
 }
@@ -82,13 +95,19 @@ function setTheme(state, name) {
 }
 
 /// Makes the controls show the state, whoever changed it.
-function showState(state, cellCount) {
+function showState({state, data}, cellCount) {
+  const choices = element('transparent');
+  if (choices.options.length === 1)
+    for (let t = 0; t < Math.min(data.tetrahedron_count, 100); ++t) choices.add(new Option(t, t));
+  choices.value = state.transparent ?? '';
+  element('cut').value = state.cut ?? element('cut').max;
   const nearest = kCellCounts.findIndex((n) => n >= state.cells);
   element('cells').value = String(nearest < 0 ? kCellCounts.length - 1 : nearest);
   element('cells-shown').textContent = String(cellCount);
+  element('cells-shown').dataset.drawn = '1';
   for (const id of ['explode', 'tube', 'sight', 'model', 'colour', 'wall', 'place'])
     element(id).value = String(state[id]);
-  for (const id of ['mirror', 'lines', 'discs']) element(id).checked = state[id];
+  for (const id of kSwitches) element(id).checked = state[id];
   for (const view of ['outside', 'inside']) element(`controls-${view}`).hidden = state.view !== view;
   for (const button of document.querySelectorAll('[data-view]'))
     button.setAttribute('aria-pressed', String(button.dataset.view === state.view));

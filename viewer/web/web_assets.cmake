@@ -9,7 +9,7 @@ set(TRIPUS_WEB_SHADERS
 set(TRIPUS_WEB_DESKTOPS ../faces/desktop.glsl ../faces/desktop.frag.glsl)
 set(TRIPUS_WEB_SCRIPTS
   lorentz.js manifold.js palette.js gl.js discs.js outside.js faces.js cameras.js inside.js panel.js
-  controls.js hover.js dump.js main.js)
+  controls.js hover.js labels.js dump.js main.js)
 set(TRIPUS_WEB_TEXTS page.html style.css gallery.html gallery.css)
 
 set(TRIPUS_WEB_ENTRIES "")

@@ -13,7 +13,10 @@ struct WindowOptions {
   int height = 900;
   std::size_t cells = 1;       ///< to begin with
   std::string picture_folder;  ///< where the key for it saves pictures; empty: the current one
-  int most_frames = 0;         ///< closes the window after so many; 0: when the user does
+  geometry::Matrix4 motion = geometry::Matrix4::Identity();  ///< moves all cells, to begin with
+  /// What a shell runs for this window, without options: the key L adds those of the view.
+  std::string command = "tripus view";
+  int most_frames = 0;  ///< closes the window after so many; 0: when the user does
 };
 
 /// The scene with so many cells, in a model: called when the user asks for more or another model.

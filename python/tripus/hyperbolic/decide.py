@@ -325,7 +325,7 @@ class _Decision:
             raise
         if found is None:
             searcher.end()
-            self.tried.append(_surfaces_tried(told))
+            self.tried.append(surfaces_tried(told))
             return None
         return self._surface_answer(found)
 
@@ -399,7 +399,8 @@ def _objection(manifold: Manifold) -> str:
     return ""
 
 
-def _surfaces_tried(told: dict[str, Any]) -> str:
+def surfaces_tried(told: dict[str, Any]) -> str:
+    """In words, from what a search has told."""
     searches, surfaces = told.get("searched", [0, 0])
     number = told.get("round", [0])[0] + 1
     return f"normal surfaces: {surfaces} in {searches} searches of {number} triangulations"

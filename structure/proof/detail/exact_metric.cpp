@@ -71,9 +71,8 @@ Arb generator_of(const std::vector<Arb>& entries) {
   std::vector<Arb> different;
   Arb sum;
   for (const Arb& entry : entries) {
-    const bool known = std::ranges::any_of(different, [&](const Arb& other) {
-      return arb_overlaps(entry.get(), other.get()) != 0;
-    });
+    const bool known = std::ranges::any_of(
+        different, [&](const Arb& other) { return arb_overlaps(entry.get(), other.get()) != 0; });
     if (known) continue;
     different.push_back(entry);
     sum = sum + static_cast<double>(different.size()) * entry;
@@ -157,7 +156,15 @@ bool ExactMetric::add_root(std::size_t t) {
   if (radicand_.size() == kMostRoots) return false;
   root_.push_back({Algebraic(1), std::uint32_t{1} << radicand_.size()});
   radicand_.push_back(D);
+  first_.push_back(t);
   return true;
+}
+
+std::pair<Algebraic, std::vector<std::size_t>> ExactMetric::root(std::size_t t) const {
+  std::vector<std::size_t> of;
+  for (std::size_t k = 0; k < first_.size(); ++k)
+    if ((root_[t].roots >> k & 1u) != 0) of.push_back(first_[k]);
+  return {root_[t].factor, of};
 }
 
 /// Whether the numbers at the root are those of true tetrahedra.
@@ -167,7 +174,7 @@ bool ExactMetric::all_true() const {
       if (!minor.positive()) return false;
   for (std::size_t e = 0; e < gram_.size(); ++e) {
     const Arb a = field_.value(gram_[e]);
-    if (metric_->is_fixed(e) ? !(gram_[e] == Algebraic(1))
+    if (metric_->is_fixed(e)          ? !(gram_[e] == Algebraic(1))
         : metric_->may_be_negative(e) ? !a.positive()
                                       : !(a - Arb(1.0)).positive())
       return false;

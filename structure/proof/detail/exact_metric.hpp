@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "structure/proof/detail/cone_metric.hpp"
@@ -23,6 +24,11 @@ class ExactMetric {
 
   const NumberField& field() const { return field_; }
   const std::vector<Algebraic>& gram() const { return gram_; }  ///< [E] a = -G_ij
+  /// sqrt D of a tetrahedron: a factor, and the tetrahedra whose sqrt D it is multiplied by.
+  std::pair<Algebraic, std::vector<std::size_t>> root(std::size_t t) const;
+  /// [V] what the null vector of a cusp is divided by, so that all areas are that of the first; 1
+  /// elsewhere. Empty where it is not known.
+  const std::vector<Algebraic>& horospheres() const { return horosphere_; }
 
   /// Whether the terms of the tilts across face f of tetrahedron t that come from hyperideal
   /// vertices, or those that come from ideal ones, add up to exactly 0: docs/canonical.md (T7).
@@ -62,6 +68,7 @@ class ExactMetric {
   std::vector<ExactGram<Algebraic>> exact_;  // [T]
   std::vector<ExactGram<Arb>> near_;         // [T] the same, enclosed
   std::vector<Algebraic> radicand_;          // D of the roots that the others are multiples of
+  std::vector<std::size_t> first_;           // the first tetrahedra that have them
   std::vector<Root> root_;                   // [T] sqrt D
   /// [V] sqrt(A_0 / A_v), A_v the area of the horosphere: what makes all areas one. Empty where it
   /// is not known.

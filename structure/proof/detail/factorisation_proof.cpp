@@ -4,12 +4,14 @@
 #include <atomic>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include <fmt/format.h>
 
 #include "base/threads.hpp"
 #include "geometry/edge_frames.hpp"
 #include "structure/proof/detail/edge_sums.hpp"
+#include "structure/proof/detail/mixed_doubles.hpp"
 #include "structure/proof/detail/positive_definite.hpp"
 #include "structure/proof/detail/precise_tetrahedron.hpp"
 
@@ -39,10 +41,11 @@ struct FactorisationProof {
   std::vector<Arb> K{};         // [E] enclosed, at the lengths
   Arb volume{};                 // of the tetrahedra at the lengths
   std::vector<double> scale{};  // [E] the Hessian is looked at as diag(scale) Hess diag(scale)
-  std::vector<bool> is_flat{};         // [T] held flat
+  std::vector<bool> is_flat{};  // [T] held flat
   std::vector<std::size_t> straight{};  // [E] corners with the angle pi in these
   std::vector<bool> is_out{};  // [E] no unknown: parabolic, or all corners in flat tetrahedra
   std::vector<std::size_t> pins{};
+  std::vector<bool> in_precise{};  // [T] what doubles were not enough for
   bool box_too_large = false;
 
   bool refuse(std::string reason) {
@@ -62,45 +65,55 @@ struct FactorisationProof {
     return l;
   }
 
-  /// `compute(t)`, at 128 bits or, where that gives nothing, at more, on all threads; then
-  /// `use(t, found)` in order. False with the reason if a tetrahedron gives nothing.
-  template <class Compute, class Use>
-  bool for_each_tetrahedron(Compute compute, Use use) {
+  /// In chunks: what `in_doubles(begin, found)` fills in; `compute(t)`, at 128 bits or, where that
+  /// gives nothing, at more, on all threads, for what is left; then `use(t, found)` in order. False
+  /// with the reason if a tetrahedron gives nothing.
+  template <class InDoubles, class Compute, class Use>
+  bool for_each_tetrahedron(InDoubles in_doubles, Compute compute, Use use) {
     using Found = decltype(compute(std::size_t{0}));
     const std::size_t count = metric.triangulation().tetrahedron_count();
-    const std::size_t threads = std::min<std::size_t>(thread_count(context.threads), count / 8 + 1);
-    std::vector<Found> found(std::min(count, kChunk));
-    std::vector<int> bits_of(found.size());
     for (std::size_t begin = 0; begin < count; begin += kChunk) {
       if (stopped()) return refuse("stopped before it was decided");
       const std::size_t end = std::min(count, begin + kChunk);
-      std::atomic<std::size_t> next = begin;
-      run_on_threads(threads, [&] {
-        for (std::size_t t = next++; t < end; t = next++) {
-          Found& here = found[t - begin];
-          here.reset();
-          if (is_flat[t]) continue;
-          int& bits = bits_of[t - begin];
-          for (bits = kFirstBits; bits <= options.most_bits && !stopped(); bits *= 2) {
-            const Precision precision(bits);
-            here = compute(t);
-            if (here) break;
-          }
-        }
-      });
       const Precision precision(kFirstBits);
-      for (std::size_t t = begin; t < end; ++t) {
-        if (is_flat[t]) continue;
-        if (!found[t - begin]) {
-          if (stopped()) return refuse("stopped before it was decided");
-          return refuse(
-              fmt::format("tetrahedron {} is not proved to be a true one near these lengths", t));
-        }
-        if (bits_of[t - begin] > proof.bits) proof.bits = bits_of[t - begin];
-        proof.escalated += bits_of[t - begin] > kFirstBits;
-        use(t, *found[t - begin]);
-      }
+      std::vector<Found> found(end - begin);
+      in_doubles(begin, std::span(found));
+      std::vector<std::size_t> left;
+      for (std::size_t t = begin; t < end; ++t)
+        if (!is_flat[t] && !found[t - begin]) left.push_back(t);
+      if (!in_arb(left, begin, compute, found)) return false;
+      for (std::size_t t = begin; t < end; ++t)
+        if (!is_flat[t]) use(t, *found[t - begin]);
     }
+    return true;
+  }
+
+  template <class Compute, class Found>
+  bool in_arb(const std::vector<std::size_t>& left, std::size_t begin, Compute compute,
+              std::vector<Found>& found) {
+    const std::size_t threads =
+        std::min<std::size_t>(thread_count(context.threads), left.size() / 8 + 1);
+    std::vector<int> bits_of(left.size());
+    std::atomic<std::size_t> next = 0;
+    run_on_threads(threads, [&] {
+      for (std::size_t k = next++; k < left.size(); k = next++) {
+        int& bits = bits_of[k];
+        for (bits = kFirstBits; bits <= options.most_bits && !stopped(); bits *= 2) {
+          const Precision precision(bits);
+          found[left[k] - begin] = compute(left[k]);
+          if (found[left[k] - begin]) break;
+        }
+      }
+    });
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      if (!found[left[k] - begin]) {
+        if (stopped()) return refuse("stopped before it was decided");
+        return refuse(fmt::format(
+            "tetrahedron {} is not proved to be a true one near these lengths", left[k]));
+      }
+      proof.bits = std::max(proof.bits, bits_of[k]);
+    }
+    for (const std::size_t t : left) in_precise[t] = true;
     return true;
   }
 
@@ -142,8 +155,8 @@ struct FactorisationProof {
     for (std::size_t e = 0; e < is_out.size(); ++e)
       if (is_out[e] && !metric.is_fixed(e) &&
           (straight[e] != 2 || !metric.cone_angles()[e].is_full()))
-        return refuse(fmt::format("the angles pi at edge class {} do not add up to what is wanted",
-                                  e));
+        return refuse(
+            fmt::format("the angles pi at edge class {} do not add up to what is wanted", e));
     return true;
   }
 
@@ -158,6 +171,9 @@ struct FactorisationProof {
     const Precision precision(kFirstBits);
     for (std::size_t e = 0; e < proof.lengths.size(); ++e) K.push_back(metric.target(e));
     return for_each_tetrahedron(
+        [&](std::size_t begin, std::span<std::optional<PreciseTetrahedron>> found) {
+          angles_in_doubles(metric, proof.lengths, is_flat, begin, options.volume, found);
+        },
         [&](std::size_t t) {
           return precise_tetrahedron(lengths_of(t, false), options.volume, metric.diagonal(t));
         },
@@ -190,7 +206,13 @@ struct FactorisationProof {
       mids.emplace_back(row, column, mid);
       radii.emplace_back(row, column, up(radius + std::fabs(mid) * rounding));
     };
+    std::vector<double> box = proof.box;
+    for (std::size_t e = 0; e < box.size(); ++e)
+      if (is_out[e]) box[e] = 0;
     const bool all_true = for_each_tetrahedron(
+        [&](std::size_t begin, std::span<std::optional<std::array<Arb, 21>>> found) {
+          jacobians_in_doubles(metric, proof.lengths, box, is_flat, begin, found);
+        },
         [&](std::size_t t) { return precise_jacobian(lengths_of(t, true), metric.diagonal(t)); },
         [&](std::size_t t, const std::array<Arb, 21>& jacobian) {
           for (int i = 0; i < 6; ++i)
@@ -316,15 +338,15 @@ struct FactorisationProof {
   }
 
   void run() {
-    proof.bits = kFirstBits;
     scale.resize(proof.lengths.size());
+    in_precise.resize(metric.triangulation().tetrahedron_count());
     if (!sort_edges() || !enclose_lengths()) return;
     for (int k = 0; k < kAttempts && !proof.proved; ++k) {
-      proof.escalated = 0;
       proof.proved = try_box();
       if (proof.proved) proof.reason.clear();
       if (stopped() || (!proof.proved && !adjust())) break;
     }
+    proof.escalated = static_cast<std::size_t>(std::ranges::count(in_precise, true));
   }
 };
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <string>
 
+#include "embedding/colour.hpp"
 #include "viewer/web/detail/assets.hpp"
 
 namespace tripus::viewer {
@@ -19,6 +20,8 @@ constexpr double kSmallFace = 1;
 constexpr std::size_t kCellsBetweenWaits = 2000;
 /// Of faces.vert.glsl, and of the places of cells in desktop.frag.glsl.
 constexpr std::size_t kTexelsPerRow = 2048;
+/// The alpha of transparent walls.
+constexpr double kClear = 0.22;
 
 /// A texture of so many numbers, four a texel, rows of kTexelsPerRow.
 GlTexture number_texture(std::vector<float> numbers) {
@@ -63,6 +66,15 @@ std::vector<HalfSpace> half_spaces_of(const FaceSet& set, std::size_t cell,
   return result;
 }
 
+/// The colours of edge classes, three numbers each.
+std::vector<float> palette_numbers() {
+  std::vector<float> numbers;
+  for (std::uint32_t i = 0; i < embedding::kColourCount; ++i)
+    for (const auto byte : embedding::tetrahedron_colour(i))
+      numbers.push_back(static_cast<float>(byte) / 255);
+  return numbers;
+}
+
 }  // namespace
 
 FacesRenderer::FacesRenderer() : kinds_{{{3, {}, {}}, {6, {}, {}}, {kCutBounds, {}, {}}}} {
@@ -95,8 +107,9 @@ void FacesRenderer::write_records(const PictureOptions& options) {
       const SceneFace& face = set_.faces()[i];
       const SceneCell& cell = scene_.cells[face.cell];
       first_texel_.push_back(static_cast<float>(texels_.size() / 4));
-      FaceLook look{face.cell, face.wall, face.shared, -1,
+      FaceLook look{face.cell, face.wall, face.is_shared(), -1,
                     wall_colour(options.colour_by, cell, face.wall)};
+      if (!is_truncation(face.wall)) look.edge_colours = edge_colours(cell, face.wall);
       if (!discs_.empty() && is_truncation(face.wall))
         look.first_disc = discs_.first_texel(cell.tetrahedron, face.wall - 4U);
       append_record(texels_, set_.cell_balls()[face.cell], set_.half_spaces()[i],
@@ -150,14 +163,30 @@ std::size_t FacesRenderer::draw(const PictureOptions& options, const Frame& fram
   const Projector projector(view, frame.width * frame.samples, frame.height * frame.samples);
   // So that a stop leaves the best ones.
   const std::vector<std::size_t> order = nearest_first(set_.cell_balls(), view.eye);
+  const auto is_clear = [&](std::size_t cell) { return is_transparent(options, cell); };
   for (std::size_t done = 0; done < order.size();) {
     if (options.stop_requested != nullptr && done > 0) glFinish();
     if (is_stopped(options)) return order.size() - done;
     const std::size_t end = std::min(done + kCellsBetweenWaits, order.size());
-    for (; done < end; ++done) add_cell(order[done], options, view, projector, frame.samples);
-    draw_meshes(options, frame, view);
+    for (; done < end; ++done)
+      if (!is_clear(order[done])) add_cell(order[done], options, view, projector, frame.samples);
+    draw_meshes(options, frame, view, 1);
   }
+  if (!options.transparent || !is_solid(options) || frame.identities) return 0;
+  // What one looks through comes last, the farthest first, and hides nothing.
+  for (std::size_t i = order.size(); i-- > 0;)
+    if (is_clear(order[i])) add_cell(order[i], options, view, projector, frame.samples);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glDepthMask(GL_FALSE);
+  draw_meshes(options, frame, view, kClear);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
   return 0;
+}
+
+bool FacesRenderer::is_transparent(const PictureOptions& options, std::size_t cell) const {
+  return options.transparent && scene_.cells[cell].tetrahedron == *options.transparent;
 }
 
 void FacesRenderer::add_cell(std::size_t cell, const PictureOptions& options, const View& view,
@@ -170,7 +199,10 @@ void FacesRenderer::add_cell(std::size_t cell, const PictureOptions& options, co
   for (std::size_t i = kWallCount * cell; i < kWallCount * (cell + 1); ++i) {
     const SceneFace& face = set_.faces()[i];
     if (is_truncation(face.wall) ? !options.truncations : !options.faces) continue;
-    if (solid && face.shared) continue;
+    // Through a transparent partner it is seen.
+    if (solid && face.is_shared() &&
+        (is_transparent(options, cell) || !is_transparent(options, face.partner)))
+      continue;
     const std::span points(set_.points().data() + face.first_point, face.point_count);
     if (solid && !may_face(set_.half_spaces()[i], points, face.margin, view.eye)) continue;
     ProxyMesh& mesh = kinds_[is_truncation(face.wall) ? kTruncations : kFaces].mesh;
@@ -193,6 +225,7 @@ GLuint FacesRenderer::program_of(Kind& kind, const PictureOptions& options) {
   define("kSides", is_solid(options) ? 1 : 2);
   define("kModel", static_cast<std::size_t>(options.model));
   define("kCut", options.cut_away && kind.bounds != kCutBounds ? 1 : 0);
+  define("kEdges", options.colour_by == ColourBy::kEdge && options.lines ? 1 : 0);
   define("kDiscs", kind.bounds == 3 && options.discs && !discs_.empty() ? 1 : 0);
   GlProgram& program = kind.programs[defined];
   if (program.name() == 0) {
@@ -206,8 +239,8 @@ GLuint FacesRenderer::program_of(Kind& kind, const PictureOptions& options) {
   return program.name();
 }
 
-void FacesRenderer::draw_meshes(const PictureOptions& options, const Frame& frame,
-                                const View& view) {
+void FacesRenderer::draw_meshes(const PictureOptions& options, const Frame& frame, const View& view,
+                                double alpha) {
   const auto f = [](double x) { return static_cast<GLfloat>(x); };
   const auto bind = [](int unit, const GlTexture& texture) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
@@ -224,7 +257,8 @@ void FacesRenderer::draw_meshes(const PictureOptions& options, const Frame& fram
   axes.col(2) = -axes.col(2);
   const Eigen::Vector3f light = key_light(view).cast<float>();
   const Eigen::Vector3f eye = view.eye.cast<float>();
-  const double widest = 1.5 * frame.samples * std::max(1.0, frame.height / 900.0);
+  const double widest =
+      !options.lines ? -1e3 : 1.5 * frame.samples * std::max(1.0, frame.height / 900.0);
   for (Kind& kind : kinds_) {
     if (kind.mesh.triangles.empty()) continue;
     const Uniform uniform{program_of(kind, options)};
@@ -248,6 +282,9 @@ void FacesRenderer::draw_meshes(const PictureOptions& options, const Frame& fram
     glUniform1f(uniform.at("uShrink"), 1);
     glUniform1f(uniform.at("uCut"), f(options.cut_away.value_or(0)));
     glUniform2f(uniform.at("uLine"), f(widest), f(widest / 2));
+    glUniform1f(uniform.at("uAlpha"), f(alpha));
+    if (options.colour_by == ColourBy::kEdge)
+      glUniform3fv(uniform.at("uPalette"), embedding::kColourCount, palette_numbers().data());
     glUniform1i(uniform.at("uIdentities"), frame.identities ? 1 : 0);
     glUniform3fv(uniform.at("uKeyLight"), 1, light.data());
     fill(GL_ARRAY_BUFFER, corners_, kind.mesh.corners);

@@ -51,7 +51,9 @@ class FacesRenderer {
   void write_places();
   void add_cell(std::size_t cell, const PictureOptions& options, const View& view,
                 const Projector& projector, int samples);
-  void draw_meshes(const PictureOptions& options, const Frame& frame, const View& view);
+  void draw_meshes(const PictureOptions& options, const Frame& frame, const View& view,
+                   double alpha);
+  bool is_transparent(const PictureOptions& options, std::size_t cell) const;
   GLuint program_of(Kind& kind, const PictureOptions& options);
 
   std::array<Kind, 3> kinds_;

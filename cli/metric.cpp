@@ -40,7 +40,8 @@ Solved find_metric(Subject subject, structure::SolveOptions options, const Metri
   options.time_limit = seconds_left();
   structure::Retriangulation found =
       structure::retriangulate(subject.triangulation, std::move(report), options, search.options);
-  Subject result = make_subject(subject, found.gluings, found.cone_angles);
+  Subject result = make_subject(subject, found.gluings);
+  result.cone_angles = found.cone_angles;
   structure::Report found_report = found.report;
   return {std::move(result), std::move(found_report), std::move(found)};
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "structure/valence_theorem.hpp"
+
 namespace tripus {
 namespace {
 
@@ -107,7 +109,8 @@ std::string report_as_json(const Subject& subject, const Report& report,
     append(out, structure::to_json(*report.strict_angles));
   }
   if (report.closed_bigon) append_closed_bigon(out, *report.closed_bigon);
-  if (report.valence_theorem) append_valence_theorem(out, *report.valence_theorem);
+  if (const auto theorem = structure::valence_theorem(subject.triangulation, subject.cone_angles))
+    append_valence_theorem(out, *theorem);
   if (retriangulation != nullptr) append_retriangulation(out, *retriangulation);
   if (proof != nullptr) append(out, ", \"proof\": " + structure::to_json(*proof));
   if (report.advice != structure::Advice::kNone) {

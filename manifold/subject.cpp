@@ -26,11 +26,9 @@ Subject make_subject(std::string input, topology::NamedGluings loaded) {
   return subject;
 }
 
-Subject make_subject(const Subject& subject, topology::Gluings gluings,
-                     std::vector<topology::ConeAngle> cone_angles) {
+Subject make_subject(const Subject& subject, topology::Gluings gluings) {
   return make_subject(subject.input, {.name = subject.name,
                                       .gluings = std::move(gluings),
-                                      .cone_angles = std::move(cone_angles),
                                       .notes = subject.notes,
                                       .orientation_known = subject.orientation_known});
 }

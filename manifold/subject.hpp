@@ -57,9 +57,8 @@ Subject load_ideal_subject(const std::string& input, Balls balls, const Context&
 /// The same for gluings that are already there.
 Subject make_subject(std::string input, topology::NamedGluings loaded);
 /// The same for another triangulation of the subject's manifold, with its name and notes; its
-/// orientation is known if that of the subject is. cone_angles: [E] of the new one, or empty.
-Subject make_subject(const Subject& subject, topology::Gluings gluings,
-                     std::vector<topology::ConeAngle> cone_angles = {});
+/// orientation is known if that of the subject is.
+Subject make_subject(const Subject& subject, topology::Gluings gluings);
 
 /// The kind of a vertex link without cone points in a word: geodesic, cusp or finite.
 std::string_view link_kind(const topology::VertexLink& link);

@@ -10,7 +10,6 @@
 #include "solver/method.hpp"
 #include "structure/certificate.hpp"
 #include "structure/closed_bigon.hpp"
-#include "structure/valence_theorem.hpp"
 #include "topology/vertex_kinds.hpp"
 
 namespace tripus::structure {
@@ -76,8 +75,6 @@ struct Report {
   /// About the manifold, where no metric was found and there are no cone angles but 2 pi: a surface
   /// that proves it not hyperbolic, or a hint of one.
   std::optional<ClosedBigon> closed_bigon;
-  /// What a theorem says from the valences alone; it plays no part in the outcome.
-  std::optional<ValenceTheorem> valence_theorem;
   std::string message;            ///< one sentence for a person
   Advice advice = Advice::kNone;  ///< and what to do about it
 };

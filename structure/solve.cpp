@@ -417,8 +417,6 @@ Report solve(const topology::Triangulation& triangulation, const SolveOptions& o
   topology::require_solvable(triangulation, options.cone_angles);
   Report report = find_outcome(triangulation, options, start);
   look_at_manifold(triangulation, options, report);
-  if (options.evidence)
-    report.valence_theorem = valence_theorem(triangulation, options.cone_angles);
   report.seconds = seconds_since(start);
   return report;
 }

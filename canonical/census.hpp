@@ -15,13 +15,11 @@ namespace tripus::canonical {
 
 /// What a census says about a manifold.
 struct CensusEntry {
-  /// "t3g2.17", "t2T.1" of the manifolds of the shipped census (tetrahedra, boundary, number);
+  /// "t3g2.17" of the manifolds of the shipped census (tetrahedra, genera of the boundary, number);
   /// the signature of any other, which claims nothing and belongs to no other manifold.
   std::string name;
   std::size_t tetrahedra = 0;  ///< least number among `triangulations`
-  std::string boundary;        ///< "g2", "g2+g3", "g2+T": see BoundaryComponents
-
-  bool has_cusps() const { return boundary.find_first_of("TK") != std::string::npos; }
+  std::string boundary;        ///< "g2", "g2+g3": genera of the components, ascending
   double volume = 0;
   std::string homology;                     ///< first homology, "2 Z + Z_3"
   std::string cells;                        ///< of the canonical decomposition, "4 tetrahedra"
@@ -32,7 +30,7 @@ struct CensusEntry {
   friend bool operator==(const CensusEntry&, const CensusEntry&) = default;
 };
 
-/// Manifolds in the order of their names (those with cusps of the shipped census last), and what is not one of them as far as was found.
+/// Manifolds in the order of their names, and what is not one of them as far as was found.
 struct Census {
   std::vector<CensusEntry> manifolds;
   std::vector<std::string> unresolved;  ///< triangulations; ascending
@@ -76,7 +74,7 @@ enum class CensusNames {
 /// and names them. The result does not depend on the order of the lines.
 Census make_census(const std::vector<CensusLine>& lines, CensusNames names = CensusNames::kShipped);
 
-/// Whether a text has the form of a shipped name, "t3g2.17" or "t3g2+T.1".
+/// Whether a text has the form of a shipped name, "t3g2.17".
 bool is_census_name(std::string_view text);
 
 /// One line of the journal that makes a census resumable, without the line end.
@@ -101,9 +99,7 @@ Census parse_tsv(std::string_view text);
 void write_database(const Census& census, const std::string& path);
 Census read_database(const std::string& path);
 
-/// The census that comes with the program: all with up to four tetrahedra, those with compact geodesic
-/// boundary first, then those with cusps, with and without geodesic boundary (these as far as SnapPy's
-/// census has them, also where they are not orientable).
+/// The census that comes with the program: all with up to four tetrahedra.
 const Census& shipped_census();
 
 /// A choice of manifolds; what is empty or not set does not restrict. Spelling is free.

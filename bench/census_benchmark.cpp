@@ -1,6 +1,7 @@
 // The way of a census: the list, verdicts with certificates, other triangulations where one carries
 // no metric, classification. What is timed is checked by its counts, which are published or come
 // from other programs.
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "canonical/census.hpp"
 #include "structure/retriangulate.hpp"
 #include "structure/solve.hpp"
+#include "structure/solve_all.hpp"
 #include "tests/support/data_files.hpp"
 #include "topology/enumerate.hpp"
 #include "topology/isosig.hpp"
@@ -46,14 +48,14 @@ void BM_Enumerate(benchmark::State& state) {
 }
 BENCHMARK(BM_Enumerate)->Arg(4)->Arg(5)->Unit(benchmark::kMillisecond);
 
-void BM_Verdicts(benchmark::State& state) {
+void run_verdicts(benchmark::State& state, const structure::SolveOptions& options) {
   const auto list = list_of(static_cast<std::size_t>(state.range(0)));
   std::size_t geometric = 0;
   for (auto _ : state) {
     geometric = 0;
     for (const std::string& signature : list) {
       const auto report =
-          structure::solve(topology::Triangulation(topology::decode_isosig(signature)));
+          structure::solve(topology::Triangulation(topology::decode_isosig(signature)), options);
       geometric += report.outcome == structure::Outcome::kGeometric;
       if (report.outcome == structure::Outcome::kUnresolved) state.SkipWithError("unresolved");
     }
@@ -61,7 +63,37 @@ void BM_Verdicts(benchmark::State& state) {
   if (state.range(0) == 4 && geometric != 5820) state.SkipWithError("wrong number");
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(list.size()));
 }
+
+void BM_Verdicts(benchmark::State& state) { run_verdicts(state, {}); }
+/// The baseline: the way of verdicts before small programmes and quick steps, which a callback asks
+/// for: up to a hundred steps of Newton's method, and only then the exact decision.
+void BM_VerdictsAfterLongSearches(benchmark::State& state) {
+  structure::SolveOptions options;
+  options.on_iteration = [](int, double) {};
+  run_verdicts(state, options);
+}
+BENCHMARK(BM_VerdictsAfterLongSearches)->Arg(4)->Arg(5)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_Verdicts)->Arg(4)->Arg(5)->Unit(benchmark::kMillisecond);
+
+/// Eight triangulations at a time: the same verdicts, with whole reports of what is not geometric.
+void BM_VerdictsAtOnce(benchmark::State& state) {
+  const auto list = list_of(static_cast<std::size_t>(state.range(0)));
+  std::size_t geometric = 0;
+  for (auto _ : state) {
+    std::vector<topology::Triangulation> triangulations;
+    triangulations.reserve(list.size());
+    for (const std::string& signature : list)
+      triangulations.emplace_back(topology::decode_isosig(signature));
+    const auto solutions = structure::solve_all(triangulations);
+    geometric = static_cast<std::size_t>(
+        std::ranges::count(solutions.outcomes, structure::Outcome::kGeometric));
+    if (std::ranges::count(solutions.outcomes, structure::Outcome::kUnresolved) > 0)
+      state.SkipWithError("unresolved");
+  }
+  if (state.range(0) == 4 && geometric != 5820) state.SkipWithError("wrong number");
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(list.size()));
+}
+BENCHMARK(BM_VerdictsAtOnce)->Arg(4)->Arg(5)->Unit(benchmark::kMillisecond);
 
 void BM_Retriangulate(benchmark::State& state) {
   std::vector<std::pair<topology::Triangulation, structure::Report>> starts;

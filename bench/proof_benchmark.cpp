@@ -1,5 +1,7 @@
 // Proofs: of thousands of small manifolds, of covers of growing size beside the time to solve them,
 // and to many digits. The baseline is a plain Krawczyk test of our own, dense and in Arb.
+#include <sys/resource.h>
+
 #include <cmath>
 #include <ctime>
 #include <random>
@@ -130,6 +132,13 @@ topology::Triangulation cover_of_the_tripus(std::size_t tetrahedra) {
       topology::cyclic_cover(tripus.gluings(), *topology::primitive_class(tripus), tetrahedra / 2));
 }
 
+/// The most memory that the process had so far, in MiB.
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return double(usage.ru_maxrss) / 1024;
+}
+
 /// Proving a cover, and as a counter how many times as long as solving it from random lengths.
 void cover(benchmark::State& state) {
   const auto tetrahedra = static_cast<std::size_t>(state.range(0));
@@ -145,6 +154,7 @@ void cover(benchmark::State& state) {
   const double begin = clock();
   const auto report = structure::solve(triangulation, options);
   const double solving = clock() - begin;
+  const double peak_of_solving = peak_memory();
   Context one;
   one.threads = 1;
   structure::Proof proof;
@@ -160,6 +170,9 @@ void cover(benchmark::State& state) {
   state.counters["times_solving"] = proving / double(state.iterations()) / solving;
   state.counters["radius"] = proof.largest_radius();
   state.counters["escalated"] = double(proof.escalated);
+  // Of the process: what came before counts, so that a size has to be run alone.
+  state.counters["peak_MiB_solving"] = peak_of_solving;
+  state.counters["peak_times_solving"] = peak_memory() / peak_of_solving;
 }
 
 /// The baseline on covers: dense.

@@ -12,6 +12,7 @@
 #include <sys/resource.h>
 
 #include "structure/solve.hpp"
+#include "structure/solve_all.hpp"
 #include "tests/support/data_files.hpp"
 #include "topology/cyclic_cover.hpp"
 #include "topology/isosig.hpp"
@@ -55,6 +56,20 @@ void run_census(benchmark::State& state, const std::string& method) {
   }
   state.SetItemsProcessed(solved);
   state.counters["iterations"] = static_cast<double>(iterations) / static_cast<double>(solved);
+}
+
+/// Eight triangulations at a time.
+void run_census_at_once(benchmark::State& state) {
+  const Census& census = geometric_census();
+  structure::Solutions solutions;
+  for (auto _ : state) {
+    solutions = structure::solve_all(census.triangulations);
+    benchmark::DoNotOptimize(solutions.volumes.data());
+  }
+  for (const structure::Outcome outcome : solutions.outcomes)
+    if (outcome != structure::Outcome::kGeometric) state.SkipWithError("not geometric");
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(solutions.size()));
+  state.counters["one by one"] = static_cast<double>(solutions.reports.size());
 }
 
 /// The program itself: signatures in, JSON out.
@@ -127,6 +142,8 @@ int main(int argc, char** argv) {
         [method](benchmark::State& s) { run_census(s, method); })
         ->Unit(benchmark::kMillisecond);
   }
+  RegisterBenchmark("census of four tetrahedra/eight at a time", run_census_at_once)
+      ->Unit(benchmark::kMillisecond);
   RegisterBenchmark("census of four tetrahedra/program, JSON", run_program)
       ->Unit(benchmark::kMillisecond)
       ->UseRealTime();

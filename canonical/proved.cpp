@@ -37,7 +37,7 @@ CanonicalProof prove_canonical(const CanonicalManifold& manifold, const Context&
     lengths[edges[e]] = manifold.report.edge_lengths[e];
   structure::ProveOptions options;
   options.cone_angles = signature.labels;
-  result.metric = structure::prove(triangulation, lengths, options, context);
+  result.metric = structure::prove_near(triangulation, lengths, options, context);
   if (!result.metric.proved) {
     result.reason = result.metric.reason;
     return result;

@@ -28,7 +28,8 @@ constexpr const char* kParameteriseHelp =
     "tells,\n"
     "boundary points on the geodesic boundary, such that the energy, the sum of the weighted "
     "squares\n"
-    "of distances along edges, is least. It has one minimum, which Newton's method finds.\n"
+    "of distances along edges, is least. With positive weights it has one minimum, which Newton's\n"
+    "method finds; with those of finite elements, that next to it.\n"
     "x.vtu has it all for ParaView, PyVista and tripus view --solid: docs/parameterise.md.\n"
     "\n"
     "Examples:\n"
@@ -43,7 +44,7 @@ struct ParameteriseCommand {
   CommonOptions common;
   ParameteriseOptions options;
   std::string output, report, picture;
-  std::string weights = "cotangent";
+  std::string weights = "finite-elements";
   std::string method = "newton";
   double cut_away = 0.5;
 };
@@ -114,8 +115,7 @@ Outcome parameterise_one(const ParameteriseCommand& command, const std::string& 
 
 int run(ParameteriseCommand& command) {
   require_known_outputs(command);
-  command.options.weights = command.weights == "uniform" ? parameterise::Weights::kUniform
-                                                         : parameterise::Weights::kCotangent;
+  command.options.weights = parameterise::weights_of(command.weights);
   command.options.map.minimiser = command.method == "ceres"     ? parameterise::Minimiser::kCeres
                                   : command.method == "descent" ? parameterise::Minimiser::kDescent
                                                                 : parameterise::Minimiser::kNewton;
@@ -139,20 +139,29 @@ void add_parameterise(CLI::App& program, Command& chosen) {
       ->option_text("FILE")
       ->check(problem_of_name)
       ->excludes(batch);
-  verb->add_option("--picture", command->picture,
-                   "draw the solid, in the colours of the manifold's\ntetrahedra: x.svg")
-      ->option_text("FILE")
-      ->check(problem_of_name)
-      ->excludes(batch);
+  CLI::Option* picture =
+      verb->add_option("--picture", command->picture,
+                       "draw the solid, in the colours of the manifold's\ntetrahedra: x.svg")
+          ->option_text("FILE")
+          ->check(problem_of_name)
+          ->excludes(batch);
   verb->add_option("--cut-away", command->cut_away,
                    "cut away this part of the solid in the picture, 0 to 1\n(default: 0.5)")
       ->option_text("X")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            const auto part = parse_number(text);  // CLI::Range lets NaN pass
+            return part && *part >= 0 && *part <= 1
+                       ? std::string()
+                       : tripus::quoted(text) + " is not a number from 0 to 1";
+          },
+          ""))
+      ->needs(picture);
   verb->add_option("--weights", command->weights,
-                   "of the edges: cotangent (those of finite elements, raised where\n"
-                   "they are not positive) or uniform (default: cotangent)")
+                   "of the edges: finite-elements, cotangent (the same, raised where\n"
+                   "they are not positive) or uniform (default: finite-elements)")
       ->option_text("NAME")
-      ->check(CLI::IsMember({"cotangent", "uniform"}));
+      ->check(CLI::IsMember({"finite-elements", "cotangent", "uniform"}));
   verb->add_option("--method", command->method,
                    "newton, ceres, or descent, for comparison (default: newton)")
       ->option_text("NAME")

@@ -20,6 +20,7 @@
 #include "cli/progress.hpp"
 #include "cli/remedies.hpp"
 #include "cli/report_text.hpp"
+#include "cli/solve_record.hpp"
 #include "cli/triangulation_file.hpp"
 #include "manifold/labels.hpp"
 #include "manifold/load.hpp"
@@ -43,6 +44,9 @@ struct SolveCommandOptions {
   MetricSearch search;
   std::string output;
   bool prove = false;
+  std::string format;
+  std::string fields_list = "input,outcome,volume";
+  std::vector<const RecordField*> fields;  ///< of a record; empty: no record
 };
 
 /// The triangulation that the metric is on, into a file.
@@ -60,6 +64,10 @@ void write_solved(const SolveCommandOptions& command, const Solved& solved) {
 
 /// The answer, with its proof if one is asked for.
 Outcome answer_of(const SolveCommandOptions& command, const Solved& solved) {
+  if (!command.fields.empty())
+    return {(command.common.batch.empty() ? record_header(command.fields) : "") +
+                record(command.fields, solved),
+            solved.is_geometric() ? kSuccess : kNoAnswer};
   std::optional<structure::ProofText> proof;
   if (command.prove) {
     proof = structure::prove_report(solved.subject.triangulation, solved.report,
@@ -210,6 +218,18 @@ int run(SolveCommandOptions& command) {
                          " holds no numbers");
   }
   structure::find_solve_method(command.solve.method, 1);  // a wrong name is wrong for all inputs
+  if (command.format == "tsv") command.fields = parse_fields(command.fields_list);
+  if (!command.fields.empty() && !command.common.batch.empty()) {
+    write_output(record_header(command.fields));
+    return answer_inputs(command.common, [&](const std::string& input) -> Outcome {
+      try {
+        return solve_subject(command, load_subject_with(command, input));
+      } catch (const InvalidInput& error) {
+        write_message(fmt::format("tripus: {}\n", failure_text(error)));
+        return {refused_record(command.fields, input), kNoAnswer};
+      }
+    });
+  }
   return answer_inputs(command.common, [&](const std::string& input) {
     return command.components ? solve_components(command, input)
                               : solve_subject(command, load_subject_with(command, input));
@@ -278,12 +298,25 @@ void add_solve(CLI::App& program, Command& chosen) {
                  "`tripus prove --help`")
       ->option_text(" ")
       ->excludes(verb->get_option("--cone-angle"));
+  auto* format = verb->add_option("--format", command->format,
+                                  "tsv: a short record of each INPUT, one a line, separated by\n"
+                                  "tabs, under a line of names; for long lists")
+                     ->option_text("FORMAT")
+                     ->check(CLI::IsMember({"tsv"}).description(""))
+                     ->excludes(verb->get_option("--json")->option_text(" "))
+                     ->excludes(verb->get_option("--prove"));
+  verb->add_option("--fields", command->fields_list,
+                   "what is in the record (default: input,outcome,volume); see below")
+      ->option_text("NAME,...")
+      ->needs(format);
   auto* components = verb->add_flag("--components", command->components,
                                     "solve each connected component by itself")
                          ->option_text(" ");
   components->excludes(history);
+  components->excludes(format);
   components->excludes(verb->get_option("--output"));
-  verb->footer(std::string(kInputHelp) + "\n" + kOutcomeHelp + "\n" + kExitStatusHelp);
+  verb->footer(std::string(kInputHelp) + "\nFields of a record:\n" + fields_help() + kOutcomeHelp +
+               "\n" + kExitStatusHelp);
   verb->final_callback([command, &chosen] { chosen = [command] { return run(*command); }; });
 }
 

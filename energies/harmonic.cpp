@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "geometry/boost.hpp"
 
 // With c = -<X, gY> = cosh d, an edge has w phi(c) with phi(c) = (arcosh c)^2 / 2. X is linear in
 // (u, sqrt(1 + |u|^2)) and c is bilinear in X and Y, so all derivatives are products of
@@ -19,17 +20,6 @@ using geometry::lorentz_product;
 using geometry::Matrix4;
 using geometry::Vector3;
 using geometry::Vector4;
-
-/// The boost that takes the origin to the point with these spatial coordinates.
-Matrix4 boost(const Vector3& x) {
-  const double time = std::sqrt(1 + x.squaredNorm());
-  Matrix4 result = Matrix4::Identity();
-  result.topLeftCorner<3, 3>() += x * x.transpose() / (1 + time);
-  result.topRightCorner<3, 1>() = x;
-  result.bottomLeftCorner<1, 3>() = x.transpose();
-  result(3, 3) = time;
-  return result;
-}
 
 /// An isometry that takes the plane z = 0 to the plane with this pole, and its origin to the point
 /// of the plane nearest to the origin of space: a rotation after a boost along z.
@@ -87,8 +77,8 @@ HarmonicEnergy::HarmonicEnergy(std::vector<HarmonicEdge> edges, std::vector<Matr
     if (edge.a >= points.size() || edge.b >= points.size())
       refuse_edge(e, "has an end that is no point");
     if (edge.isometry >= isometries_.size()) refuse_edge(e, "has no such isometry");
-    if (!(edge.weight > 0) || !std::isfinite(edge.weight))
-      refuse_edge(e, "has the weight " + std::to_string(edge.weight) + ", which is not positive");
+    if (!std::isfinite(edge.weight))
+      refuse_edge(e, "has the weight " + std::to_string(edge.weight) + ", which is not finite");
     if (edge.a == edge.b) refuse_edge(e, "is a loop; subdivide the mesh");
   }
   first_.push_back(0);
@@ -97,15 +87,10 @@ HarmonicEnergy::HarmonicEnergy(std::vector<HarmonicEdge> edges, std::vector<Matr
     const bool is_held = !poles[v].isZero(0);
     first_.push_back(first_.back() + (is_held ? 2 : 3));
     planes_.push_back(is_held ? plane_frame(poles[v]) : Matrix4(Matrix4::Identity()));
-    Vector4 place = geometry::lorentz_inverse(planes_.back()) * points[v];
-    if (is_held) {
-      // Along the perpendicular: what is left has the norm cosh^2 of the distance.
-      place[2] = 0;
-      place /= std::sqrt(-lorentz_product(place, place));
-    }
-    base_.push_back(place.head<3>());
-    frames_.push_back(planes_.back() * boost(base_.back()));
   }
+  base_.resize(points.size());
+  frames_.resize(points.size());
+  rebase(points);
   places_.resize(points.size());
   u_.resize(points.size());
   in_.resize(3 * points.size());
@@ -275,14 +260,27 @@ std::vector<Vector4> HarmonicEnergy::points(std::span<const double> x) const {
   return points;
 }
 
+void HarmonicEnergy::rebase(std::span<const Vector4> points) {
+  for (std::size_t v = 0; v < point_count(); ++v) {
+    Vector4 place = geometry::lorentz_inverse(planes_[v]) * points[v];
+    if (!is_free(v)) {
+      // Along the perpendicular: what is left has the norm cosh^2 of the distance.
+      place[2] = 0;
+      place /= std::sqrt(-lorentz_product(place, place));
+    }
+    base_[v] = place.head<3>();
+    frames_[v] = planes_[v] * geometry::boost(base_[v]);
+  }
+}
+
 void HarmonicEnergy::recentre(std::span<const double> x) {
   for (std::size_t v = 0; v < point_count(); ++v) {
     Vector4 u = Vector4::Zero();
     for (std::size_t k = 0; k < width(v); ++k) u[static_cast<Eigen::Index>(k)] = x[first_[v] + k];
     u[3] = std::sqrt(1 + u.squaredNorm());
-    base_[v] = (boost(base_[v]) * u).head<3>();
+    base_[v] = (geometry::boost(base_[v]) * u).head<3>();
     if (!is_free(v)) base_[v][2] = 0;
-    frames_[v] = planes_[v] * boost(base_[v]);
+    frames_[v] = planes_[v] * geometry::boost(base_[v]);
   }
 }
 

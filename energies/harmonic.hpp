@@ -17,21 +17,21 @@ namespace tripus::energies {
 struct HarmonicEdge {
   std::uint32_t a = 0, b = 0;
   std::uint32_t isometry = 0;  ///< index into the list of isometries
-  double weight = 1;           ///< > 0
+  double weight = 1;           ///< finite; the energy is convex if all are positive
 };
 
 /// The harmonic energy of an equivariant map into hyperbolic space,
 ///     E(f) = 1/2 sum over edges ab of w_ab d(f_a, g_ab f_b)^2,
-/// convex along geodesics, and strictly so if its minimiser is no geodesic or point. Points may be
-/// held to planes (those of the geodesic boundary), in which they slide.
+/// for positive weights convex along geodesics, and strictly so if its minimiser is no geodesic or
+/// point. Points may be held to planes (those of the geodesic boundary), in which they slide.
 ///
 /// The variables are charts around base points: f_v = B_v (u, sqrt(1 + |u|^2)) with an isometry B_v
 /// that takes the origin to the base point of v, and u of three numbers, or of two in the plane.
 /// This covers all of space, gradient and Hessian are exact everywhere, and at u = 0 the Hessian is
-/// that of the hyperbolic metric: positive semidefinite, with eigenvalues 1 along an edge and
-/// d coth d across it. `recentre` moves the base points there. Off u = 0 the Hessian in the chart
-/// may be indefinite, as charts bend.
-/// Source: docs/parameterise.md (P3) to (P6).
+/// that of the hyperbolic metric: for positive weights positive semidefinite, with eigenvalues 1
+/// along an edge and d coth d across it. `recentre` moves the base points there. Off u = 0 the
+/// Hessian in the chart may be indefinite, as charts bend. Source: docs/parameterise.md (P2) to
+/// (P4).
 class HarmonicEnergy final : public solver::Problem {
  public:
   using Matrix4 = geometry::Matrix4;
@@ -41,8 +41,8 @@ class HarmonicEnergy final : public solver::Problem {
   /// points      [V] of the hyperboloid, to begin with
   /// poles       [V] unit spacelike; the zero vector for points that are free. Points are taken to
   ///             the nearest point of their plane.
-  /// Throws InvalidInput, naming the place, for indices out of range, weights that are not positive
-  /// and finite, and lists of different lengths.
+  /// Throws InvalidInput, naming the place, for indices out of range, weights that are not
+  /// finite, and lists of different lengths.
   HarmonicEnergy(std::vector<HarmonicEdge> edges, std::vector<Matrix4> isometries,
                  std::span<const Vector4> points, std::span<const Vector4> poles);
 
@@ -67,6 +67,8 @@ class HarmonicEnergy final : public solver::Problem {
   std::vector<Vector4> points(std::span<const double> x) const;
   /// Makes the points at x the base points; they are at 0 then. Evaluate anew afterwards.
   void recentre(std::span<const double> x);
+  /// Makes these points [V] the base points, or the nearest ones of their planes.
+  void rebase(std::span<const Vector4> points);
 
  private:
   struct Place {

@@ -33,6 +33,13 @@ struct BatchKernels {
 
   /// y = J x for the 8 tetrahedra of one block: jacobian [21][8], x [6][8], y [6][8].
   void (*jacobian_times)(const double* jacobian, const double* x, double* y);
+
+  /// Volumes, docs/theory.md section 3: they differ from `volume` by some 1e-15, and where edges
+  /// are long by what the rounding of the angles is worth, half the length times that.
+  ///   lengths  [blocks][6][8]
+  ///   theta    [blocks][6][8]  what `angles` finds there
+  ///   volumes  [blocks][8]
+  void (*volumes)(std::size_t blocks, const double* lengths, const double* theta, double* volumes);
 };
 
 /// The fastest kernels that this processor runs; chosen once.

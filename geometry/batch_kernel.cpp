@@ -7,6 +7,7 @@
 #include "geometry/batch.hpp"
 #include "geometry/detail/gram_kernel.hpp"
 #include "geometry/detail/scaled_kernel.hpp"
+#include "geometry/detail/volume_kernel.hpp"
 
 namespace tripus::geometry {
 namespace {
@@ -88,6 +89,38 @@ std::size_t angles(std::size_t blocks, const double* lengths, double* theta, dou
                              : angles_of_blocks<true>(blocks, lengths, theta, jacobian);
 }
 
+/// Lanes whose lengths the unscaled Gram matrix cannot hold, or that are not positive.
+void volume_of_lane(const double* theta, double* volume_out) {
+  double angles_of_lane[6];
+  for (std::size_t e = 0; e < 6; ++e) angles_of_lane[e] = theta[kLanes * e];
+  *volume_out = volume(angles_of_lane);
+}
+
+void volumes(std::size_t blocks, const double* lengths, const double* theta, double* volume_out) {
+  const Lanes zero = broadcast<Lanes>(0.0);
+  const Lanes limit = broadcast<Lanes>(kUnscaledLimit);
+  for (std::size_t b = 0; b < blocks; ++b) {
+    for (std::size_t lane = 0; lane < kLanes; lane += kWidth) {
+      Lanes c[6], s[6], angle[6];
+      auto outside = zero > limit;
+      for (std::size_t e = 0; e < 6; ++e) {
+        const std::size_t at = (6 * b + e) * kLanes + lane;
+        const Lanes l = load(lengths + at);
+        outside |= !((l > zero) & (l <= limit));
+        const SinhCosh<Lanes> h = sinh_cosh(minimum(maximum(l, zero), limit));
+        s[e] = h.sinh;
+        c[e] = h.cosh;
+        angle[e] = load(theta + at);
+      }
+      store(volume_out + kLanes * b + lane, volume_kernel(c, s, angle));
+      if (__builtin_expect(any(outside), 0))
+        for (std::size_t i = 0; i < kWidth; ++i)
+          if (outside[i])
+            volume_of_lane(theta + 6 * kLanes * b + lane + i, volume_out + kLanes * b + lane + i);
+    }
+  }
+}
+
 void jacobian_times(const double* jacobian, const double* x, double* y) {
   for (std::size_t lane = 0; lane < kLanes; lane += kWidth) {
     Lanes in[6], out[6];
@@ -114,6 +147,7 @@ std::size_t TRIPUS_MIXED_ANGLES(std::size_t blocks, const double* lengths, const
                                 double* theta, double* jacobian);
 
 extern const BatchKernels TRIPUS_KERNELS;
-const BatchKernels TRIPUS_KERNELS{TRIPUS_KERNELS_NAME, angles, TRIPUS_MIXED_ANGLES, jacobian_times};
+const BatchKernels TRIPUS_KERNELS{TRIPUS_KERNELS_NAME, angles, TRIPUS_MIXED_ANGLES, jacobian_times,
+                                  volumes};
 
 }  // namespace tripus::geometry

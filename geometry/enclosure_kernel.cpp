@@ -43,6 +43,19 @@ B volume_in_balls(const GramEnclosure<DoubleBall<EnclosureLanes>>& precise,
   return volume_enclosure(gram, to_ball(root), theta);
 }
 
+/// Whether the angles are known at all.
+auto store_angles(double* out, const DoubleBall<EnclosureLanes> (&theta)[6]) {
+  const EnclosureLanes limit = broadcast<EnclosureLanes>(kEnclosureLimit);
+  auto sound = limit == limit;
+  for (std::size_t e = 0; e < 6; ++e) {
+    store_lanes(out + kLanes * (kAngleMid + e), theta[e].hi);
+    store_lanes(out + kLanes * (kAngleLow + e), theta[e].lo);
+    store_lanes(out + kLanes * (kAngleRadius + e), theta[e].r);
+    sound &= theta[e].r < limit;
+  }
+  return sound;
+}
+
 void enclose_pack(const double* lengths, const double* radii, double* out, bool with_volume) {
   using Lanes = EnclosureLanes;
   const Lanes zero = broadcast<Lanes>(0.0), limit = broadcast<Lanes>(kEnclosureLimit);
@@ -65,12 +78,7 @@ void enclose_pack(const double* lengths, const double* radii, double* out, bool 
     const auto root = square_root(gram.minus_det);
     DoubleBall<Lanes> theta[6];
     angle_enclosures(gram, root, theta);
-    for (std::size_t e = 0; e < 6; ++e) {
-      store_lanes(out + kLanes * (kAngleMid + e), theta[e].hi);
-      store_lanes(out + kLanes * (kAngleLow + e), theta[e].lo);
-      store_lanes(out + kLanes * (kAngleRadius + e), theta[e].r);
-      sound &= theta[e].r < limit;
-    }
+    sound &= store_angles(out, theta);
     const B volume = with_volume ? volume_in_balls(gram, root, theta) : constant<Lanes>(0, 0);
     store_lanes(out + kLanes * kVolumeMid, volume.m);
     store_lanes(out + kLanes * kVolumeRadius, volume.r);
@@ -189,12 +197,7 @@ void mixed_angles_pack(const double* lengths, const GramDiagonal& d, double* out
   const auto root = square_root(gram.minus_det);
   DoubleBall<Lanes> theta[6];
   angle_enclosures(gram, root, theta);
-  for (std::size_t e = 0; e < 6; ++e) {
-    store_lanes(out + kLanes * (kAngleMid + e), theta[e].hi);
-    store_lanes(out + kLanes * (kAngleLow + e), theta[e].lo);
-    store_lanes(out + kLanes * (kAngleRadius + e), theta[e].r);
-    sound &= theta[e].r < limit;
-  }
+  sound &= store_angles(out, theta);
   B volume = constant<Lanes>(0, 0);
   if (with_volume) volume = is_ideal(d) ? ideal_volume(theta) : volume_in_balls(gram, root, theta);
   sound &= volume.r < limit;

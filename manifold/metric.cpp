@@ -8,6 +8,7 @@
 #include "base/output_file.hpp"
 #include "embedding/developing_map.hpp"
 #include "embedding/export/mesh_formats.hpp"
+#include "structure/proof/digits.hpp"
 
 namespace tripus {
 namespace {
@@ -54,7 +55,7 @@ std::shared_ptr<const embedding::Embedding> Metric::shared_embedding() const {
 structure::Proof Metric::prove(const Context& context) const {
   structure::ProveOptions options;
   options.cone_angles.assign(cone_angles_.begin(), cone_angles_.end());
-  return structure::prove(triangulation_, report_.edge_lengths, options, context);
+  return structure::prove_near(triangulation_, report_.edge_lengths, options, context);
 }
 
 embedding::Holonomy Metric::holonomy() const {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/stopped.hpp"
+#include "manifold/json_text.hpp"
 #include "manifold/load.hpp"
 #include "parameterise/picture.hpp"
 #include "parameterise/vtu.hpp"

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "base/context.hpp"
-#include "manifold/json_text.hpp"
 #include "parameterise/harmonic_map.hpp"
 #include "parameterise/quality.hpp"
 
@@ -13,7 +12,7 @@ namespace tripus {
 
 struct ParameteriseOptions {
   parameterise::MarkOptions marking = {};
-  parameterise::Weights weights = parameterise::Weights::kCotangent;
+  parameterise::Weights weights = parameterise::Weights::kFiniteElements;
   parameterise::MapOptions map = {};
 };
 

@@ -60,11 +60,8 @@ bool Manifold::has_only_spheres() const {
                      [](int genus) { return genus == 0; });
 }
 
-Manifold manifold_of(MeshFile file, const ManifoldOptions& options) {
+Manifold filled_solid(MeshFile file, const ManifoldOptions& options) {
   Manifold manifold;
-  const auto count = [&](Stage stage) -> std::size_t& {
-    return manifold.tetrahedra[static_cast<std::size_t>(stage)];
-  };
   tell(options, "checking the mesh", 0);
   manifold.gluings = std::visit(
       [&](auto&& each) {
@@ -73,7 +70,16 @@ Manifold manifold_of(MeshFile file, const ManifoldOptions& options) {
         return open_gluings(std::move(mended), options, manifold);
       },
       std::move(file));
-  count(Stage::kMesh) = manifold.gluings.tetrahedron_count();
+  manifold.tetrahedra[static_cast<std::size_t>(Stage::kMesh)] =
+      manifold.gluings.tetrahedron_count();
+  return manifold;
+}
+
+Manifold manifold_of(MeshFile file, const ManifoldOptions& options) {
+  Manifold manifold = filled_solid(std::move(file), options);
+  const auto count = [&](Stage stage) -> std::size_t& {
+    return manifold.tetrahedra[static_cast<std::size_t>(stage)];
+  };
   tell(options, "coning off the boundary", count(Stage::kMesh));
   manifold.gluings = topology::cone_boundary(manifold.gluings);
   count(Stage::kConed) = manifold.gluings.tetrahedron_count();

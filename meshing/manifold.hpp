@@ -46,9 +46,13 @@ struct Manifold {
   bool has_only_spheres() const;
 };
 
-/// Mends and checks a surface or a tetrahedral mesh (mend, require_valid), fills the surface with
-/// tetrahedra, cones off the boundary and simplifies. Deterministic for a seed. Throws what these
+/// Stage::kMesh alone: mends and checks a surface or a tetrahedral mesh (mend, require_valid) and
+/// fills the surface with tetrahedra; the gluings are open on the boundary. Throws what these
 /// throw: InvalidInput, Unsupported, Stopped.
+Manifold filled_solid(MeshFile file, const ManifoldOptions& options = {});
+
+/// All stages: cones off the boundary of the filled solid and simplifies. Deterministic for a seed.
+/// Throws what filled_solid throws.
 Manifold manifold_of(MeshFile file, const ManifoldOptions& options = {});
 
 /// What a solid with nothing but spheres for its boundary is, in a sentence.

@@ -129,6 +129,31 @@ std::uint32_t DeckGroup::product(std::uint32_t first, std::uint32_t second) {
   return product;
 }
 
+std::uint32_t DeckGroup::conjugate(std::uint32_t from, std::uint32_t element, std::uint32_t to) {
+  if (from == 0) return product(element, to);
+  return of_matrix(geometry::lorentz_inverse(matrices_[from]) * matrices_[element] * matrices_[to]);
+}
+
+// The sum of cosh(distance) is convex, and least in one point when it is the sum of the others,
+// scaled to the hyperboloid; by Gauss and Seidel.
+std::vector<std::uint32_t> DeckGroup::better_frames(std::span<const Link> links,
+                                                    std::size_t frames) {
+  constexpr int kRounds = 30;
+  std::vector<Vector4> points(frames, geometry::origin());
+  for (int round = 0; round < kRounds; ++round)
+    for (std::size_t n = 0; n < links.size();) {
+      const std::uint32_t frame = links[n].from;
+      Vector4 sum = Vector4::Zero();
+      for (; n < links.size() && links[n].from == frame; ++n)
+        sum += matrices_[links[n].element] * points[links[n].to];
+      points[frame] = geometry::on_hyperboloid(
+          sum / std::sqrt(std::max(-geometry::lorentz_product(sum, sum), 1.0)));
+    }
+  std::vector<std::uint32_t> change;
+  for (const Vector4& point : points) change.push_back(of_place(point));
+  return change;
+}
+
 std::uint32_t DeckGroup::inverse(std::uint32_t element) {
   if (element == 0) return 0;
   const auto known = inverses_.find(element);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -39,6 +40,11 @@ class DeckGroup final : public topology::NumberedGroup {
   /// The distance by which the centre of tetrahedron 0 is moved.
   double size(std::uint32_t element) const override;
   bool can_hold_product(std::uint32_t first, std::uint32_t second) const override;
+  std::uint32_t conjugate(std::uint32_t from, std::uint32_t element, std::uint32_t to) override;
+  /// Gives every frame a point, such that the sum of cosh(distance) along the links is less, and
+  /// takes the copies of the domain in which the points lie.
+  std::vector<std::uint32_t> better_frames(std::span<const Link> links,
+                                           std::size_t frames) override;
   std::uint32_t of_letter(topology::Letter letter);
   /// The element that takes the fundamental domain to its copy in which this point lies.
   std::uint32_t of_place(const Vector4& point);

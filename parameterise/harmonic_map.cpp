@@ -55,8 +55,7 @@ HarmonicMap minimised(energies::HarmonicEnergy& energy, const MapOptions& option
   const auto start = Clock::now();
   const auto measure = [&] {
     energy.evaluate(x, gradient, {.value = &map.energy});
-    map.max_gradient = 0;
-    for (const double g : gradient) map.max_gradient = std::max(map.max_gradient, std::abs(g));
+    map.max_gradient = solver::max_abs(gradient);
     map.history.push_back({map.iterations, seconds_since(start), map.energy, map.max_gradient});
   };
   measure();
@@ -102,39 +101,51 @@ HarmonicMap minimised(energies::HarmonicEnergy& energy, const MapOptions& option
   return map;
 }
 
-HarmonicMap harmonic_map(MarkedSolid& solid, Weights weights, const MapOptions& options,
-                         const Context& context, std::vector<Vector4> begin) {
-  if (begin.empty()) begin = solid.start;
-  choose_frames(solid, begin);
-  energies::HarmonicEnergy first = energy_of(solid, weighted_edges(solid, weights), begin);
-  MapOptions rough = options;
-  std::vector<double> x(first.dimension(), 0.0), gradient(first.dimension());
-  first.evaluate(x, gradient, {});
-  rough.tolerance = std::max(options.tolerance, kRough * solver::max_abs(gradient));
-  const auto minimise = [&](energies::HarmonicEnergy& energy, const MapOptions& how) {
-    return options.minimiser == Minimiser::kCeres
-               ? minimised_by_ceres(energy, solid.poles, how, context)
-               : minimised(energy, how, context);
-  };
-  HarmonicMap map = minimise(first, rough);
-  if (map.termination != solver::Termination::kConverged || rough.tolerance <= options.tolerance)
-    return map;
-  choose_frames(solid, map.points);
-  energies::HarmonicEnergy second = energy_of(solid, weighted_edges(solid, weights), map.points);
-  MapOptions rest = options;
-  rest.max_iterations -= map.iterations;
-  rest.time_limit -= map.seconds;
-  HarmonicMap end = minimise(second, rest);
-  for (MapStep& step : end.history) {
+/// Goes on from the end of `map` with another energy or in other frames.
+void go_on(HarmonicMap& map, HarmonicMap next) {
+  for (MapStep& step : next.history) {
     step.iteration += map.iterations;
     step.seconds += map.seconds;
   }
-  end.history.insert(end.history.begin(), map.history.begin(), map.history.end() - 1);
-  end.iterations += map.iterations;
-  end.evaluations += map.evaluations;
-  end.linear_iterations += map.linear_iterations;
-  end.seconds += map.seconds;
-  return end;
+  next.history.insert(next.history.begin(), map.history.begin(), map.history.end() - 1);
+  next.iterations += map.iterations;
+  next.evaluations += map.evaluations;
+  next.linear_iterations += map.linear_iterations;
+  next.seconds += map.seconds;
+  map = std::move(next);
+}
+
+HarmonicMap harmonic_map(MarkedSolid& solid, Weights weights, const MapOptions& options,
+                         const Context& context, std::vector<Vector4> begin) {
+  if (begin.empty()) begin = solid.start;
+  HarmonicMap map;
+  const auto minimise = [&](Weights which, std::span<const Vector4> points, double part) {
+    energies::HarmonicEnergy energy = energy_of(solid, weighted_edges(solid, which), points);
+    MapOptions how = options;
+    how.max_iterations -= map.iterations;
+    how.time_limit -= map.seconds;
+    if (part > 0) {
+      std::vector<double> x(energy.dimension(), 0.0), gradient(energy.dimension());
+      energy.evaluate(x, gradient, {});
+      how.tolerance = std::max(options.tolerance, part * solver::max_abs(gradient));
+    }
+    HarmonicMap next = options.minimiser == Minimiser::kCeres
+                           ? minimised_by_ceres(energy, how, context)
+                           : minimised(energy, how, context);
+    if (map.history.empty())
+      map = std::move(next);
+    else
+      go_on(map, std::move(next));
+    return map.termination == solver::Termination::kConverged;
+  };
+  const Weights convex = weights == Weights::kFiniteElements ? Weights::kCotangent : weights;
+  choose_frames(solid, begin);
+  if (!minimise(convex, begin, kRough)) return map;
+  choose_frames(solid, map.points);
+  if (!minimise(convex, std::vector<Vector4>(map.points), weights == convex ? 0 : kRough))
+    return map;
+  if (weights != convex) minimise(weights, std::vector<Vector4>(map.points), 0);
+  return map;
 }
 
 }  // namespace tripus::parameterise

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/context.hpp"
-#include "parameterise/solid.hpp"
+#include "parameterise/edges.hpp"
 #include "solver/method.hpp"
 
 namespace tripus::parameterise {
@@ -54,8 +54,8 @@ HarmonicMap minimised(energies::HarmonicEnergy& energy, const MapOptions& option
 
 /// The same by Ceres: residuals log(f_a, g_ab f_b), whose squares are the squares of the distances.
 /// `energy` gives edges, isometries and points, and judges the result.
-HarmonicMap minimised_by_ceres(energies::HarmonicEnergy& energy, std::span<const Vector4> poles,
-                               const MapOptions& options = {}, const Context& context = {});
+HarmonicMap minimised_by_ceres(energies::HarmonicEnergy& energy, const MapOptions& options = {},
+                               const Context& context = {});
 
 /// The harmonic map of a solid: from where the simplification sent its points to rough convergence,
 /// then, in frames chosen by that (choose_frames), to the end. The solid has these frames

@@ -175,7 +175,7 @@ std::string solid_picture(const ColouredSolid& solid, const SolidPictureOptions&
   return draw(std::move(facets), options, band);
 }
 
-std::string image_picture(const MarkedSolid& solid, const HarmonicMap& map,
+std::string image_picture(const MarkedSolid& solid, const HarmonicMap& map, const Quality& quality,
                           const SolidPictureOptions& options) {
   std::vector<bool> all(solid.mesh.tetrahedra.size(), true);
   std::vector<Facet> facets;
@@ -184,12 +184,8 @@ std::string image_picture(const MarkedSolid& solid, const HarmonicMap& map,
     std::array<Vector3, 4> klein;
     for (std::size_t v = 0; v < 4; ++v)
       klein[v] = geometry::to_model(geometry::Model::kKleinBall, corners[v]);
-    const Vector4 sum = corners[0] + corners[1] + corners[2] + corners[3];
-    const Located at =
-        located(solid, geometry::on_hyperboloid(
-                           sum / std::sqrt(std::max(1.0, -geometry::lorentz_product(sum, sum)))));
-    const bool is_turned =
-        (klein[1] - klein[0]).cross(klein[2] - klein[0]).dot(klein[3] - klein[0]) < 0;
+    const Located at = located(solid, middle(corners));
+    const bool is_turned = quality.cells[t].orientation < 0;
     for (const auto& face : kOutwards) {
       Facet facet;
       for (std::size_t i = 0; i < 3; ++i) facet.corners[i] = klein[face[i]];
@@ -232,7 +228,7 @@ std::string convergence_picture(const HarmonicMap& map) {
         kLeft, kWidth - 10, y_of(y), kLeft - 6, y_of(y) + 4, static_cast<int>(y));
   return out + fmt::format(
                    "<polyline points=\"{}\" fill=\"none\" stroke=\"#0072b2\" "
-                   "stroke-width=\"2\"/><text x=\"{}\" y=\"{}\">Newton steps (0 to {})"
+                   "stroke-width=\"2\"/><text x=\"{}\" y=\"{}\">steps (0 to {})"
                    "</text></svg>",
                    points, kLeft, kHeight - 10, static_cast<int>(last));
 }
@@ -318,7 +314,7 @@ std::string report_page(const std::string& title, const MarkedSolid& solid, cons
       "boundary.</p>\n<div class=\"row\"><figure>";
   out += solid_picture(shown, whole) + "</figure><figure>" + solid_picture(shown, open) +
          "</figure></div>\n<h2>Its image in hyperbolic space (Klein ball)</h2>\n<figure>" +
-         image_picture(solid, map, open) + "</figure>\n<h2>Convergence</h2>\n" +
+         image_picture(solid, map, quality, open) + "</figure>\n<h2>Convergence</h2>\n" +
          convergence_picture(map) + "\n<h2>Distortion</h2>\n" + distortion_picture(quality) +
          "\n</body></html>\n";
   return out;

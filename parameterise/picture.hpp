@@ -22,7 +22,7 @@ std::string solid_picture(const ColouredSolid& solid, const SolidPictureOptions&
 
 /// The same tetrahedra where the map puts them, each in its own frame, in the Klein ball: they fill
 /// the fundamental domain. What is turned over is black.
-std::string image_picture(const MarkedSolid& solid, const HarmonicMap& map,
+std::string image_picture(const MarkedSolid& solid, const HarmonicMap& map, const Quality& quality,
                           const SolidPictureOptions& options = {});
 
 /// A page for a browser that needs no network: the solid, whole and cut open at kSolidCuts planes,

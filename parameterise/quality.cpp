@@ -14,11 +14,6 @@ namespace {
 using geometry::lorentz_product;
 using geometry::Vector3;
 
-Vector4 middle(const std::array<Vector4, 4>& corners) {
-  Vector4 sum = corners[0] + corners[1] + corners[2] + corners[3];
-  return geometry::on_hyperboloid(sum / std::sqrt(std::max(-lorentz_product(sum, sum), 1.0)));
-}
-
 /// Spatial coordinates as seen from a point: the boost that takes it to the origin.
 Vector4 seen_from(const Vector4& eye, const Vector4& x) {
   const Vector3 e = eye.head<3>(), y = x.head<3>();
@@ -121,15 +116,31 @@ double piece_volume(const std::array<Vector4, 4>& corners, int depth) {
 
 meshing::Point klein(const Vector4& x) { return {x[0] / x[3], x[1] / x[3], x[2] / x[3]}; }
 
+/// Planes of the boundary do not meet: the product of the poles of two is -+cosh of their distance.
+constexpr double kSamePlane = 1e-6;
+
+/// Whether all corners of a tetrahedron are held to one plane of the geodesic boundary.
+bool is_in_boundary(const MarkedSolid& solid, std::size_t t) {
+  std::array<Vector4, 4> poles;
+  for (std::size_t v = 0; v < 4; ++v) {
+    const Vector4& pole = solid.poles[solid.mesh.tetrahedra[t][v]];
+    if (pole.isZero(0)) return false;
+    poles[v] = solid.group->matrix(solid.corners[4 * t + v]) * pole;
+    if (std::abs(lorentz_product(poles[v], poles[0]) - 1) > kSamePlane) return false;
+  }
+  return true;
+}
+
 CellQuality cell_quality(const std::array<Vector4, 4>& corners,
-                         const std::array<Vector3, 4>& in_space) {
+                         const std::array<Vector3, 4>& in_space, bool is_flat) {
   CellQuality cell;
   const Vector4 eye = middle(corners);
   std::array<Vector4, 4> seen;
   for (std::size_t v = 0; v < 4; ++v) seen[v] = seen_from(eye, corners[v]);
-  cell.orientation =
-      meshing::orientation(klein(seen[0]), klein(seen[1]), klein(seen[2]), klein(seen[3]));
-  cell.volume = signed_volume(corners);
+  cell.orientation = is_flat ? 0
+                             : meshing::orientation(klein(seen[0]), klein(seen[1]), klein(seen[2]),
+                                                    klein(seen[3]));
+  cell.volume = is_flat ? 0 : signed_volume(corners);
   // Straight lines from the middle: asinh |x| / |x| times x.
   Eigen::Matrix3d from, to;
   std::array<Vector3, 4> flat;
@@ -145,7 +156,7 @@ CellQuality cell_quality(const std::array<Vector4, 4>& corners,
   const Eigen::Vector3d stretch =
       Eigen::JacobiSVD<Eigen::Matrix3d>(to * from.inverse()).singularValues();
   constexpr double kMost = 1e300;  // of a flat image
-  cell.anisotropy = stretch[2] > stretch[0] / kMost ? stretch[0] / stretch[2] : kMost;
+  cell.anisotropy = !is_flat && stretch[2] > stretch[0] / kMost ? stretch[0] / stretch[2] : kMost;
   const double euclidean = from.determinant() / 6;
   cell.volume_ratio = cell.volume / euclidean;
   return cell;
@@ -154,6 +165,11 @@ CellQuality cell_quality(const std::array<Vector4, 4>& corners,
 }  // namespace
 
 double signed_volume(const std::array<Vector4, 4>& corners) { return piece_volume(corners, 0); }
+
+Vector4 middle(const std::array<Vector4, 4>& corners) {
+  const Vector4 sum = corners[0] + corners[1] + corners[2] + corners[3];
+  return geometry::on_hyperboloid(sum / std::sqrt(std::max(-lorentz_product(sum, sum), 1.0)));
+}
 
 std::array<Vector4, 4> image(const MarkedSolid& solid, std::span<const Vector4> points,
                              std::size_t t) {
@@ -234,7 +250,7 @@ Quality quality(MarkedSolid& solid, std::span<const Vector4> points) {
     std::array<Vector3, 4> x;
     for (std::size_t v = 0; v < 4; ++v)
       x[v] = Eigen::Map<const Vector3>(solid.mesh.points[solid.mesh.tetrahedra[t][v]].data());
-    result.cells.push_back(cell_quality(image(solid, points, t), x));
+    result.cells.push_back(cell_quality(image(solid, points, t), x, is_in_boundary(solid, t)));
     const CellQuality& cell = result.cells.back();
     result.inverted += cell.orientation < 0;
     result.flat += cell.orientation == 0;

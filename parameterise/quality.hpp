@@ -11,8 +11,10 @@ namespace tripus::parameterise {
 
 /// What became of one tetrahedron of the mesh: the geodesic one with its four corners' images.
 struct CellQuality {
-  int orientation = 1;  ///< exact sign in the Klein model; -1: turned over, 0: flat
-  double volume = 0;    ///< hyperbolic, with that sign
+  /// Exact sign in the Klein model; -1: turned over, 0: flat. Always 0 where all corners are held
+  /// to one plane of the boundary: what rounding leaves there has no meaning.
+  int orientation = 1;
+  double volume = 0;  ///< hyperbolic, with that sign
   /// Largest by smallest stretch of the linear map between the corners, at the middle; >= 1.
   double anisotropy = 1;
   /// Hyperbolic by Euclidean volume, divided by the same of the whole: 1 is the mean.
@@ -43,6 +45,9 @@ double signed_volume(const std::array<Vector4, 4>& corners);
 /// The image of a tetrahedron of the mesh, in its own frame.
 std::array<Vector4, 4> image(const MarkedSolid& solid, std::span<const Vector4> points,
                              std::size_t t);
+
+/// The middle of four points of the hyperboloid.
+Vector4 middle(const std::array<Vector4, 4>& corners);
 
 /// Where a point of space lies in the manifold.
 struct Located {

@@ -6,23 +6,12 @@
 #include <vector>
 
 #include "base/context.hpp"
-#include "energies/harmonic.hpp"
 #include "meshing/manifold.hpp"
 #include "parameterise/deck_group.hpp"
 #include "structure/report.hpp"
 
 /// A solid in space and the hyperbolic manifold that it is: from the one to the other.
 namespace tripus::parameterise {
-
-/// What weighs the edges of the mesh in the energy.
-enum class Weights {
-  /// Those of linear finite elements on the solid, scaled to volume 1: the energy is then that of
-  /// the map, whatever the mesh. Where obtuse dihedral angles make a weight small or negative it is
-  /// raised to kLeastWeight of the mean.
-  kCotangent,
-  kUniform,  ///< 1
-};
-inline constexpr double kLeastWeight = 1e-2;
 
 struct MarkOptions {
   meshing::TetrahedralizeOptions tetrahedralize = {};  ///< for surfaces
@@ -62,17 +51,9 @@ struct MarkedSolid {
 
 /// Throws InvalidInput for a solid with nothing but spheres for its boundary, whose fundamental
 /// group is trivial; Unsupported for a torus (a cusp), and where none of the triangulations found
-/// carries a metric; Stopped; and what meshing::manifold_of throws.
+/// carries a metric; Stopped; and what meshing::filled_solid throws.
 std::unique_ptr<MarkedSolid> mark_solid(meshing::MeshFile file, const MarkOptions& options = {},
                                         const Context& context = {});
-
-/// The energy of maps of the solid, at its start.
-/// Throws what HarmonicEnergy throws.
-struct WeightedEdges {
-  std::vector<energies::HarmonicEdge> edges;
-  std::size_t clipped = 0;  ///< weights that were raised
-};
-WeightedEdges weighted_edges(MarkedSolid& solid, Weights weights);
 
 /// Gives every point, and every tetrahedron, the frame in which its image lies in the fundamental
 /// domain: neighbours then have frames that are near to each other, and deck transformations along
@@ -83,8 +64,5 @@ void choose_frames(MarkedSolid& solid, std::vector<Vector4>& points);
 /// How far the products of matrices around the edges inside the mesh are from the identity: the
 /// largest entry. As numbers of the group they are the identity, which is checked by mark_solid.
 double relator_defect(const MarkedSolid& solid);
-/// For every edge ab of the mesh, how far g_ab from the tetrahedra around it differ, as matrices,
-/// and how far g_ab g_bc is from g_ac at the triangles.
-double equivariance_defect(MarkedSolid& solid);
 
 }  // namespace tripus::parameterise

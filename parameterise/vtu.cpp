@@ -61,21 +61,13 @@ std::vector<Number> read_array(std::string_view text, const std::string& name) {
   return values;
 }
 
-/// The middle of the image of a tetrahedron of the mesh, in its frame.
-Vector4 image_middle(const MarkedSolid& solid, std::span<const Vector4> points, std::size_t t) {
-  const std::array<Vector4, 4> x = image(solid, points, t);
-  const Vector4 sum = x[0] + x[1] + x[2] + x[3];
-  return geometry::on_hyperboloid(sum /
-                                  std::sqrt(std::max(1.0, -geometry::lorentz_product(sum, sum))));
-}
-
 }  // namespace
 
 ColouredSolid coloured(const MarkedSolid& solid, std::span<const Vector4> points) {
   ColouredSolid result;
   result.mesh = solid.mesh;
   for (std::size_t t = 0; t < solid.mesh.tetrahedra.size(); ++t)
-    result.tetrahedron.push_back(located(solid, image_middle(solid, points, t)).tetrahedron);
+    result.tetrahedron.push_back(located(solid, middle(image(solid, points, t))).tetrahedron);
   for (const Vector4& point : points)
     result.distance_to_boundary.push_back(located(solid, point).to_boundary);
   return result;
@@ -118,7 +110,7 @@ std::string write_vtu(MarkedSolid& solid, const HarmonicMap& map, const Quality&
     volume.push_back(cell.volume);
     anisotropy.push_back(cell.anisotropy);
     ratio.push_back(cell.volume_ratio);
-    const Located at = located(solid, image_middle(solid, map.points, t));
+    const Located at = located(solid, middle(image(solid, map.points, t)));
     cell_tetrahedron.push_back(static_cast<std::int32_t>(at.tetrahedron));
     cell_distance.push_back(at.to_boundary);
     const embedding::Colour c = embedding::tetrahedron_colour(at.tetrahedron);

@@ -1,7 +1,7 @@
 """A census of hyperbolic 3-manifolds with geodesic boundary, made by Tripus, as a data package.
 
     >>> import tripus_census_5 as census                               # doctest: +SKIP
-    >>> len(census.manifolds(boundary="g2", volume=(7, 7.5)))          # doctest: +SKIP
+    >>> len(census.manifolds(boundary="g2", volume=(7.5, 7.6)))          # doctest: +SKIP
     >>> census.find("fLAMcbcbdeedhjhhs").volume                        # doctest: +SKIP
 
 `manifolds` gives the entries in the order of the table: by tetrahedra, boundary, volume, signature. A
@@ -53,8 +53,9 @@ def manifolds(*, boundary: str | None = None, homology: str | None = None, cells
     conditions = [f"{name} = ?" for name, value in given.items() if value is not None]
     values: list[object] = [value for value in given.values() if value is not None]
     if volume is not None:
+        low, high = volume
         conditions.append("volume BETWEEN ? AND ?")
-        values += volume
+        values += [float(low), float(high)]
     where = " WHERE " + " AND ".join(conditions) if conditions else ""
     rows = connect().execute(f"SELECT {_COLUMNS} FROM manifold{where} ORDER BY rowid", values)
     return [Entry(*row) for row in rows]

@@ -1,7 +1,8 @@
+#include "manifold/parameterise.hpp"
+
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/string.h>
 
-#include "manifold/parameterise.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/meshes.hpp"
@@ -9,12 +10,12 @@
 namespace tripus::python {
 namespace {
 
-ParameteriseOptions options_of(bool uniform, const std::string& method, double tolerance,
-                               std::size_t tetrahedra, std::uint64_t seed) {
+ParameteriseOptions options_of(const std::string& weights, const std::string& method,
+                               double tolerance, std::size_t tetrahedra, std::uint64_t seed) {
   ParameteriseOptions options;
   options.marking.tetrahedralize.tetrahedra = tetrahedra;
   options.marking.seed = seed;
-  options.weights = uniform ? parameterise::Weights::kUniform : parameterise::Weights::kCotangent;
+  options.weights = parameterise::weights_of(weights);
   options.map.tolerance = tolerance;
   options.map.minimiser = method == "ceres"     ? parameterise::Minimiser::kCeres
                           : method == "descent" ? parameterise::Minimiser::kDescent
@@ -82,24 +83,25 @@ void bind_parameterise(nb::module_& module) {
       .def("to_svg", [](const Parameterisation& self, double cut_away) {
         return as_bytes(quickly([&] { return self.to_svg(cut_away); }));
       });
-  module.def("parameterise_file", [](const nb::bytes& path, bool uniform, const std::string& method,
-                                     double tolerance, std::size_t tetrahedra, std::uint64_t seed,
+  module.def("parameterise_file", [](const nb::bytes& path, const std::string& weights,
+                                     const std::string& method, double tolerance,
+                                     std::size_t tetrahedra, std::uint64_t seed,
                                      const Limits& limits) {
     const std::string place = as_string(path);
-    const auto options = options_of(uniform, method, tolerance, tetrahedra, seed);
+    const auto options = options_of(weights, method, tolerance, tetrahedra, seed);
     return run(limits,
                [&](const Context& context) { return parameterise_solid(place, options, context); });
   });
-  module.def(
-      "parameterise_mesh",
-      [](const PointArray& points, const IndexArray& cells, bool uniform, const std::string& method,
-         double tolerance, std::size_t tetrahedra, std::uint64_t seed, const Limits& limits) {
-        const meshing::MeshFile file = mesh_of(points, cells);
-        const auto options = options_of(uniform, method, tolerance, tetrahedra, seed);
-        return run(limits, [&](const Context& context) {
-          return Parameterisation(file, "mesh", options, context);
-        });
-      });
+  module.def("parameterise_mesh",
+             [](const PointArray& points, const IndexArray& cells, const std::string& weights,
+                const std::string& method, double tolerance, std::size_t tetrahedra,
+                std::uint64_t seed, const Limits& limits) {
+               const meshing::MeshFile file = mesh_of(points, cells);
+               const auto options = options_of(weights, method, tolerance, tetrahedra, seed);
+               return run(limits, [&](const Context& context) {
+                 return Parameterisation(file, "mesh", options, context);
+               });
+             });
 }
 
 }  // namespace tripus::python

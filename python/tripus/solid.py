@@ -109,7 +109,10 @@ class Parameterisation(Value):
 
     @checked
     def to_svg(self, cut_away: float = 0.5) -> str:
-        """The solid in the colours of the manifold's tetrahedra, cut open."""
+        """The solid in the colours of the manifold's tetrahedra; the part `cut_away` of it, 0 to 1, is
+        cut away on the viewer's side."""
+        if not 0 <= cut_away <= 1:
+            raise InvalidInput(f"to_svg(): cut_away is from 0 to 1, not {cut_away}")
         return self._core.to_svg(cut_away).decode()
 
     @checked
@@ -138,7 +141,7 @@ class Parameterisation(Value):
 def parameterise(
     mesh: Any,
     *,
-    weights: str = "cotangent",
+    weights: str = "finite-elements",
     method: str = "newton",
     tolerance: float = 1e-11,
     tetrahedra: int = 0,
@@ -150,7 +153,8 @@ def parameterise(
 
     mesh        a file (surface or tetrahedral mesh), a mesh of meshio, trimesh or PyVista, or
                 points [n x 3] with triangles [m x 3] or tetrahedra [m x 4]
-    weights     of the edges: "cotangent", those of finite elements, or "uniform"
+    weights     of the edges: "finite-elements", "cotangent" (the same, raised where they are not
+                positive), or "uniform"
     method      "newton", "ceres", or "descent" for comparison
     tolerance   on the largest entry of the gradient
     tetrahedra  fill a surface with about so many
@@ -158,11 +162,11 @@ def parameterise(
     Raises InvalidInput for a ball, Unsupported for a torus in the boundary and where no metric is
     found.
     """
-    one_of("parameterise", "weights", weights, ("cotangent", "uniform"))
+    one_of("parameterise", "weights", weights, ("finite-elements", "cotangent", "uniform"))
     one_of("parameterise", "method", method, ("newton", "ceres", "descent"))
     if not tolerance > 0 or tetrahedra < 0:
         raise InvalidInput("tolerance is > 0, and tetrahedra is >= 0")
-    options = (weights == "uniform", method, tolerance, tetrahedra, seed)
+    options = (weights, method, tolerance, tetrahedra, seed)
     limit = limits(time_limit, 0, progress)
     if isinstance(mesh, (str, os.PathLike)):
         return _made((as_bytes(os.fspath(mesh)),), options, limit)

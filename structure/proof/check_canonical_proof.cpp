@@ -150,10 +150,8 @@ struct Checker {
         (exact != nullptr && exact->sum_is_zero(t, f, VertexKind::kHyperideal));
     if (inside[t][static_cast<std::size_t>(f)]) {
       if (exact == nullptr)
-        return fmt::format(
-            "face {} of tetrahedron {}: no field shows that its "
-            "tilt sum is 0",
-            f, t);
+        return fmt::format("face {} of tetrahedron {}: no field shows that its tilt sum is 0", f,
+                           t);
       if (first_is_zero && exact->sum_is_zero(t, f, VertexKind::kIdeal)) return {};
       return fmt::format("face {} of tetrahedron {}: its tilt sum is not 0 in the field", f, t);
     }

@@ -249,7 +249,8 @@ Digits prove_digits(const Triangulation& triangulation, const Proof& proof, int 
     run.result.reason = proof.proved ? "there is no metric" : proof.reason;
   } else if (proof_text(proof).interval_newton) {
     run.result.reason =
-        "many digits are for proofs by convexity, not with finite vertices or nearly flat tetrahedra";
+        "many digits are for proofs by convexity, not with finite vertices or nearly flat "
+        "tetrahedra";
   } else if (triangulation.edge_count() > kMostEdgesForDigits) {
     run.result.reason = fmt::format("many digits are for up to {} edge classes; here are {}",
                                     kMostEdgesForDigits, triangulation.edge_count());
@@ -257,6 +258,21 @@ Digits prove_digits(const Triangulation& triangulation, const Proof& proof, int 
     run.result.proved = run.run(digits);
   }
   return std::move(run.result);
+}
+
+Proof prove_near(const Triangulation& triangulation, std::span<const double> lengths,
+                 const ProveOptions& options, const Context& context) {
+  constexpr long kPolishedBits = 128;
+  Proof proof = prove(triangulation, lengths, options, context);
+  DigitsRun run{triangulation, proof, context};
+  if (proof.proved || proof.box.empty() || !options.flat.empty() ||
+      run.metric.has_finite_vertex() || triangulation.edge_count() > kMostEdgesForDigits ||
+      !run.refine(kPolishedBits))
+    return proof;
+  std::vector<double> polished;
+  for (const Arb& length : run.x) polished.push_back(length.mid());
+  Proof second = prove(triangulation, polished, options, context);
+  return second.proved ? second : proof;
 }
 
 }  // namespace tripus::structure

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,5 +35,11 @@ inline constexpr std::size_t kMostEdgesForDigits = 400;
 /// Throws InvalidInput if digits is out of range. Source: docs/theory.md (97).
 Digits prove_digits(const topology::Triangulation& triangulation, const Proof& proof, int digits,
                     const Context& context = {});
+
+/// `prove` near lengths: where it fails at these, again at the doubles next to what Newton's method
+/// in Arb makes of them. For that, no finite vertices, nothing flat and at most kMostEdgesForDigits
+/// edge classes. The proof's lengths are then not those given.
+Proof prove_near(const topology::Triangulation& triangulation, std::span<const double> lengths,
+                 const ProveOptions& options = {}, const Context& context = {});
 
 }  // namespace tripus::structure

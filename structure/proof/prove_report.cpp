@@ -29,7 +29,7 @@ ProofText prove_report(const topology::Triangulation& triangulation, const Repor
   ProveOptions prove_options;
   prove_options.cone_angles = options.cone_angles;
   if (report.outcome == Outcome::kGeometric) {
-    const Proof proof = prove(triangulation, report.edge_lengths, prove_options, context);
+    const Proof proof = prove_near(triangulation, report.edge_lengths, prove_options, context);
     if (options.digits == 0 || !proof.proved) return proof_text(proof);
     const Digits found = prove_digits(triangulation, proof, options.digits, context);
     return proof_text(proof, &found);

@@ -218,8 +218,9 @@ TEST_F(HarmonicContract, RecentringChangesNoPointAndNoValue) {
 TEST_F(HarmonicContract, RefusesWhatIsNoEnergy) {
   const Sample good = sample();
   for (const auto& spoil : std::vector<void (*)(Sample&)>{
-           [](Sample& s) { s.edges[0].weight = 0; }, [](Sample& s) { s.edges[0].weight = NAN; },
-           [](Sample& s) { s.edges[1].a = 99; }, [](Sample& s) { s.edges[1].isometry = 9; },
+           [](Sample& s) { s.edges[0].weight = INFINITY; },
+           [](Sample& s) { s.edges[0].weight = NAN; }, [](Sample& s) { s.edges[1].a = 99; },
+           [](Sample& s) { s.edges[1].isometry = 9; },
            [](Sample& s) { s.edges[2].b = s.edges[2].a; }, [](Sample& s) { s.poles.pop_back(); }}) {
     Sample bad = good;
     spoil(bad);

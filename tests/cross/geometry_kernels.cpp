@@ -200,6 +200,44 @@ TEST(BatchKernels, JacobianTimesVector) {
   }
 }
 
+TEST(BatchKernels, VolumesAreThoseOfTheAngles) {
+  // Two routes: the sines and cosines of the angles from the lengths, and from the angles.
+  std::mt19937_64 random(19);
+  constexpr std::size_t kBlocks = 2000;
+  std::vector<double> lengths(kBlocks * 6 * kLanes);
+  for (std::size_t b = 0; b < kBlocks; ++b)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      Lengths l =
+          testing::log_uniform_lengths(random, b % 3 == 0 ? 1e-3 : 0.3, b % 4 == 0 ? 90 : 4);
+      if (b % 100 == 0) l[lane % 6] = -1.0 + static_cast<double>(lane / 6);  // -1 or 0
+      if (b % 5 == 0) l.fill(l[0]);                                          // regular
+      for (std::size_t e = 0; e < 6; ++e) lengths[(6 * b + e) * kLanes + lane] = l[e];
+    }
+  std::vector<double> theta(lengths.size()), first;
+  for (const BatchKernels& kernels : all_batch_kernels()) {
+    SCOPED_TRACE(kernels.name);
+    kernels.angles(kBlocks, lengths.data(), theta.data(), nullptr);
+    std::vector<double> volumes(kBlocks * kLanes, -1);
+    kernels.volumes(kBlocks, lengths.data(), theta.data(), volumes.data());
+    std::size_t true_ones = 0;
+    for (std::size_t k = 0; k < volumes.size(); ++k) {
+      std::array<double, 6> angles;
+      double longest = 0;
+      for (std::size_t e = 0; e < 6; ++e) {
+        const std::size_t at = (6 * (k / kLanes) + e) * kLanes + k % kLanes;
+        angles[e] = theta[at];
+        longest = std::max(longest, lengths[at]);
+      }
+      // By Schlaefli's formula an ulp of each of the six angles is worth half of its length.
+      ASSERT_NEAR(volumes[k], volume(angles), 4e-15 + 6 * longest / 2 * 0x1p-51);
+      true_ones += volumes[k] > 0;
+    }
+    EXPECT_GT(true_ones, volumes.size() / 4);
+    if (first.empty()) first = volumes;
+    EXPECT_EQ(first, volumes);  // to the bit
+  }
+}
+
 TEST(LengthsFromAngles, InvertsTheAngles) {
   // Backward: the angles of the lengths found are the angles given, up to their rounding.
   // Forward: where they are well enough conditioned to determine the lengths.

@@ -6,10 +6,12 @@
 #include <vector>
 
 #include <Eigen/Geometry>
+#include <Eigen/Sparse>
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
 #include "meshing/formats/read_mesh.hpp"
+#include "meshing/tube/tube_surface.hpp"
 #include "parameterise/harmonic_map.hpp"
 #include "parameterise/quality.hpp"
 #include "tests/support/data_files.hpp"
@@ -34,6 +36,27 @@ std::vector<double> edge_lengths(MarkedSolid& solid, const std::vector<Vector4>&
   return lengths;
 }
 
+/// Of the Hessian at the base points: as many as it has negative eigenvalues (Sylvester).
+int negative_pivots(energies::HarmonicEnergy& energy) {
+  std::vector<double> x(energy.dimension(), 0.0), gradient(energy.dimension());
+  const solver::SparsityPattern& pattern = energy.hessian_pattern();
+  double value = 0;
+  energy.evaluate(x, gradient, {.value = &value, .second_derivatives = true});
+  std::vector<double> entries(pattern.row.size());
+  energy.hessian_values(entries);
+  std::vector<Eigen::Triplet<double>> triplets;
+  for (std::size_t column = 0; column < energy.dimension(); ++column)
+    for (auto k = static_cast<std::size_t>(pattern.column_start[column]);
+         k < static_cast<std::size_t>(pattern.column_start[column + 1]); ++k)
+      triplets.emplace_back(pattern.row[k], static_cast<int>(column), entries[k]);
+  const auto n = static_cast<Eigen::Index>(energy.dimension());
+  Eigen::SparseMatrix<double> lower(n, n);
+  lower.setFromTriplets(triplets.begin(), triplets.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(lower);
+  EXPECT_EQ(factors.info(), Eigen::Success);
+  return static_cast<int>((factors.vectorD().array() <= 0).count());
+}
+
 class Solids : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Solids, HaveAMarkingAndAHarmonicMap) {
@@ -41,7 +64,7 @@ TEST_P(Solids, HaveAMarkingAndAHarmonicMap) {
   EXPECT_NEAR(solid->report.volume, kTripusVolume, 1e-11);
   EXPECT_EQ(solid->planes, 1u);
   EXPECT_LE(solid->record_bytes, 10 * solid->steps + 64);
-  const HarmonicMap map = harmonic_map(*solid, Weights::kCotangent);
+  const HarmonicMap map = harmonic_map(*solid, Weights::kFiniteElements);
   EXPECT_EQ(map.termination, solver::Termination::kConverged);
   EXPECT_LT(map.max_gradient, 1e-10);
   EXPECT_LT(relator_defect(*solid), 1e-10);
@@ -51,6 +74,11 @@ TEST_P(Solids, HaveAMarkingAndAHarmonicMap) {
   // Once covered, whatever is turned over: the map has degree 1.
   EXPECT_NEAR(found.image_volume, solid->report.volume, 1e-8);
   EXPECT_LT(found.inverted, solid->mesh.tetrahedra.size() / 3);
+
+  // A minimum: some weights are negative, and the Hessian is positive all the same.
+  energies::HarmonicEnergy energy =
+      energy_of(*solid, weighted_edges(*solid, Weights::kFiniteElements), map.points);
+  EXPECT_EQ(negative_pivots(energy), 0);
 
   // The same minimum from elsewhere: points moved by 1, and another fundamental domain.
   const std::vector<double> lengths = edge_lengths(*solid, map.points);
@@ -65,12 +93,35 @@ TEST_P(Solids, HaveAMarkingAndAHarmonicMap) {
       point = start == 0 ? geometry::on_hyperboloid(point + Vector4(step[0], step[1], step[2], 0))
                          : Vector4(far * point);
     }
-    const HarmonicMap other = harmonic_map(*solid, Weights::kCotangent, {}, {}, points);
+    const HarmonicMap other = harmonic_map(*solid, Weights::kFiniteElements, {}, {}, points);
     EXPECT_EQ(other.termination, solver::Termination::kConverged);
     EXPECT_NEAR(other.energy, map.energy, 1e-9 * map.energy);
     const std::vector<double> same = edge_lengths(*solid, other.points);
     for (std::size_t e = 0; e < lengths.size(); ++e) EXPECT_NEAR(same[e], lengths[e], 1e-7);
+    // Signs are of the map and not of the rounding: the same in other frames.
+    const Quality again = quality(*solid, other.points);
+    EXPECT_EQ(again.inverted, found.inverted);
+    EXPECT_EQ(again.flat, found.flat);
+    for (std::size_t t = 0; t < found.cells.size(); ++t)
+      EXPECT_EQ(again.cells[t].orientation, found.cells[t].orientation) << t;
   }
+}
+
+// Another problem (residuals, then balance of forces), another method.
+TEST_P(Solids, HaveTheSameMapByCeres) {
+  const auto solid = mark_solid(read_example(GetParam()));
+  const HarmonicMap map = harmonic_map(*solid, Weights::kUniform);
+  const std::vector<double> lengths = edge_lengths(*solid, map.points);
+  MapOptions by_ceres;
+  by_ceres.minimiser = Minimiser::kCeres;
+  by_ceres.max_iterations = 1000;
+  by_ceres.tolerance = 1e-10;
+  const HarmonicMap other = harmonic_map(*solid, Weights::kUniform, by_ceres);
+  EXPECT_EQ(other.termination, solver::Termination::kConverged);
+  EXPECT_LT(other.max_gradient, 1e-10);
+  EXPECT_NEAR(other.energy, map.energy, 1e-11 * map.energy);
+  const std::vector<double> same = edge_lengths(*solid, other.points);
+  for (std::size_t e = 0; e < lengths.size(); ++e) EXPECT_NEAR(same[e], lengths[e], 1e-8);
 }
 
 INSTANTIATE_TEST_SUITE_P(Surfaces, Solids, ::testing::Values("knotted-y.off", "knotted-theta.off"),
@@ -78,6 +129,38 @@ INSTANTIATE_TEST_SUITE_P(Surfaces, Solids, ::testing::Values("knotted-y.off", "k
                            return std::string(parameter.param) == "knotted-y.off" ? "KnottedY"
                                                                                   : "KnottedTheta";
                          });
+
+// Meshes of one solid with other tetrahedra.
+TEST(Energies, AreThoseOfTheSolidAndNotOfTheMesh) {
+  std::vector<double> energies;
+  for (const std::size_t tetrahedra : {20'000u, 60'000u, 160'000u}) {
+    MarkOptions options;
+    options.tetrahedralize.tetrahedra = tetrahedra;
+    const auto solid = mark_solid(read_example("knotted-y.off"), options);
+    const HarmonicMap map = harmonic_map(*solid, Weights::kFiniteElements);
+    EXPECT_EQ(map.termination, solver::Termination::kConverged);
+    energies.push_back(map.energy);
+  }
+  EXPECT_LT(energies[1], energies[0]);
+  EXPECT_LT(energies[2], energies[1]);
+  EXPECT_LT(energies[1] / energies[2] - 1, 0.05);
+  EXPECT_LT(energies[1] - energies[2], 0.7 * (energies[0] - energies[1]));
+}
+
+// The simplification twists this one: frames are chosen anew on the way back.
+TEST(FourLegs, HasAHarmonicMap) {
+  const auto drawing =
+      meshing::read_spatial_graph(testing::data_text("../examples/graphs/four-legs.json"));
+  const auto solid = mark_solid(meshing::SurfaceFile{meshing::tube_surface(drawing), {}});
+  EXPECT_NEAR(solid->report.volume, 11.448776109640, 1e-11);
+  const HarmonicMap map = harmonic_map(*solid, Weights::kCotangent);
+  EXPECT_EQ(map.termination, solver::Termination::kConverged);
+  EXPECT_LT(map.max_gradient, 1e-10);
+  EXPECT_LT(relator_defect(*solid), 1e-9);
+  const Quality found = quality(*solid, map.points);
+  EXPECT_NEAR(found.image_volume, solid->report.volume, 1e-8);
+  EXPECT_LT(found.off_boundary, 1e-12);
+}
 
 TEST(SignedVolume, IsThatOfTheFlatOneIfSmallAndChangesSign) {
   std::mt19937_64 random(7);

@@ -189,6 +189,39 @@ TEST(CuspedProofs, OfOneEdgeWithEveryConeAngle) {
   }
 }
 
+// The tripus with the cone angles that make its edge 1e-3 to 16 long, and covers of it, each
+// tetrahedron with that one length.
+TEST(CuspedProofs, OfEdgesFromAThousandthToSixteen) {
+  const Triangulation tripus(topology::decode_isosig("cPcbbbihq"));
+  std::size_t count = 0, escalated = 0, polished = 0;
+  for (const std::size_t sheets : {1u, 5u, 50u}) {
+    const Triangulation cover(
+        topology::cyclic_cover(tripus.gluings(), *topology::primitive_class(tripus), sheets));
+    for (double l = 1e-3; l < 16.01; l *= 1.3) {
+      SCOPED_TRACE(l);
+      // theory (26): cos t = c / (2 c - 1), c = cosh l, so that sin t = sqrt((3c-1)(c-1)) / (2c-1).
+      const double less = 2 * std::sinh(l / 2) * std::sinh(l / 2), c = 1 + less;
+      const double angle = 12 * std::atan2(std::sqrt((3 * c - 1) * less), c);
+      ProveOptions options;
+      options.cone_angles.assign(cover.edge_count(), ConeAngle(angle));
+      SolveOptions solve_options;
+      solve_options.cone_angles = options.cone_angles;
+      const Report report = solve(cover, solve_options);
+      ASSERT_EQ(report.outcome, Outcome::kGeometric) << report.message;
+      EXPECT_NEAR(report.edge_lengths[0], l, 1e-6 * l);
+      const Proof proof = prove_near(cover, report.edge_lengths, options);
+      EXPECT_TRUE(proof.proved) << proof.reason;
+      EXPECT_LT(proof.largest_radius(), 1e-9);
+      polished += !prove(cover, report.edge_lengths, options).proved;
+      escalated += proof.escalated > 0;
+      ++count;
+    }
+  }
+  std::printf("%zu proved, %zu by escalation, %zu after Newton's method in Arb\n", count, escalated,
+              polished);
+  EXPECT_EQ(count, 111u);
+}
+
 // Several cusps, and covers, whose volumes are multiples.
 TEST(CuspedProofs, OfCovers) {
   for (const std::string isosig : {"cPcbbbiht", "dLQacccjjkg"}) {

@@ -34,6 +34,8 @@ class Verb:
     prefix: bool = False  # a batch, whose answers are an unbroken prefix
 
 
+SHARD = ("census", "--from", "list", "--shard", "1/2", "-o", "shards/1.tcs")
+
 VERBS = [
     Verb("info", ("info", "cover.json", "--json")),
     Verb("solve", ("solve", "cover.json", "--json", "-o", "out.json"), ("out.json",)),
@@ -70,6 +72,12 @@ VERBS = [
                             "out.tsv"), ("out.tsv",), ("work.journal",), True,
          reads=("work.journal",), needs=(("census", "--from", "short", "--journal",
                                           "work.journal", "--tsv", "out.tsv"),)),
+    Verb("census-shard", SHARD, ("shards/1.tcs",), ("shards/1.tcs.journal",), True),
+    Verb("census-merge", ("census", "--merge", "1.tcs", "2.tcs", "--tsv", "out.tsv", "-o",
+                          "out.sqlite"), ("out.tsv", "out.sqlite"), reads=("1.tcs", "2.tcs"),
+         needs=(("census", "--from", "short", "--shard", "1/2", "-o", "1.tcs"),
+                ("census", "--from", "short", "--shard", "2/2", "-o", "2.tcs"))),
+    Verb("enumerate", ("enumerate", "4", "--shard", "1/9", "-o", "out.txt"), ("out.txt",)),
     Verb("study", ("study", "paper", "--samples", "40", "-o", "folder"), ("folder/summary.json",),
          ("folder/items.jsonl",), True, reads=("folder/items.jsonl",),
          needs=(("study", "paper", "--samples", "40", "-o", "folder"),)),
@@ -83,6 +91,7 @@ VERBS = [
 def prepare(folder):
     """Fills the folder of a trial with what the verbs read."""
     lines = [line for path in LIST for line in path.read_text().split() if line]
+    (folder / "shards").mkdir()
     (folder / "list").write_text("\n".join(lines * 2) + "\n")
     (folder / "short").write_text("\n".join(lines[:60]) + "\n")
     (folder / "few").write_text("\n".join(lines[:6]) + "\n")

@@ -1,5 +1,7 @@
 """Censuses in shards: whole or absent, in any order, and the same in the end."""
 
+import collections
+import csv
 import gzip
 import os
 import random
@@ -161,6 +163,44 @@ class Shards(ProgramTest):
             result = self.run_program("census", *arguments)
             self.assertEqual((result.status, result.text), (2, ""), arguments)
             self.assertIn(says, result.err)
+
+
+class Cusps(ProgramTest):
+    def census(self, links, *sizes):
+        lists = []
+        for size in sizes:
+            self.run_program("enumerate", str(size), "--links", links, "-o", f"{links}{size}")
+            lists += ["--from", f"{links}{size}"]
+        result = self.run_program("census", *lists, "--tsv", "-", "--quiet")
+        self.assertEqual(result.status, 0, result.err)
+        return list(csv.DictReader((line for line in result.text.splitlines()
+                                    if not line.startswith("#")), delimiter="\t"))
+
+    def table(self, name):
+        return list(csv.DictReader((line for line in (DATA / name).read_text().splitlines()
+                                    if not line.startswith("#")), delimiter="\t"))
+
+    def test_alone_are_those_of_another_census(self):
+        """Of SnapPy: up to three tetrahedra, each of its triangulations in a manifold of its own."""
+        manifolds = self.census("cusped", 1, 2, 3)
+        theirs = [row for row in self.table("cusped-census-5.tsv")
+                  if row["orientable"] == "yes" and int(row["tetrahedra"]) <= 3]
+        of = {name: row for row in manifolds for name in row["triangulations"].split()}
+        self.assertEqual(len(theirs), 11)
+        self.assertEqual({of[row["isosig"]]["name"] for row in theirs},
+                         {row["name"] for row in manifolds})
+        for row in theirs:
+            self.assertAlmostEqual(float(of[row["isosig"]]["volume"]), float(row["volume"]), 10)
+            self.assertEqual(of[row["isosig"]]["tetrahedra"], row["tetrahedra"])
+
+    def test_beside_boundary_are_as_many_as_published(self):
+        found = collections.Counter((row["tetrahedra"], row["boundary"])
+                                    for row in self.census("mixed", 3, 4))
+        self.assertEqual(found, {("3", "g2+T"): 1, ("4", "g3+T"): 12, ("4", "g2+T"): 18,
+                                 ("4", "g2+T+T"): 1})
+        shipped = self.run_program("census", "--in", str(DATA / "census-mixed-5.tsv.gz"), "--tsv", "-")
+        self.assertEqual(shipped.status, 0, shipped.err)
+        self.assertIn(" 942 manifolds", shipped.text.split("\n")[0])
 
 
 class Package(ProgramTest):

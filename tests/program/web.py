@@ -52,6 +52,10 @@ class Pictures(ProgramTest):
             "centre": "size=200x150&view=inside&tube=0.05",
             "wall": "size=200x150&view=inside&tube=0.05&place=wall",
             "edge": "size=200x150&view=inside&tube=0.05&place=edge",
+            "one sample": "size=80x60&view=inside&tube=0.05&place=wall&lines=0",
+            "refined": "size=80x60&view=inside&tube=0.05&place=wall&lines=0&refine=16",
+            "many samples": "size=80x60&view=inside&tube=0.05&place=wall&lines=0&refine=200",
+            "large": "size=640x480&view=inside&tube=0.05&place=wall&lines=0",
             "walked": "size=40x30&view=inside&keys=w:0.5,ArrowLeft:0.3",
             "looked": "size=40x30&view=inside&drag=60:0",
         },
@@ -240,6 +244,25 @@ class Pictures(ProgramTest):
                 seen = self.check_inside(TRIPUS, name)
                 self.assertEqual({kind for kind, _, _ in seen}, {1, 2})
                 self.assertEqual({t for _, t, _ in seen}, {0, 1})
+
+    def test_at_rest_edges_get_smooth(self):
+        """Means of samples come together, and nearer to the mean of 64 pixels of a larger picture
+        than one sample does; not all the way, as lines there are thinner."""
+        one, some, many = (self.pictures[name] for name in ("one sample", "refined", "many samples"))
+        large = self.pictures["large"]
+        away, from_many = {}, {}
+        for name, picture in (("one", one), ("some", some)):
+            away[name] = from_many[name] = 0
+            for y in range(picture.height):
+                for x in range(picture.width):
+                    here, last = (each.at(each.colours, x, y) for each in (picture, many))
+                    there = [large.at(large.colours, 8 * x + i, 8 * y + j)
+                             for i in range(8) for j in range(8)]
+                    for c in range(3):
+                        away[name] += (here[c] - sum(p[c] for p in there) / 64) ** 2
+                        from_many[name] += (here[c] - last[c]) ** 2
+        self.assertLess(away["some"], away["one"])
+        self.assertLess(10 * from_many["some"], from_many["one"])
 
     def test_a_walk_ends_inside_a_tetrahedron_and_before_the_wall(self):
         for name in ("far", "at the wall"):
@@ -479,6 +502,32 @@ class Files(ProgramTest):
         page.write_text(page.read_text().replace("'use strict';\n(() => {",
                                                  "'use strict';\n" + lose + "(() => {", 1))
         self.assertIn("has given up on this page", notice(page_text(page)))
+
+
+class Large(ProgramTest):
+    def test_inside_of_ten_thousand_tetrahedra(self):
+        self.run_program("cover", TRIPUS, "--cyclic", "5000", "--limit", "1", "-o", "covers/")
+        self.run_program("view", "covers/cover-000001.json", "-o", "page.html")
+        page = self.folder / "page.html"
+        data = page_data(page.read_text())
+        self.assertEqual(data["tetrahedron_count"], 10000)
+        picture, = draw(page, "size=100x75&view=inside&tube=0.05")
+        self.assertEqual((picture.problem, picture.facts["error"]), ("", 0))
+        tracer, seen = InsideTracer(data, picture, tube=0.05), set()
+        compared = moved = 0
+        for y in range(4, 75, 7):
+            for x in range(4, 100, 7):
+                expected = tracer.see(x + 0.5, y + 0.5)
+                if expected is None:
+                    continue
+                kind, tetrahedron, number = expected
+                compared += 1
+                seen.add(tetrahedron)
+                moved += picture.at(picture.identities, x, y)[:3] != (kind, tetrahedron & 255, number)
+        self.assertGreater(compared, 100)
+        self.assertGreater(len(seen), 5)
+        self.assertGreater(max(seen), 255)
+        self.assertLess(moved, compared / 10)
 
 
 class Live(ProgramTest):

@@ -362,6 +362,14 @@ def test_orbifolds_are_refused():
     assert answer.returncode == 2 and "cone angles" in answer.stderr
 
 
+def test_a_python_without_numpy_is_told_so(tmp_path):
+    code = ("import sys; sys.modules['numpy'] = None; "
+            "from tripus.hyperbolic.__main__ import main; sys.exit(main(['cPcbbbihq']))")
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=tmp_path)
+    assert (done.returncode, done.stdout) == (3, "")
+    assert done.stderr.startswith("tripus: ") and "has no numpy: pip install" in done.stderr
+
+
 def run(*arguments):
     return subprocess.run(
         [sys.executable, "-m", "tripus.hyperbolic", *arguments], capture_output=True, text=True

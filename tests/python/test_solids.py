@@ -44,6 +44,8 @@ def test_writes_and_shows(found: tripus.Parameterisation, tmp_path: Path) -> Non
     assert found.to_svg(0.2).startswith("<svg")
     with pytest.raises(tripus.InvalidInput):
         found.write(tmp_path / "y.png")
+    with pytest.raises(tripus.InvalidInput, match="cut_away"):
+        found.to_svg(7)
 
 
 def test_takes_arrays_and_refuses_balls() -> None:

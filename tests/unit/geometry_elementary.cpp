@@ -54,6 +54,19 @@ TEST(Elementary, AtanIsNearlyRoundedInEveryOctant) {
   EXPECT_LT(worst, 2.5);
 }
 
+TEST(Elementary, LogarithmIsNearlyRounded) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> exponent(-690, 690), near_one(0.5, 2.5);
+  double worst = 0;
+  for (int n = 0; n < 10000; ++n) {
+    const double x = n % 2 == 0 ? std::exp(exponent(random)) : near_one(random);
+    const double error = abs(Digits(natural_log(x)) - log(Digits(x))).convert_to<double>();
+    worst = std::max(worst, error / (std::max(1.0, std::fabs(std::log(x))) * 0x1p-52));
+  }
+  EXPECT_LT(worst, 1);
+  EXPECT_EQ(natural_log(1.0), 0);
+}
+
 TEST(Elementary, AtanOnTheAxes) {
   EXPECT_EQ(upper_atan2(0.0, 1.0), 0.0);
   EXPECT_EQ(upper_atan2(0.0, 0.0), 0.0);

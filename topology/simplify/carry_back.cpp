@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "base/error.hpp"
 #include "topology/edge_walk.hpp"
 #include "topology/moves/detail/kinds.hpp"
 #include "topology/moves/detail/surgery.hpp"
+#include "topology/simplify/detail/flattening.hpp"
 
 // A step replaces the tetrahedra R of `before` by the tetrahedra D of `after`; all others, and
 // their frames, are in both. There is a map q from the space of `before` to that of `after` that is
@@ -20,43 +20,31 @@
 // tetrahedron of D; inside there is nothing to say, and a face of R on the sphere has the value of
 // the same face of D, carried to the first one.
 //
-// D is empty: R is flattened. Each tetrahedron of R has two faces (a 2-0 at an edge: twice two)
-// that are laid upon those of others, in chains, until the ends of a chain, which are faces of
-// tetrahedra that stay, are glued together in `after`: the *merged face* of the chain. Of its two
-// sides the *near* one is that with the smaller number. What is flattened onto one merged face
-// (collapse, 2-0 at a vertex) gets the frame of its near side. In a 2-0 at an edge the tetrahedra
-// are flattened onto two merged faces with a common edge, the hinge, and get the frame of the one;
-// to the other one goes around the hinge. In a collapse of ab two neighbours around ab share a face
-// abc, which becomes an edge of both of their merged faces: from one to the other one goes around
-// that edge. Either way around will do, as the connection is flat; both are tried at once, the
-// shorter one ends first, and the cost is that of relabelling the smaller of two classes in
-// collapse.cpp.
+// D is empty: R is flattened onto merged faces (detail/flattening.hpp). What is flattened onto one
+// of them (collapse, 2-0 at a vertex) gets the frame of its near side. In a 2-0 at an edge the
+// tetrahedra are flattened onto two merged faces with a common edge, the hinge, and get the frame
+// of the one; to the other one goes around the hinge. In a collapse of ab two neighbours around ab
+// share a face abc, which becomes an edge of both of their merged faces: from one to the other one
+// goes around that edge. Either way around will do, as the connection is flat; both are tried at
+// once, the shorter one ends first, and the cost is that of relabelling the smaller of two classes
+// in collapse.cpp.
 
 namespace tripus::topology {
 namespace {
 
 using Value = std::uint32_t;
+using detail::Port;
 
-std::size_t slot_of(std::size_t t, int f) { return 4 * t + static_cast<std::size_t>(f); }
+/// Values of a greater size make all frames be chosen anew, at most once in so many steps as there
+/// are tetrahedra divided by kStepsPerTetrahedron.
+constexpr double kFar = 6;
+constexpr std::size_t kStepsPerTetrahedron = 8;
 
 Perm4 transposition(int i, int j) {
   std::array<int, 4> images{0, 1, 2, 3};
   std::swap(images[static_cast<std::size_t>(i)], images[static_cast<std::size_t>(j)]);
   return Perm4::from_images(images[0], images[1], images[2], images[3]);
 }
-
-/// Face f of tetrahedron t, both of R, and the face on which it is laid.
-struct Port {
-  TetrahedronIndex t;
-  int f;
-  TetrahedronIndex other;
-  Perm4 map;  // labels of t to those of other
-  /// The near side of its merged face, and the labels of t there, for the vertices of face f.
-  TetrahedronIndex near = kNoTetrahedron;
-  Perm4 to_near = {};
-  /// From the frame of the near side to that of t.
-  Value to_frame = 0;
-};
 
 class CarryBack final : public WayBack {
  public:
@@ -80,6 +68,8 @@ class CarryBack final : public WayBack {
     written_.push_back({slot_of(before.neighbour(t, f), before.gluing(t, f)(f)), inverse(value)});
   }
 
+  void relax(const Gluings& table);
+  bool is_far(TetrahedronIndex t) const;
   void settle(const Gluings& table, TetrahedronIndex t);
   /// A value across a face of t, when t takes another frame.
   Value changed(Value across, Value frame, bool is_loop) {
@@ -91,10 +81,6 @@ class CarryBack final : public WayBack {
   void take_back_collapse(const StepBack& step);
   void take_back_pillow(const StepBack& step);
 
-  const Port* port(TetrahedronIndex t, int f) const;
-  void find_near(const Gluings& before);
-  std::tuple<TetrahedronIndex, Perm4> chain_end(const Gluings& before, TetrahedronIndex t, int f,
-                                                Perm4 map) const;
   void write_outer(const StepBack& step);
   Value around(const Gluings& after, EdgeWalk from, const EdgeWalk& to);
 
@@ -109,10 +95,10 @@ class CarryBack final : public WayBack {
     frames_.push_back({t, c_.origins[of]});
   }
 
+  std::size_t steps_since_relaxed_ = 0;
   std::vector<Written> written_;
   std::vector<Frame> frames_;
-  std::vector<Port> ports_;
-  std::vector<std::uint32_t> port_of_;  // by slot 4 t + f: 0 none, else port + 1; cleared after use
+  detail::Flattening flat_;  // empty between two steps
   std::vector<EdgeWalk> corners_;
 };
 
@@ -126,7 +112,7 @@ void CarryBack::renumbered(const Gluings& slots, std::span<const TetrahedronInde
   }
   c_.values = std::move(values);
   c_.origins = std::move(origins);
-  port_of_.assign(c_.values.size(), 0);
+  flat_.reset(c_.values.size());
   for (TetrahedronIndex t = 0; t < number.size(); ++t)
     if (number[t] != kNoTetrahedron) settle(slots, t);
 }
@@ -143,6 +129,34 @@ void CarryBack::step(const StepBack& step) {
   for (const auto& [slot, value] : written_) c_.values[slot] = value;
   for (const auto& [t, origin] : frames_) c_.origins[t] = origin;
   for (const auto& [t, origin] : frames_) settle(step.before, t);
+  ++steps_since_relaxed_;
+  if (steps_since_relaxed_ * kStepsPerTetrahedron >= step.before.tetrahedron_count() &&
+      std::ranges::any_of(frames_, [&](const Frame& each) { return is_far(each.t); }))
+    relax(step.before);
+}
+
+bool CarryBack::is_far(TetrahedronIndex t) const {
+  for (int f = 0; f < 4; ++f)
+    if (group_.size(value(t, f)) > kFar) return true;
+  return false;
+}
+
+/// New frames for all tetrahedra, as the group proposes: greedy steps from neighbour to neighbour
+/// end where no single one helps.
+void CarryBack::relax(const Gluings& table) {
+  steps_since_relaxed_ = 0;
+  std::vector<NumberedGroup::Link> links;
+  std::vector<std::size_t> slots;
+  for (std::uint32_t t = 0; t < table.tetrahedron_count(); ++t)
+    for (int f = 0; f < 4; ++f)
+      if (!table.is_open(t, f)) {
+        links.push_back({t, static_cast<std::uint32_t>(table.neighbour(t, f)), value(t, f)});
+        slots.push_back(slot_of(t, f));
+      }
+  const std::vector<Value> change = group_.better_frames(links, table.tetrahedron_count());
+  for (std::size_t n = 0; n < links.size() && !change.empty(); ++n)
+    c_.values[slots[n]] =
+        group_.conjugate(change[links[n].from], links[n].element, change[links[n].to]);
 }
 
 /// Gives t the frame of that neighbour which makes the sum of the sizes of its values least, if
@@ -247,65 +261,12 @@ void CarryBack::take_back_ball(const StepBack& step) {
   }
 }
 
-const Port* CarryBack::port(TetrahedronIndex t, int f) const {
-  const std::uint32_t number = port_of_[slot_of(t, f)];
-  return number == 0 ? nullptr : &ports_[number - 1];
-}
-
-/// Out of face f of t, on through what is flattened, to the tetrahedron that stays.
-std::tuple<TetrahedronIndex, Perm4> CarryBack::chain_end(const Gluings& before, TetrahedronIndex t,
-                                                         int f, Perm4 map) const {
-  while (true) {
-    const Perm4 p = before.gluing(t, f);
-    t = before.neighbour(t, f);
-    f = p(f);
-    map = p * map;
-    const Port* behind = port(t, f);
-    if (behind == nullptr) return {t, map};
-    map = behind->map * map;
-    f = behind->map(f);
-    t = behind->other;
-  }
-}
-
-void CarryBack::find_near(const Gluings& before) {
-  for (std::uint32_t i = 0; i < ports_.size(); ++i)
-    port_of_[slot_of(ports_[i].t, ports_[i].f)] = i + 1;
-  for (Port& start : ports_) {
-    if (start.near != kNoTetrahedron || port(before.neighbour(start.t, start.f),
-                                             before.gluing(start.t, start.f)(start.f)) != nullptr)
-      continue;
-    // An end of a chain. The other one:
-    const TetrahedronIndex one = before.neighbour(start.t, start.f);
-    const Perm4 out = before.gluing(start.t, start.f);
-    const auto [two, map] = chain_end(before, start.other, start.map(start.f), start.map);
-    // Labels of the face at the end `one`, in terms of those of the end `two`.
-    const bool near_is_one = std::pair(one, out(start.f)) < std::pair(two, map(start.f));
-    const TetrahedronIndex near = near_is_one ? one : two;
-    Perm4 labels = near_is_one ? out : map;  // of the tetrahedron that the walk is in
-    Port* here = &start;
-    while (true) {
-      here->near = near;
-      here->to_near = labels;
-      labels = labels * here->map.inverse();
-      Port& far = ports_[port_of_[slot_of(here->other, here->map(here->f))] - 1];
-      far.near = near;
-      far.to_near = labels;
-      const Perm4 p = before.gluing(far.t, far.f);
-      const std::uint32_t next = port_of_[slot_of(before.neighbour(far.t, far.f), p(far.f))];
-      if (next == 0) break;
-      labels = labels * p.inverse();
-      here = &ports_[next - 1];
-    }
-  }
-}
-
 void CarryBack::write_outer(const StepBack& step) {
-  for (const Port& at : ports_) {
+  for (const Port& at : flat_.ports()) {
     const TetrahedronIndex other = step.before.neighbour(at.t, at.f);
     const int entered = step.before.gluing(at.t, at.f)(at.f);
     Value across = at.to_frame;
-    if (const Port* behind = port(other, entered))
+    if (const Port* behind = flat_.port(other, entered))
       across = times(across, inverse(behind->to_frame));
     else if (other != at.near || entered != at.to_near(at.f))  // the far side
       across = times(across, value(at.near, at.to_near(at.f)));
@@ -344,7 +305,6 @@ void CarryBack::take_back_collapse(const StepBack& step) {
   const Gluings& before = step.before;
   const Move& move = step.step.move;
   corners_.clear();
-  ports_.clear();
   const auto start = EdgeWalk::start(move.tetrahedron, move.place);
   EdgeWalk walk = start;
   do {
@@ -353,32 +313,31 @@ void CarryBack::take_back_collapse(const StepBack& step) {
   } while (walk.t != start.t || walk.a != start.a || walk.b != start.b);
   for (const EdgeWalk& at : corners_) {
     const auto t = static_cast<TetrahedronIndex>(at.t);
-    ports_.push_back({t, at.a, t, transposition(at.a, at.b)});
-    ports_.push_back({t, at.b, t, transposition(at.a, at.b)});
+    flat_.lay(t, at.a, t, transposition(at.a, at.b));
+    flat_.lay(t, at.b, t, transposition(at.a, at.b));
   }
-  find_near(before);
+  flat_.find_near(before);
   // From each corner to the next, through the face opposite c, which contains a, b and d.
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     const EdgeWalk& at = corners_[i];
     const EdgeWalk& next = corners_[(i + 1) % corners_.size()];
-    const Port& here = *port(static_cast<TetrahedronIndex>(at.t), at.b);
-    const Port& there = *port(static_cast<TetrahedronIndex>(next.t), next.b);
+    const Port& here = *flat_.port(static_cast<TetrahedronIndex>(at.t), at.b);
+    const Port& there = *flat_.port(static_cast<TetrahedronIndex>(next.t), next.b);
     // d here is c there.
     write(before, static_cast<TetrahedronIndex>(at.t), at.c,
           around(step.after, near_corner(here, at.a, at.d), near_corner(there, next.a, next.c)));
   }
   for (const EdgeWalk& at : corners_) {
     const auto t = static_cast<TetrahedronIndex>(at.t);
-    give_frame(t, port(t, at.b)->near);
+    give_frame(t, flat_.port(t, at.b)->near);
   }
   write_outer(step);
-  for (const Port& at : ports_) port_of_[slot_of(at.t, at.f)] = 0;
+  flat_.clear();
 }
 
 void CarryBack::take_back_pillow(const StepBack& step) {
   const Gluings& before = step.before;
   const detail::Ball ball = info(step.step.move.kind).ball(before, step.step.move);
-  ports_.clear();
   const auto& one = ball.old[0];
   const auto& two = ball.old[1];
   std::array<int, 4> images{};
@@ -397,22 +356,23 @@ void CarryBack::take_back_pillow(const StepBack& step) {
       write(before, one.t, f, 0);
       continue;
     }
-    ports_.push_back({one.t, f, two.t, map});
-    ports_.push_back({two.t, map(f), one.t, map.inverse()});
+    flat_.lay(one.t, f, two.t, map);
+    flat_.lay(two.t, map(f), one.t, map.inverse());
   }
-  find_near(before);
-  if (ports_.size() == 4) {
+  flat_.find_near(before);
+  std::vector<Port>& ports = flat_.ports();
+  if (ports.size() == 4) {
     // The hinge of the first tetrahedron lies opposite the edge around which the two are.
-    const int a = ports_[0].f, b = ports_[2].f;
+    const int a = ports[0].f, b = ports[2].f;
     const auto [c, d] = kEdgeEnds[at(5 - kEdgeNumber[at(a)][at(b)])];
     const Value hinge =
-        around(step.after, near_corner(ports_[0], c, d), near_corner(ports_[2], c, d));
-    ports_[2].to_frame = ports_[3].to_frame = hinge;
+        around(step.after, near_corner(ports[0], c, d), near_corner(ports[2], c, d));
+    ports[2].to_frame = ports[3].to_frame = hinge;
   }
-  give_frame(one.t, ports_[0].near);
-  give_frame(two.t, ports_[0].near);
+  give_frame(one.t, ports[0].near);
+  give_frame(two.t, ports[0].near);
   write_outer(step);
-  for (const Port& each : ports_) port_of_[slot_of(each.t, each.f)] = 0;
+  flat_.clear();
 }
 
 }  // namespace

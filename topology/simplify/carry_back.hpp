@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -23,7 +24,26 @@ class NumberedGroup {
   virtual bool can_hold_product(std::uint32_t /*first*/, std::uint32_t /*second*/) const {
     return true;
   }
+  /// from^-1 element to. The three together may be what the group can hold where two are not.
+  virtual std::uint32_t conjugate(std::uint32_t from, std::uint32_t element, std::uint32_t to) {
+    return product(inverse(from), product(element, to));
+  }
+
+  /// A frame `element` times that of `from` is that of `to`.
+  struct Link {
+    std::uint32_t from, to, element;
+  };
+  /// For each of so many frames the element that takes it to a better one (links [L], those from
+  /// one frame together): such that
+  /// conjugate(change[from], element, change[to]) is small for all links. Empty: none are better.
+  virtual std::vector<std::uint32_t> better_frames(std::span<const Link> /*links*/,
+                                                   std::size_t /*frames*/) {
+    return {};
+  }
 };
+
+/// Where a list by tetrahedron and face has face f of tetrahedron t.
+inline std::size_t slot_of(std::size_t t, int f) { return 4 * t + static_cast<std::size_t>(f); }
 
 /// A flat connection on the dual graph of a triangulation: every tetrahedron has a frame, and
 /// across face f of tetrahedron t the frame of the neighbour is `values[4 t + f]` times that of t,
@@ -31,15 +51,16 @@ class NumberedGroup {
 /// its values from left to right, and the way around an edge has the identity.
 struct FlatConnection {
   std::vector<std::uint32_t> values;  ///< [T x 4]
-  /// [T] whose frame it is: a tetrahedron of the small triangulation, whose frame was copied from
-  /// one to the next. So it is a map of the tetrahedra. Empty to begin with for each its own.
+  /// [T] whose frame it is, but for what NumberedGroup::better_frames changed: a tetrahedron of the
+  /// small triangulation, whose frame was copied from one to the next. So it is a map of the
+  /// tetrahedra. Empty to begin with for each its own.
   std::vector<TetrahedronIndex> origins = {};
 };
 
 /// A flat connection on what `simplify` made of a table, on that table: the two are equal outside
-/// the ball in which a step happens, for every step of the record. Frames are copied and never made
-/// anew; a tetrahedron that a step brings back takes the frame of a neighbour where that makes the
-/// values around it smaller.
+/// the ball in which a step happens, for every step of the record. Frames are copied; a tetrahedron
+/// that a step brings back takes the frame of a neighbour where that makes the values around it
+/// smaller, and where values grow large the group may choose all frames anew.
 /// Source: docs/parameterise.md, "The connection".
 FlatConnection carried_back(const Gluings& start, const SimplificationRecord& record,
                             FlatConnection connection, NumberedGroup& group);

@@ -68,6 +68,10 @@ function dump(page) {
     };
     out.identities = picture(true);
     out.colours = picture(false);
+    // refine=16: what inside becomes after so many samples.
+    const samples = Number(page.wishes.get('refine') ?? 0);
+    for (let count = 1; count <= samples; ++count) page.draw(1, count);
+    if (samples > 0) out.colours = hexOf(page.graphics.readCanvas());
     // hover=0.5:0.5,0.2:0.7: what is said of these places, x and y from the upper left corner.
     out.hover = (page.wishes.get('hover') ?? '').split(',').filter(Boolean)
         .map((place) => page.hover.at(...place.split(':').map(Number)));

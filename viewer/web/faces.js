@@ -12,6 +12,8 @@ const boundsOfWall = (wall) => (
 /// Cells without some of their walls are not solid.
 const isSolid = (state) => !state.hollow && state.faces && state.truncations;
 const kClearAlpha = 0.22;
+/// Cells of a smaller radius on the picture, in pixels, are small.
+const kSmallCell = 2.5;
 const kRecordTexelsPerRow = 2048;
 const recordTexels = (bounds) => 4 + bounds + Math.ceil(bounds / 4);
 
@@ -407,6 +409,8 @@ class FaceDrawing {
       }
       if (square > radius * radius && radius * focal < 0.4 * Math.sqrt(square)) continue;
       if (state.cut !== null && ball[0] - state.cut > ball[3]) continue;
+      // Squares around the balls of their faces serve small cells.
+      const small = radius * focal < kSmallCell * Math.sqrt(square);
       for (let face = 8 * cell; face < 8 * cell + 8; ++face) {
         if (face % 8 < 4 ? !state.faces : !state.truncations) continue;
         const partner = set.partner[face];
@@ -414,8 +418,9 @@ class FaceDrawing {
         if (solid && shrink === 1 && partner < count && (clear || !isClear(partner))) continue;
         const outline = set.outlines[face];
         if (solid && !mayFace(set.halfSpaces[face], outline.points, outline.margin, eye)) continue;
-        this.kinds[face % 8 < 4 ? 1 : 0].mesh.add(outline.points, outline.margin, ball, shrink,
-                                                  this.first[face]);
+        const {mesh} = this.kinds[face % 8 < 4 ? 1 : 0];
+        if (small) mesh.add(outline.middle, outline.radius, ball, shrink, this.first[face]);
+        else mesh.add(outline.points, outline.margin, ball, shrink, this.first[face]);
       }
     }
     if (state.cut !== null && solid && !clear) {

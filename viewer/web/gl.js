@@ -8,7 +8,10 @@ class Graphics {
                                             powerPreference: 'high-performance'});
     if (!gl) throw new GraphicsProblem('WebGL2 is missing in this browser, or switched off.');
     this.gl = gl;
-    this.target = null;
+    this.target = this.drawn = null;
+    this.sum = null;
+    // Sums of pictures need more than eight bits.
+    this.canSum = gl.getExtension('EXT_color_buffer_float') !== null;
     this.nothing = gl.createVertexArray();  // all vertices are made in the shaders
   }
 
@@ -56,25 +59,45 @@ class Graphics {
     return texture;
   }
 
+  /// A framebuffer of that size and format to draw into, in place of one.
+  renewed(old, width, height, format) {
+    const gl = this.gl;
+    if (old && old.width === width && old.height === height) return old;
+    this.release(old);
+    const framebuffer = gl.createFramebuffer();
+    const colour = gl.createRenderbuffer();
+    const depth = gl.createRenderbuffer();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    gl.bindRenderbuffer(gl.RENDERBUFFER, colour);
+    gl.renderbufferStorage(gl.RENDERBUFFER, format, width, height);
+    gl.bindRenderbuffer(gl.RENDERBUFFER, depth);
+    gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, width, height);
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.RENDERBUFFER, colour);
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, depth);
+    return {framebuffer, colour, depth, width, height};
+  }
+
   /// Starts a picture of that size; present() scales it to the canvas.
   begin(width, height) {
+    this.target = this.renewed(this.target, width, height, this.gl.RGBA8);
+    this.prepare(this.target);
+  }
+
+  /// Starts the `count`-th picture of a mean, from 1 on; needs canSum.
+  beginMean(width, height, count) {
     const gl = this.gl;
-    if (!this.target || this.target.width !== width || this.target.height !== height) {
-      this.release();
-      const framebuffer = gl.createFramebuffer();
-      const colour = gl.createRenderbuffer();
-      const depth = gl.createRenderbuffer();
-      gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-      gl.bindRenderbuffer(gl.RENDERBUFFER, colour);
-      gl.renderbufferStorage(gl.RENDERBUFFER, gl.RGBA8, width, height);
-      gl.bindRenderbuffer(gl.RENDERBUFFER, depth);
-      gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, width, height);
-      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.RENDERBUFFER, colour);
-      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, depth);
-      this.target = {framebuffer, colour, depth, width, height};
-    }
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.target.framebuffer);
-    gl.viewport(0, 0, width, height);
+    this.sum = this.renewed(this.sum, width, height, gl.RGBA16F);
+    this.prepare(this.sum);
+    gl.enable(gl.BLEND);
+    gl.blendColor(0, 0, 0, 1 / count);
+    gl.blendFunc(gl.CONSTANT_ALPHA, gl.ONE_MINUS_CONSTANT_ALPHA);
+  }
+
+  prepare(target) {
+    const gl = this.gl;
+    this.drawn = target;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
+    gl.viewport(0, 0, target.width, target.height);
     gl.bindVertexArray(this.nothing);
     gl.disable(gl.BLEND);
     gl.enable(gl.DEPTH_TEST);
@@ -84,21 +107,29 @@ class Graphics {
     gl.clear(gl.DEPTH_BUFFER_BIT);
   }
 
-  release() {
-    if (!this.target) return;
-    this.gl.deleteFramebuffer(this.target.framebuffer);
-    this.gl.deleteRenderbuffer(this.target.colour);
-    this.gl.deleteRenderbuffer(this.target.depth);
-    this.target = null;
+  release(target) {
+    if (!target) return;
+    this.gl.deleteFramebuffer(target.framebuffer);
+    this.gl.deleteRenderbuffer(target.colour);
+    this.gl.deleteRenderbuffer(target.depth);
   }
 
   present() {
-    const {gl, canvas, target} = this;
-    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, target.framebuffer);
+    const {gl, canvas, drawn} = this;
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, drawn.framebuffer);
     gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
-    gl.blitFramebuffer(0, 0, target.width, target.height, 0, 0, canvas.width, canvas.height,
+    gl.blitFramebuffer(0, 0, drawn.width, drawn.height, 0, 0, canvas.width, canvas.height,
                        gl.COLOR_BUFFER_BIT,
-                       target.width === canvas.width ? gl.NEAREST : gl.LINEAR);
+                       drawn.width === canvas.width ? gl.NEAREST : gl.LINEAR);
+  }
+
+  /// What the canvas shows after present(), bottom row first; before the browser takes it.
+  readCanvas() {
+    const {gl, canvas} = this;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    const pixels = new Uint8Array(4 * canvas.width * canvas.height);
+    gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    return pixels;
   }
 
   /// The pixels of the picture, bottom row first; waits until it is drawn.

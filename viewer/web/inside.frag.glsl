@@ -15,6 +15,7 @@ uniform int uStart;       // the tetrahedron of the camera
 uniform mat4 uFrame;      // columns: right, up, forward, position
 uniform vec2 uTangent;
 uniform vec2 uSize;
+uniform vec2 uJitter;     // of the ray within its pixel, from its middle
 uniform float uPixel;
 uniform int uMaxCrossings;
 uniform float uTube;      // sinh^2 of the radius of the edges
@@ -189,7 +190,7 @@ vec3 edgeColour(Hit hit, out float facing) {
 }
 
 void main() {
-  vec2 ndc = 2.0 * gl_FragCoord.xy / uSize - 1.0;
+  vec2 ndc = 2.0 * (gl_FragCoord.xy + uJitter) / uSize - 1.0;
   vec3 ray = normalize(vec3(ndc * uTangent, 1.0));
   Hit hit;
   hit.tetrahedron = uStart;

@@ -91,6 +91,7 @@ class InsideView {
     gl.uniformMatrix4fv(at('uFrame'), true, camera.frame);
     gl.uniform2fv(at('uTangent'), tangent);
     gl.uniform2f(at('uSize'), width, height);
+    gl.uniform2fv(at('uJitter'), state.jitter ?? [0, 0]);
     gl.uniform1f(at('uPixel'), 2 * tangent[1] / height);
     gl.uniform1i(at('uMaxCrossings'), state.crossings);
     gl.uniform1f(at('uTube'), Math.sinh(state.tube) ** 2);

@@ -5,6 +5,18 @@
 const kMovingFrame = 40, kCoarsest = 0.15;
 /// What does not change for so many milliseconds rests.
 const kRestAfter = 180;
+/// Samples a pixel of the resting picture inside.
+const kRefinements = 16;
+
+/// The digits of n in a base, behind the point: places that fill [0, 1] evenly.
+function radicalInverse(n, base) {
+  let sum = 0;
+  for (let share = 1 / base; n > 0; share /= base) {
+    sum += share * (n % base);
+    n = Math.floor(n / base);
+  }
+  return sum;
+}
 
 /// How coarse the next frame should be, when one of `quality` took so long: pixels cost time in
 /// proportion to their number.
@@ -241,7 +253,10 @@ class Page {
 
   savePicture() {
     if (!this.graphics) return;
-    this.draw(2);
+    if (this.state.view === 'inside' && this.graphics.canSum)
+      for (let count = 1; count <= kRefinements; ++count) this.draw(1, count);
+    else
+      this.draw(2);
     this.canvas.toBlob((blob) => {
       const link = document.createElement('a');
       link.href = URL.createObjectURL(blob);
@@ -292,13 +307,25 @@ class Page {
     this.fineTimer = setTimeout(() => this.graphics && this.fine(), 0);
   }
 
-  /// The resting picture: four samples a pixel, unless that would take this machine too long.
+  /// The resting picture. Inside, one sample after the other, each as quick as a frame; outside four
+  /// samples a pixel, unless that would take this machine too long.
   fine() {
+    if (this.state.view === 'inside' && this.graphics.canSum) {
+      this.refine(1);
+      return;
+    }
     const begin = performance.now();
     this.draw(1);
     this.graphics.finish();
     if (performance.now() - begin < 300 || this.wishes.get('fine') === '1') this.draw(2);
     if (this.state.labels) showLabels(labelsOf(this));
+  }
+
+  /// Adds the `count`-th sample of each pixel, and goes on while nothing changes.
+  refine(count) {
+    if (this.ticking || !this.graphics) return;
+    this.draw(1, count);
+    if (count < kRefinements) requestAnimationFrame(() => this.refine(count + 1));
   }
 
   /// While things move; 0 before there are two of them.
@@ -307,8 +334,9 @@ class Page {
     return span > 0 ? 1000 * (times.length - 1) / span : 0;
   }
 
-  /// Draws at `scale` pixels for one of the canvas.
-  draw(scale) {
+  /// Draws at `scale` pixels for one of the canvas; with a `count`, into the mean of so many pictures
+  /// whose rays go through the pixels at other places.
+  draw(scale, count = 0) {
     const {canvas, graphics, state} = this;
     if (!graphics) return;
     const ratio = Math.min(window.devicePixelRatio || 1, 2);
@@ -319,7 +347,9 @@ class Page {
       [canvas.width, canvas.height] = size;
     const [w, h] = size.map((x) => Math.min(4096, Math.max(1, Math.round(x * scale))));
     try {
-      graphics.begin(w, h);
+      if (count > 0) graphics.beginMean(w, h, count);
+      else graphics.begin(w, h);
+      state.jitter = count > 0 ? [2, 3].map((base) => radicalInverse(count, base) - 0.5) : [0, 0];
       const camera = state.view === 'inside' ? this.walker : this.orbit;
       this.views[state.view].draw(state, camera, w, h, scale);
       graphics.present();

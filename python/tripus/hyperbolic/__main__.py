@@ -196,6 +196,9 @@ def main(given: Sequence[str] | None = None) -> int:
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 3
+    except ModuleNotFoundError as error:
+        sys.stderr.write(f"tripus: {sys.executable} has no {error.name}: pip install 'tripus[regina]'\n")
+        return 3
 
 
 if __name__ == "__main__":

@@ -11,18 +11,22 @@ namespace {
 
 using topology::VertexKind;
 
+/// Half the precision is for the width of the root, and coefficients may cost all their bits.
 constexpr long kFewestBits = 512;
-constexpr long kMostHeight = 20000;
+/// Bits of coefficients; those of the tables have up to some hundred.
+constexpr long kMostHeight = 2000;
 constexpr std::int64_t kMostCopies = 64;
 /// Square root number 0 is i s of the edge class that is being looked at.
 constexpr std::size_t kSlope = 0;
 
-/// Half the precision is for the width of the root, and coefficients may cost all their bits.
-long bits_for(const ExactField& text) {
+long height_of(const ExactField& text) {
   long height = RationalPolynomial(text.polynomial).height();
-  for (const std::string& entry : text.gram)
-    height = std::max(height, RationalPolynomial(entry).height());
-  return kFewestBits + 8 * std::min(height, kMostHeight);
+  for (const auto* entries : {&text.gram, &text.horospheres})
+    for (const std::string& entry : *entries)
+      height = std::max(height, RationalPolynomial(entry).height());
+  for (const ExactField::Root& root : text.roots)
+    height = std::max(height, RationalPolynomial(root.factor).height());
+  return height;
 }
 
 std::string shown(const Arb& x) { return fmt::format("{:.6g}", x.mid()); }
@@ -61,11 +65,15 @@ CheckedExact::CheckedExact(const topology::Triangulation& triangulation,
       links_(links),
       text_(text),
       field_(RationalPolynomial(text.polynomial)),
-      bits_(bits_for(text)) {
+      height_(height_of(text)),
+      bits_(kFewestBits + 8 * std::min(height_, kMostHeight)) {
   field_.squares.emplace_back();  // kSlope
 }
 
 std::string CheckedExact::refusal() {
+  if (height_ > kMostHeight)
+    return fmt::format("the field's coefficients have {} bits, and there can be {}", height_,
+                       kMostHeight);
   const Precision precision(bits_);
   if (std::string why = read_field(); !why.empty()) return why;
   if (std::string why = read_entries(); !why.empty()) return why;

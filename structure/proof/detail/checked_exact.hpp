@@ -71,7 +71,7 @@ class CheckedExact {
   std::vector<std::size_t> generator_;                       // tetrahedra whose sqrt D was adjoined
   std::vector<CheckedNumber> horosphere_;                    // [V]
   bool has_horospheres_ = true;
-  long bits_;
+  long height_, bits_;
 };
 
 }  // namespace tripus::structure::detail

@@ -221,8 +221,8 @@ void add_embed(CLI::App& program, Command& chosen) {
   verb->add_flag("--quiet", command->common.quiet, "no text about the cells");
   add_cell_options(*verb, *command);
   verb->add_option("--horosphere-area", command->area,
-                   "area of the horosphere at which each cusp is cut off; default: sqrt(3)/2,\n"
-                   "or less where horoballs would reach opposite faces")
+                   "area of the horosphere at which each cusp is cut off (default:\n"
+                   "sqrt(3)/2, or less where horoballs would reach opposite faces)")
       ->option_text("A")
       ->check(positive_number());
   add_metric_search(*verb, command->search);

@@ -57,7 +57,7 @@ class Cusps(ProgramTest):
         self.assertIn("It is t3g2+T.1.", self.run_program("identify", "dLQacccjjkg").text)
         self.assertEqual(self.json_answer("solve", "t1K.1")["isosig"], "bkaaid")
         self.assertIn("ends with four tetrahedra",
-                      self.run_program("identify", "fLLQcacdedejbqqww").text)
+                      self.run_program("identify", "fLLQcbdeedemnamjp").text)
         table = self.run_program("census", "--boundary", "T+T", "--tsv", "-", "--quiet").text
         self.assertEqual(table.count("\nt4T+T."), 4)
 
@@ -79,8 +79,8 @@ class Cusps(ProgramTest):
         self.assertTrue(any(g["reverses_orientation"]
                             for g in gieseking["holonomy"]["generators"]))
         mixed = self.json_answer("embed", "dLQacccjjkg", "--cells", "20")
-        self.assertIn("ideal", mixed["tetrahedra"][0]["kinds"])
-        self.assertIn("hyperideal", mixed["tetrahedra"][0]["kinds"])
+        self.assertEqual({kind for t in mixed["tetrahedra"] for kind in t["kinds"]},
+                         {"ideal", "hyperideal"})
         self.assertEqual(len(mixed["cells"]), 20)
         self.run_program("embed", "bkaaid", "--cells", "5", "-o", "cells.ply")
 

@@ -58,7 +58,8 @@ HarmonicMap minimised_by_ceres(energies::HarmonicEnergy& energy, const MapOption
                                const Context& context = {});
 
 /// The harmonic map of a solid: from where the simplification sent its points to rough convergence,
-/// then, in frames chosen by that (choose_frames), to the end. The solid has these frames
+/// then, in frames chosen by that (choose_frames), to the end. With kFiniteElements first that of
+/// kCotangent, which is unique, and from there to the minimum next to it. The solid has these frames
 /// afterwards. `begin` [V]: other points to begin with, in the frames that the points have; empty
 /// for the start.
 HarmonicMap harmonic_map(MarkedSolid& solid, Weights weights, const MapOptions& options = {},

@@ -14,7 +14,7 @@ void main() { gl_Position = gl_Vertex; }
 
 // In front of the fragment shaders stand the version and what is defined: kSamples, kStep: of how
 // many samples, in each direction, one has its openness found; kModel, 0 upper half-space, 1 a
-// ball; kNooks, whether nooks are darkened.
+// ball; kNooks, whether nooks are darkened; kDark, whether the background is dark.
 constexpr std::string_view kBoth = R"(
 uniform sampler2D colours;
 uniform sampler2D depths;
@@ -80,7 +80,7 @@ uniform mat3 to_model;         // directions from eye space
 uniform vec3 eye;              // in the model
 uniform vec3 middle;           // of the scene, and its radius
 uniform float extent;
-uniform float dark;            // 1: the background is
+const float dark = float(kDark);
 
 vec3 background(vec2 at) {
   vec3 direction = to_model * normalize(vec3(picture_at(at), -1.0));
@@ -194,15 +194,19 @@ void Composer::begin(const Frame& frame) {
   glEnable(GL_DEPTH_TEST);
 }
 
-void Composer::make_programs(int samples, bool nooks, Model model) {
-  const std::array<int, 3> wanted{samples, nooks ? 1 : 0, model == Model::kUpperHalfSpace ? 0 : 1};
+void Composer::make_programs(int samples, const PictureOptions& options) {
+  const bool nooks = options.occlusion;
+  const std::array<int, 4> wanted{samples, nooks ? 1 : 0,
+                                  options.model == Model::kUpperHalfSpace ? 0 : 1,
+                                  options.dark ? 1 : 0};
   if (wanted == made_) return;
   // More places where there is time for more samples.
-  const std::string defined =
-      "#version 120\n#define kSamples " + std::to_string(samples) + "\n#define kStep " +
-      std::to_string(step_of(samples)) + "\n#define kNooks " + std::to_string(wanted[1]) +
-      "\n#define kModel " + std::to_string(wanted[2]) + "\n#define kPlaces " +
-      (samples == 1 ? "10" : "24") + "\n" + std::string(kBoth);
+  const std::string defined = "#version 120\n#define kSamples " + std::to_string(samples) +
+                              "\n#define kStep " + std::to_string(step_of(samples)) +
+                              "\n#define kNooks " + std::to_string(wanted[1]) +
+                              "\n#define kModel " + std::to_string(wanted[2]) + "\n#define kDark " +
+                              std::to_string(wanted[3]) + "\n#define kPlaces " +
+                              (samples == 1 ? "10" : "24") + "\n" + std::string(kBoth);
   program_ = make_program(kVertexShader, defined + std::string(kComposeShader));
   if (nooks)
     openness_program_ = make_program(kVertexShader, defined + std::string(kOpennessShader));
@@ -227,7 +231,7 @@ void Composer::finish(const PictureOptions& options, const Frame& frame, const V
                       const Ball& scene) {
   glDisable(GL_DEPTH_TEST);
   const double reach = 0.22 * scene.radius;
-  if (!frame.identities) make_programs(frame.samples, options.occlusion, options.model);
+  if (!frame.identities) make_programs(frame.samples, options);
   if (options.occlusion && !frame.identities) find_openness(reach, view, frame.samples);
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(picture_));
   glViewport(0, 0, frame.width, frame.height);
@@ -253,7 +257,6 @@ void Composer::finish(const PictureOptions& options, const Frame& frame, const V
   glUniform3fv(uniform.at("eye"), 1, eye.data());
   glUniform3fv(uniform.at("middle"), 1, middle.data());
   glUniform1f(uniform.at("extent"), number(scene.radius));
-  glUniform1f(uniform.at("dark"), options.dark ? 1 : 0);
   draw_all();
   glUseProgram(0);
 }

@@ -31,7 +31,7 @@ class Composer {
               const Ball& scene);
 
  private:
-  void make_programs(int samples, bool nooks, Model model);
+  void make_programs(int samples, const PictureOptions& options);
   void find_openness(double reach, const View& view, int samples);
 
   RenderTarget target_;
@@ -39,7 +39,7 @@ class Composer {
   GLint picture_ = 0;
   GlProgram program_;
   GlProgram openness_program_;
-  std::array<int, 3> made_{};  // what the programs were made for
+  std::array<int, 4> made_{};  // what the programs were made for
 };
 
 /// Throws NoOpenGl if OpenGL reports an error.

@@ -7,7 +7,6 @@
 
 #include "base/error.hpp"
 #include "integrators/flow.hpp"
-#include "integrators/limited_velocity.hpp"
 
 // dx/dt = -H^s g: the curvature flow for s = 0, the Calabi flow for s = 1, Newton's for s = -1, and
 // what lies between. g decays like e^(-t l^(1+s)) for an eigenvalue l of H. It takes all
@@ -54,7 +53,6 @@ class Fractional final : public Field {
     for (double& value : powers_) value = value > least ? std::pow(value, power_) : 0;
     apply(gradient, velocity);
     for (double& v : velocity) v = -v;
-    if (power_ < 0) limit_velocity(x, velocity);
     return true;
   }
 
@@ -89,8 +87,7 @@ std::unique_ptr<Field> make(solver::Problem& problem) {
 
 std::span<const Flow> fractional() {
   static constexpr Flow kRows[] = {
-      {"fractional-0.5", "dx/dt = -H^(1/2) g, for up to 500 unknowns", make<1>, 7},
-      {"fractional-minus-0.5", "dx/dt = -H^(-1/2) g, for up to 500 unknowns", make<-1>, 8}};
+      {"fractional-0.5", "dx/dt = -H^(1/2) g, for up to 500 unknowns", make<1>, 7}};
   return kRows;
 }
 

@@ -128,7 +128,8 @@ bool is_census_name(std::string_view text) {
   };
   if (!letter('t') || !number()) return false;
   do {
-    if (!letter('g') || !number()) return false;
+    if (letter('T') || letter('K')) continue;
+    if ((!letter('g') && !letter('n')) || !number()) return false;
   } while (letter('+'));
   return letter('.') && number() && text.empty();
 }

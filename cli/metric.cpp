@@ -32,6 +32,7 @@ void add_metric_search(CLI::App& verb, MetricSearch& search) {
 Solved find_metric(Subject subject, structure::SolveOptions options, const MetricSearch& search) {
   options.stop_requested = &stop_flag();
   options.time_limit = seconds_left();
+  options.cone_angles = subject.cone_angles;
   structure::Report report = structure::solve(subject.triangulation, options);
   const bool geometric = report.outcome == structure::Outcome::kGeometric;
   if (geometric || !search.retriangulate || is_work_over())
@@ -40,6 +41,7 @@ Solved find_metric(Subject subject, structure::SolveOptions options, const Metri
   structure::Retriangulation found =
       structure::retriangulate(subject.triangulation, std::move(report), options, search.options);
   Subject result = make_subject(subject, found.gluings);
+  result.cone_angles = found.cone_angles;
   structure::Report found_report = found.report;
   return {std::move(result), std::move(found_report), std::move(found)};
 }

@@ -30,7 +30,8 @@ struct Solved {
   }
 };
 
-/// Solves, and searches on where there is no metric and it was asked for. Heeds interrupts.
+/// Solves with the subject's cone angles, and searches on where there is no metric and it was asked
+/// for: what is found has cone angles of its own. Heeds interrupts.
 Solved find_metric(Subject subject, structure::SolveOptions options, const MetricSearch& search);
 
 }  // namespace tripus::cli

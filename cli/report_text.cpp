@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "cli/remedies.hpp"
+#include "structure/valence_theorem.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -145,6 +146,8 @@ std::string report_as_text(const Subject& subject, const Report& report,
   if (retriangulation != nullptr) append_path(text, *retriangulation);
   if (proof != nullptr) line("proof", structure::proof_message(*proof));
   if (report.certificate) append_certificate(text, *report.certificate);
+  if (const auto theorem = structure::valence_theorem(subject.triangulation, subject.cone_angles))
+    line("theorem", structure::message(*theorem));
   if (report.closed_bigon && !report.closed_bigon->decides())
     line("manifold", structure::message(*report.closed_bigon));
   const bool meaningful = report.outcome != structure::Outcome::kInfeasible && !report.certificate;

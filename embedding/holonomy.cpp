@@ -81,7 +81,7 @@ void measure_edges(Holonomy& holonomy, const Embedding& embedding,
 
 Holonomy holonomy(const Embedding& embedding, const topology::Triangulation& triangulation) {
   Holonomy result;
-  result.group = topology::fundamental_group(triangulation);
+  result.group = topology::orbifold_group(triangulation, embedding.cone_angles);
   result.orientable = triangulation.is_orientable();
   const topology::Gluings& gluings = triangulation.gluings();
   const auto pairings = detail::moebius_pairings(embedding, gluings);

@@ -17,8 +17,8 @@ struct Holonomy {
   std::vector<geometry::MoebiusMap> moebius;  ///< [generators] in PSL(2,C), or its other half
   /// [generators] bound on the rounding errors of the Moebius coefficients (norm of the four).
   std::vector<double> rounding;
-  /// Each relator is the way around an edge. The largest entry of (product of the pairings around
-  /// it) - identity, in the frame of a tetrahedron at the edge, over all edges ...
+  /// Each relator is the way around an edge, or a power of it. The largest entry of (product of the
+  /// pairings around it) - identity, in the frame of a tetrahedron at the edge, over all edges ...
   double local_defect = 0;
   /// ... and what that may become in the frame of tetrahedron 0, |D|^2 times as much.
   double carried_defect = 0;
@@ -27,6 +27,8 @@ struct Holonomy {
   bool orientable = true;
 };
 
+/// With singular edges the group is topology::orbifold_group. A cusp's own subgroup consists of
+/// parabolic isometries: the embedding's lengths are of the complete metric.
 /// Throws InvalidInput if the triangulation is not connected.
 /// Source: docs/theory.md (72).
 Holonomy holonomy(const Embedding& embedding, const topology::Triangulation& triangulation);

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "embedding/detail/mean_point.hpp"
 
 namespace tripus::embedding {
 namespace {
@@ -46,7 +45,10 @@ Tessellation::Tessellation(const Embedding& embedding, std::span<const Cell> cel
       break;
     }
     int n = 0;
-    while (options.model != Model::kKleinBall && largest_deviation(cells[c], n) > options.error) {
+    const HyperboloidTetrahedron& tetrahedron = embedding.tetrahedra[cells[c].tetrahedron];
+    const bool flat = options.model == Model::kKleinBall && tetrahedron.parabolic_edges == 0 &&
+                      std::ranges::none_of(tetrahedron.diagonal, [](double d) { return d == 0; });
+    while (!flat && largest_deviation(cells[c], n) > options.error) {
       if (++n > kMostSubdivisions) {
         throw InvalidInput(fmt::format(
             "cell {} cannot be drawn with an error of {}: it would be subdivided more than {} "
@@ -55,8 +57,9 @@ Tessellation::Tessellation(const Embedding& embedding, std::span<const Cell> cel
       }
     }
     subdivisions_.push_back(static_cast<std::uint8_t>(n));
-    point_count_ += embedding::point_count(n);
-    triangle_count_ += embedding::triangle_count(n);
+    const std::size_t patches = patch_count(tetrahedron);
+    point_count_ += embedding::point_count(n, patches);
+    triangle_count_ += embedding::triangle_count(n, patches);
   }
 }
 
@@ -70,6 +73,10 @@ const CellShape& Tessellation::shape(std::uint32_t tetrahedron, int subdivisions
 /// triangle from the flat one; relative to the cell where that is large.
 double Tessellation::largest_deviation(const Cell& cell, int subdivisions) const {
   const CellShape& s = shape(cell.tetrahedron, subdivisions);
+  const HyperboloidTetrahedron& tetrahedron = embedding_.tetrahedra[cell.tetrahedron];
+  const auto true_middle = [&](std::span<const std::uint32_t> numbers) {
+    return placed(options_.model, cell.isometry, s.middle(tetrahedron, numbers));
+  };
   std::vector<Vector3> places;
   places.reserve(s.points.size());
   for (const Vector4& point : s.points)
@@ -78,12 +85,10 @@ double Tessellation::largest_deviation(const Cell& cell, int subdivisions) const
   for (const auto& [a, b, c] : s.triangles) {
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
       if (from > to) continue;  // the other triangle at this side
-      const Vector3 truth = placed(options_.model, cell.isometry,
-                                   detail::mean_point(s.points[from] + s.points[to], 2));
+      const Vector3 truth = true_middle(std::array{from, to});
       largest = std::max(largest, distance_to_line(truth, places[from], places[to]));
     }
-    const Vector3 truth = placed(options_.model, cell.isometry,
-                                 detail::mean_point(s.points[a] + s.points[b] + s.points[c], 3));
+    const Vector3 truth = true_middle(std::array{a, b, c});
     const Vector3 normal = (places[b] - places[a]).cross(places[c] - places[a]);
     if (normal.norm() > 0)
       largest = std::max(largest, std::abs((truth - places[a]).dot(normal.normalized())));

@@ -9,8 +9,8 @@
 #include "embedding/universal_cover.hpp"
 #include "geometry/hyperbolic_space.hpp"
 
-/// Cells as surfaces to draw: four hexagons on the faces and four triangles on the truncations,
-/// each on a geodesic plane.
+/// Cells as surfaces to draw: four polygons on the faces, and one on the truncating plane or the
+/// horosphere of each vertex that is not finite and of each parabolic edge.
 namespace tripus::embedding {
 
 using geometry::Model;
@@ -19,24 +19,42 @@ using geometry::Vector3;
 /// No cell is divided more often than this.
 inline constexpr int kMostSubdivisions = 7;
 
-/// The closed surface of one truncated tetrahedron in its own frame: 28 patches (six about the
-/// middle of each hexagon, and the four triangles), each cut n times into four at the hyperbolic
-/// middles of its sides. 14 4^n + 2 points and 28 4^n triangles, counter-clockwise seen from
-/// outside; points on common sides are shared.
+/// The closed surface of one tetrahedron in its own frame. Each polygon with more than three
+/// corners is cut from its middle, so that there are 28 patches where all vertices are hyperideal
+/// or ideal, fewer at finite vertices and more at parabolic edges. Each patch is cut n times into
+/// four at the middles of its sides: hyperbolic ones, or those of the horosphere on which both ends
+/// lie. Triangles are counter-clockwise seen from outside; points on common sides are shared.
 struct CellShape {
+  static constexpr std::int8_t kNoHorosphere = -1;
+
   std::vector<Vector4> points;  ///< on the hyperboloid
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::uint8_t> sides;  ///< [triangles] 0..3 the face, 4..7 4 + the truncated vertex
+  /// [triangles] 0..3 the face, 4..7 4 + the truncated vertex, 8..13 8 + the parabolic edge
+  std::vector<std::uint8_t> sides;
+  /// [points] on whose horosphere it lies: 0..3 the ideal vertex, 4..9 4 + the parabolic edge, or
+  /// -1
+  std::vector<std::int8_t> horospheres;
+
+  /// The middle of some of the points: on the geodesic or the plane through them, or on the
+  /// horosphere on which all of them lie.
+  Vector4 middle(const HyperboloidTetrahedron& tetrahedron,
+                 std::span<const std::uint32_t> numbers) const;
+  /// The horosphere on which all of these points lie, or kNoHorosphere.
+  std::int8_t common_horosphere(std::span<const std::uint32_t> numbers) const;
 };
 
 /// Throws InvalidInput unless subdivisions is from 0 to kMostSubdivisions.
 CellShape cell_shape(const HyperboloidTetrahedron& tetrahedron, int subdivisions);
 
-inline std::size_t point_count(int subdivisions) {
-  return (std::size_t{14} << (2 * subdivisions)) + 2;
+/// Number of triangles of a CellShape that is not subdivided.
+std::size_t patch_count(const HyperboloidTetrahedron& tetrahedron);
+
+/// Sizes of a CellShape with so many patches, which is a sphere.
+inline std::size_t triangle_count(int subdivisions, std::size_t patches = 28) {
+  return patches << (2 * subdivisions);
 }
-inline std::size_t triangle_count(int subdivisions) {
-  return std::size_t{28} << (2 * subdivisions);
+inline std::size_t point_count(int subdivisions, std::size_t patches = 28) {
+  return triangle_count(subdivisions, patches) / 2 + 2;
 }
 
 /// What a tessellation is to be like.
@@ -51,7 +69,7 @@ struct TessellationOptions {
 };
 
 /// Cells cut into triangles, one cell at a time, so that not all must be in memory. In the Klein
-/// model planes are flat and nothing is subdivided.
+/// model planes are flat and nothing but horospheres makes it subdivide.
 class Tessellation {
  public:
   /// Finds the level of every cell: the least power of 2 that keeps the error. A stop leaves the

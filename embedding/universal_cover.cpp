@@ -10,6 +10,7 @@
 #include "embedding/detail/orientations.hpp"
 #include "embedding/detail/position_table.hpp"
 #include "geometry/moebius.hpp"
+#include "topology/covers/presentation.hpp"
 
 namespace tripus::embedding {
 namespace {
@@ -57,6 +58,17 @@ void require_options(const UniversalCoverOptions& options, std::size_t tetrahedr
     throw InvalidInput(fmt::format("there is no tetrahedron {} to begin with; there are {}",
                                    options.root, tetrahedron_count));
   }
+}
+
+void require_tiling(const Embedding& embedding) {
+  for (std::size_t e = 0; e < embedding.cone_angles.size(); ++e)
+    if (!embedding.cone_angles[e].is_parabolic() &&
+        topology::rotation_order(embedding.cone_angles[e]) == 0)
+      throw Unsupported(fmt::format(
+          "the cone angle around edge class {} is not 2 pi / n for a whole number n, so the cells "
+          "overlap and there is no universal cover in hyperbolic space; only a fundamental domain "
+          "can be placed",
+          e));
 }
 
 class Grower {
@@ -144,7 +156,8 @@ class Grower {
     const HyperboloidTetrahedron& tetrahedron = embedding_.tetrahedra[cell.tetrahedron];
     for (std::size_t i = 0; i < 4; ++i) {
       if (geometry::lorentz_product(eye, tetrahedron.faces[i]) > sinh_radius_ ||
-          geometry::lorentz_product(eye, tetrahedron.vertices[i]) > sinh_radius_)
+          (tetrahedron.is_hyperideal(i) &&
+           geometry::lorentz_product(eye, tetrahedron.vertices[i]) > sinh_radius_))
         return false;
     }
     return true;
@@ -168,6 +181,7 @@ class Grower {
 UniversalCover grow_universal_cover(const Embedding& embedding, const Triangulation& triangulation,
                                     const UniversalCoverOptions& options) {
   require_options(options, triangulation.tetrahedron_count());
+  require_tiling(embedding);
   return Grower(embedding, triangulation, options).grow();
 }
 

@@ -1,19 +1,39 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 
 #include "geometry/hyperbolic_space.hpp"
 
 namespace tripus::geometry {
 
-/// A truncated tetrahedron in hyperbolic space: the points x with <x, v_i> <= 0 and <x, n_i> <= 0
-/// for its eight planes.
+/// A tetrahedron in hyperbolic space, cut off at its hyperideal and ideal vertices and at its
+/// parabolic edges: the points x with <x, n_i> <= 0 for its four faces, <x, v_i> <= 0 for
+/// hyperideal vertices, <x, v_i> <= -1 for ideal ones, and <x, p_e> <= -1 for parabolic edges.
 struct HyperboloidTetrahedron {
-  /// Unit spacelike, the poles of the truncating planes: <v_i, v_j> = -cosh l_ij.
+  /// By the kind of the vertex, v_i is
+  ///   hyperideal  unit spacelike, the pole of the truncating plane;
+  ///   ideal       null, its time > 0; its horosphere is {x : <x, v_i> = -1};
+  ///   finite      a point of the hyperboloid.
+  /// <v_i, v_j> is the Gram entry of the edge, docs/theory.md (77): -cosh l_ij between hyperideal
+  /// ones.
   std::array<Vector4, 4> vertices;
   /// Unit spacelike, outward normals of the faces: <n_i, v_j> = 0 for j != i.
   std::array<Vector4, 4> faces;
+  /// <v_i, v_i>: 1 hyperideal, 0 ideal, -1 finite.
+  std::array<double, 4> diagonal{1, 1, 1, 1};
+  /// Bit e is set where edge e = ij is parabolic: v_i and v_j, both hyperideal, have planes that
+  /// touch at the ideal point of p_e = parabolic_scale (v_i + v_j), a null vector.
+  std::uint8_t parabolic_edges = 0;
+  double parabolic_scale = 1;
+
+  bool is_hyperideal(std::size_t i) const { return diagonal[i] > 0; }
+  bool is_ideal(std::size_t i) const { return diagonal[i] == 0; }
+  bool is_finite(std::size_t i) const { return diagonal[i] < 0; }
+  bool is_parabolic(std::size_t e) const { return (parabolic_edges >> e & 1) != 0; }
+  /// p_e of a parabolic edge.
+  Vector4 parabolic_point(std::size_t e) const;
 };
 
 /// Edges longer than this are refused: coordinates are of size e^{l/2} and their products of size
@@ -35,7 +55,30 @@ inline constexpr double kLongestEmbeddedEdge = 300;
 /// Source: docs/theory.md (56) to (59).
 HyperboloidTetrahedron hyperboloid_tetrahedron(std::span<const double, 6> l, int orientation = 1);
 
-/// The corner where edge ij meets the truncation of vertex i: a point of the hyperboloid.
+/// The same with vertices of every kind.
+///   diagonal  [4]  1 hyperideal, 0 ideal, -1 finite
+/// Lengths at ideal vertices are those from the horospheres and may be negative; the shape and its
+/// frame are then found as well, but a horoball reaches beyond another one or the plane. The centre
+/// depends on the horospheres.
+/// An edge of length 0 between hyperideal vertices is parabolic. Throws as above; Unsupported for
+/// an edge of length 0 or less between a finite and a hyperideal vertex (the vertex lies beyond the
+/// plane).
+/// Source: docs/theory.md (56) to (58), (77), (113).
+HyperboloidTetrahedron hyperboloid_tetrahedron(std::span<const double, 6> l,
+                                               std::span<const double, 4> diagonal,
+                                               int orientation);
+
+/// The corner where edge ij meets the truncating plane or the horosphere of vertex i, or vertex i
+/// itself if it is finite: a point of the hyperboloid. Not for a parabolic edge, whose corner is
+/// ideal. Source: docs/theory.md (59), (113).
 Vector4 corner(const HyperboloidTetrahedron& tetrahedron, int i, int j);
+
+/// Where the horosphere of the parabolic edge ij meets the plane of vertex i in face f, which
+/// contains the edge. Source: docs/theory.md (116).
+Vector4 parabolic_corner(const HyperboloidTetrahedron& tetrahedron, int i, int j, int f);
+
+/// The point of the horosphere {x : <x, v> = -1} that lies half-way, in its own Euclidean geometry,
+/// between points of it whose mean is m: <m, v> = -1. Source: docs/theory.md (114).
+Vector4 on_horosphere(const Vector4& m, const Vector4& v);
 
 }  // namespace tripus::geometry

@@ -34,6 +34,10 @@ void append_tetrahedron(JsonText& out, const HyperboloidTetrahedron& tetrahedron
   append_array(out, tetrahedron.vertices, append_vector);
   append(out, ", \"faces\": ");
   append_array(out, tetrahedron.faces, append_vector);
+  append(out, ", \"kinds\": ");
+  append_array(out, tetrahedron.diagonal, [](JsonText& to, double d) {
+    append_string(to, d > 0 ? "hyperideal" : d == 0 ? "ideal" : "finite");
+  });
   out.push_back('}');
 }
 
@@ -169,6 +173,11 @@ std::string embedding_as_json(const EmbeddedSubject& embedded) {
   append(out, ", \"face_pairings\": ");
   append_array(out, embedded.embedding.face_pairings,
                [](JsonText& to, const auto& four) { append_array(to, four, append_matrix); });
+  append(out, ", \"horosphere_area\": ");
+  if (embedded.embedding.horosphere_area > 0)
+    append_finite(out, embedded.embedding.horosphere_area);
+  else
+    append(out, "null");
   append(out, ", \"holonomy\": ");
   const auto holonomy = embedding::holonomy(embedded.embedding, embedded.subject.triangulation);
   append_holonomy(out, holonomy);

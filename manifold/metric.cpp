@@ -45,14 +45,9 @@ std::size_t CellComplex::write(const std::string& path, const CellFileOptions& o
 }
 
 std::shared_ptr<const embedding::Embedding> Metric::shared_embedding() const {
-  if (!topology::all_full(cone_angles_))
-    throw Unsupported(
-        "a metric with cone angles other than 2 pi is not placed in hyperbolic space so far: "
-        "around "
-        "a singular edge the tetrahedra do not close up");
   std::call_once(placed_, [this] {
-    embedding_ = std::make_shared<const embedding::Embedding>(
-        embedding::embed(triangulation_, report_.edge_lengths));
+    embedding_ = std::make_shared<const embedding::Embedding>(embedding::embed(
+        triangulation_, report_.edge_lengths, {{cone_angles_.begin(), cone_angles_.end()}, 0}));
   });
   return embedding_;
 }

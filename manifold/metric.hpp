@@ -77,7 +77,8 @@ class Metric {
   /// docs/proof.md.
   structure::Proof prove(const Context& context = {}) const;
 
-  // Places in hyperbolic space. Unsupported for cone angles other than 2 pi.
+  // Places in hyperbolic space. There is a universal cover where every cone angle is 2 pi / n or 0;
+  // Unsupported elsewhere.
 
   /// The tetrahedra in the hyperboloid model and the isometries that glue them; made once.
   const embedding::Embedding& embedding() const { return *shared_embedding(); }

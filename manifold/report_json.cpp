@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "structure/valence_theorem.hpp"
+
 namespace tripus {
 namespace {
 
@@ -56,6 +58,15 @@ void append_closed_bigon(JsonText& out, const structure::ClosedBigon& bigon) {
   out.push_back('}');
 }
 
+void append_valence_theorem(JsonText& out, const structure::ValenceTheorem& theorem) {
+  fmt::format_to(std::back_inserter(out),
+                 ", \"valence_theorem\": {{\"claim\": \"{}\", \"least_valence\": {}, \"source\": "
+                 "\"{}\", \"message\": ",
+                 structure::to_string(theorem.claim), theorem.least_valence, theorem.source());
+  append_string(out, structure::message(theorem));
+  out.push_back('}');
+}
+
 }  // namespace
 
 std::string report_as_json(const Subject& subject, const Report& report,
@@ -93,6 +104,8 @@ std::string report_as_json(const Subject& subject, const Report& report,
     append(out, structure::to_json(*report.strict_angles));
   }
   if (report.closed_bigon) append_closed_bigon(out, *report.closed_bigon);
+  if (const auto theorem = structure::valence_theorem(subject.triangulation, subject.cone_angles))
+    append_valence_theorem(out, *theorem);
   if (retriangulation != nullptr) append_retriangulation(out, *retriangulation);
   if (proof != nullptr) append(out, ", \"proof\": " + structure::to_json(*proof));
   if (report.advice != structure::Advice::kNone) {

@@ -33,6 +33,7 @@ struct EmbedCommand {
   std::size_t cells = 0;  ///< 0: not given
   int depth = -1;         ///< -1: not given
   double radius = 0;      ///< 0: not given
+  double area = 0;        ///< of horospheres; 0: not given
   std::string model = "ball";
   MetricSearch search;
   double error = embedding::TessellationOptions{}.error;
@@ -107,6 +108,17 @@ void write_mesh(const EmbedCommand& command, EmbeddedSubject& embedded,
   }
 }
 
+/// The paper's circles are those of truncating planes.
+void require_circles(const embedding::Embedding& embedded) {
+  for (const embedding::HyperboloidTetrahedron& tetrahedron : embedded.tetrahedra)
+    if (tetrahedron.diagonal != embedding::HyperboloidTetrahedron{}.diagonal ||
+        tetrahedron.parabolic_edges != 0)
+      throw Unsupported(
+          "circles at infinity are drawn for geodesic boundary only, not for cusps, finite "
+          "vertices "
+          "and parabolic edges; write .json or a surface, such as .ply");
+}
+
 std::string circle_figure(const EmbeddedSubject& embedded) {
   return embedding::circles_as_svg(
       embedding::circle_pictures(embedded.embedding, embedded.cover.cells,
@@ -131,7 +143,7 @@ Reply embed_one(const EmbedCommand& command, const std::string& input) {
   std::optional<OutputFile> file, circles;
   if (!command.output.empty()) file.emplace(command.output);
   if (!command.circles.empty()) circles.emplace(command.circles);
-  Subject loaded = load_solvable_subject(input, interruptible(), require_boundary_with_remedy);
+  Subject loaded = load_ideal_subject(input, Balls::kRefused, interruptible(), require_with_remedy);
   const Solved solved = find_metric(std::move(loaded), {}, command.search);
   const Subject& subject = solved.subject;
   const structure::Report& report = solved.report;
@@ -143,7 +155,9 @@ Reply embed_one(const EmbedCommand& command, const std::string& input) {
                 : report_as_text(subject, report, solved.search()) + "  nothing was embedded\n",
             kNoAnswer};
   }
-  embedding::Embedding placed = embedding::embed(subject.triangulation, report.edge_lengths);
+  embedding::Embedding placed = embedding::embed(subject.triangulation, report.edge_lengths,
+                                                 {subject.cone_angles, command.area});
+  if (circles || (file && extension_of(file->path()) == "svg")) require_circles(placed);
   embedding::UniversalCover cover = cells_of(command, subject, placed);
   EmbeddedSubject embedded{subject, report, std::move(placed), std::move(cover)};
   if (file) write_embedding(command, embedded, *file);
@@ -204,6 +218,11 @@ void add_embed(CLI::App& program, Command& chosen) {
                  "one JSON object on standard output; also without -o");
   verb->add_flag("--quiet", command->common.quiet, "no text about the cells");
   add_cell_options(*verb, *command);
+  verb->add_option("--horosphere-area", command->area,
+                   "area of the horosphere at which each cusp is cut off (default:\n"
+                   "sqrt(3)/2, or less where horoballs would reach opposite faces)")
+      ->option_text("A")
+      ->check(positive_number());
   add_metric_search(*verb, command->search);
   verb->add_option("--model", command->model, "of surfaces: upper, ball (default) or klein")
       ->option_text("NAME")

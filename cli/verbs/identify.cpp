@@ -29,15 +29,10 @@ std::string message_of(const Identification& found, const IdentifyCommand& comma
   if (found.entry != nullptr) return fmt::format("It is {}.", found.entry->name);
   if (found.by == IdentifiedBy::kNothing) return "Unresolved: " + found.answer->message;
   const canonical::CanonicalManifold& manifold = *found.answer->manifold;
-  const topology::Triangulation& triangulation = manifold.triangulation;
-  bool has_cusps = false;
-  for (std::size_t v = 0; v < triangulation.vertex_count(); ++v)
-    has_cusps = has_cusps || triangulation.link(v).euler_characteristic == 0;
   return fmt::format(
       "It is not in the census {}: its signature is {}, its volume {:.15g}.",
       command.in.empty()
-          ? (has_cusps ? "that comes with the program, which has no manifolds with cusps"
-                       : "that comes with the program, which ends with four tetrahedra")
+          ? "that comes with the program, which ends with four tetrahedra"
           : fmt::format("{} of {} manifolds", tripus::quoted(command.in), census.manifolds.size()),
       manifold.signature.unoriented, manifold.report.volume);
 }

@@ -83,7 +83,6 @@ Reply answer_of(const SolveCommandOptions& command, const Solved& solved) {
 
 Reply solve_subject(const SolveCommandOptions& command, Subject subject) {
   structure::SolveOptions options = command.solve;
-  options.cone_angles = subject.cone_angles;
   std::optional<HistoryFile> history;
   if (!command.history.empty()) history.emplace(command.history);
   const bool single = command.common.batch.empty();
@@ -284,8 +283,6 @@ void add_solve(CLI::App& program, Command& chosen) {
                       ->option_text("FILE");
   history->excludes(verb->get_option("--batch"));
   add_metric_search(*verb, command->search);
-  verb->get_option("--cone-angle")->excludes(verb->get_option("--retriangulate"));
-  verb->get_option("--cone-order")->excludes(verb->get_option("--retriangulate"));
   verb->add_option("-o,--output", command->output,
                    "write the triangulation that carries the metric: .json (gluing table),\n"
                    ".sig (signature), .rga (Regina) or .tri (SnapPea)")

@@ -16,6 +16,9 @@ const Metric& require_metric(const Manifold& manifold, const Context& context) {
   const Metric* metric = manifold.metric(context);
   if (metric == nullptr)
     throw InvalidInput("there is no metric to show: " + manifold.verdict(context).message);
+  if (!topology::all_full(manifold.cone_angles()))
+    throw Unsupported("views do not know cone angles other than 2 pi so far");
+  topology::require_geodesic_boundary(manifold.triangulation());
   return *metric;
 }
 

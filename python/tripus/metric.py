@@ -84,12 +84,11 @@ class Metric(Value):
     def embedding(self) -> dict[str, npt.NDArray[np.float64]]:
         """The tetrahedra in the hyperboloid model, x^2 + y^2 + z^2 - t^2, time last.
 
-        vertices       [T x 4 x 4]     unit spacelike, poles of the truncating planes
+        vertices       [T x 4 x 4]     unit spacelike, poles of the truncating planes; null at an ideal
+                                       vertex, with the horosphere <x, v> = -1; a point if finite
         faces          [T x 4 x 4]     outward unit normals of the faces
         face_pairings  [T x 4 x 4 x 4] the isometry that carries the neighbour across each face,
                                        from its frame to its place beside the tetrahedron
-
-        Unsupported at cusps and finite vertices.
         """
         vertices, faces, pairings = self._core.embedding()
         return {"vertices": vertices, "faces": faces, "face_pairings": pairings}
@@ -97,7 +96,8 @@ class Metric(Value):
     def holonomy(self) -> dict[str, Any]:
         """Generators of the fundamental group as isometries, in the frame of tetrahedron 0.
 
-        The generators are those of `fundamental_group(simplify_presentation=False)`.
+        The generators are those of `fundamental_group(simplify_presentation=False)`; around singular
+        edges relators are powers.
 
         isometries  [g x 4 x 4]  in O+(3,1)
         moebius     [g x 2 x 2]  complex, determinant 1, up to sign; of the conjugate where
@@ -182,7 +182,10 @@ class Metric(Value):
         time_limit: float | None = None,
         progress: Progress = None,
     ) -> CellComplex:
-        """The nearest cells of the universal cover, at most so many, so deep, so far away."""
+        """The nearest cells of the universal cover, at most so many, so deep, so far away.
+
+        Unsupported where a cone angle is not 2 pi / n.
+        """
         core = self._core.universal_cover(
             cells, depth, radius, root, limits(time_limit, 0, progress)
         )

@@ -78,7 +78,7 @@ TEST_P(FlowContract, ConvergesOnWellConditionedProblems) {
   }
 }
 
-/// All but `calabi`, which stands still where the Hessian vanishes.
+/// All but those that move by a power of the Hessian, which stand still where it vanishes.
 class FlowThroughFlatRegions : public FlowContract {};
 
 TEST_P(FlowThroughFlatRegions, Converges) {
@@ -119,8 +119,11 @@ TEST_P(FlowContract, StopsAtAnUnreachableTolerance) {
   EXPECT_LT(s.max_gradient, 1e-12) << describe(c, s);
 }
 
-/// Halves the step and demands the declared order of the error at a fixed time.
-TEST_P(FlowContract, HasTheDeclaredOrder) {
+/// Not p-Calabi with p = 1.5 and 3, whose weights are not smooth where a component of g vanishes.
+class SmoothFlow : public FlowContract {};
+
+/// Halves the step and demands the declared order, at least, of the error at a fixed time.
+TEST_P(SmoothFlow, HasTheDeclaredOrder) {
   std::mt19937 random(kSeed);
   const Matrix A = Matrix::NullaryExpr(
       6, 3, [&](Eigen::Index, Eigen::Index) { return random_vector(1, random)[0]; });
@@ -141,7 +144,7 @@ TEST_P(FlowContract, HasTheDeclaredOrder) {
   const double coarse = (end(steps) - reference).norm();
   const double fine = (end(2 * steps) - reference).norm();
   EXPECT_GT(fine, 1e-14) << "too accurate to tell";
-  EXPECT_NEAR(std::log2(coarse / fine), stepper().order, 0.5) << coarse << ' ' << fine;
+  EXPECT_GT(std::log2(coarse / fine), stepper().order - 0.5) << coarse << ' ' << fine;
 }
 
 std::string name_of(const ::testing::TestParamInfo<FlowAndStepper>& both) {
@@ -149,7 +152,11 @@ std::string name_of(const ::testing::TestParamInfo<FlowAndStepper>& both) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Flows, FlowContract, ::testing::ValuesIn(flows_but({})), name_of);
-INSTANTIATE_TEST_SUITE_P(Flows, FlowThroughFlatRegions, ::testing::ValuesIn(flows_but({"calabi"})),
+INSTANTIATE_TEST_SUITE_P(Flows, SmoothFlow,
+                         ::testing::ValuesIn(flows_but({"calabi-1.5", "calabi-3"})), name_of);
+INSTANTIATE_TEST_SUITE_P(Flows, FlowThroughFlatRegions,
+                         ::testing::ValuesIn(flows_but({"calabi", "calabi-1.5", "calabi-3",
+                                                        "calabi-4", "fractional-0.5"})),
                          name_of);
 
 }  // namespace

@@ -28,7 +28,11 @@ class Cusps(ProgramTest):
         self.assertIn("geodesic surface of genus 2", self.run_program("solve", "dLQacccjjkg").text)
 
     def test_what_does_not_know_them_says_so(self):
-        self.assert_refused("embed", "cPcbbbiht", says="is a torus", kind="unsupported")
+        self.assert_refused("view", "cPcbbbiht", "-o", "x.html", says="is a torus",
+                            kind="unsupported")
+        self.assert_refused("embed", "cPcbbbiht", "--circles", "x.svg",
+                            says="circles at infinity are drawn for geodesic boundary only",
+                            kind="unsupported")
         self.assert_refused("solve", "cPcbbbiht", "--method", "angles:newton",
                             says="works with geodesic boundary only", kind="unsupported")
 
@@ -49,8 +53,54 @@ class Cusps(ProgramTest):
         self.assertEqual([row[2] for row in rows], ["K", "T", "g2+T"])
         for row, volume in zip(rows, (1.01494160640966, 2.02988321281931, 7.79763688029484)):
             self.assertAlmostEqual(float(row[3]), volume, delta=1e-12)
-        self.assertIn("no manifolds with cusps",
-                      self.run_program("identify", "cPcbbbiht").text)
+        self.assertIn("It is t2T.2.", self.run_program("identify", "4_1").text)
+        self.assertIn("It is t3g2+T.1.", self.run_program("identify", "dLQacccjjkg").text)
+        self.assertEqual(self.json_answer("solve", "t1K.1")["isosig"], "bkaaid")
+        self.assertIn("ends with four tetrahedra",
+                      self.run_program("identify", "fLLQcbdeedemnamjp").text)
+        table = self.run_program("census", "--boundary", "T+T", "--tsv", "-", "--quiet").text
+        self.assertEqual(table.count("\nt4T+T."), 4)
+
+    def test_places_in_space(self):
+        eight = self.json_answer("embed", "cPcbbbiht")
+        self.assertEqual(eight["tetrahedra"][0]["kinds"], ["ideal"] * 4)
+        self.assertAlmostEqual(eight["horosphere_area"], math.sqrt(3) / 2, delta=1e-12)
+        for v in eight["tetrahedra"][0]["vertices"]:
+            self.assertAlmostEqual(v[0]**2 + v[1]**2 + v[2]**2 - v[3]**2, 0, delta=1e-12)
+        self.assertFalse(any(g["reverses_orientation"] for g in eight["holonomy"]["generators"]))
+        self.assertLess(eight["holonomy"]["relator_defect"], 1e-12)
+        small = self.json_answer("embed", "cPcbbbiht", "--horosphere-area", "0.5")
+        self.assertEqual(small["horosphere_area"], 0.5)
+        self.assert_refused("embed", "cPcbbbiht", "--horosphere-area", "4",
+                            says="the largest possible area here is 3.46")
+        self.assert_refused("embed", "cPcbbbiht", "--horosphere-area", "-1",
+                            says="--horosphere-area", kind="usage")
+        gieseking = self.json_answer("embed", "bkaaid")
+        self.assertTrue(any(g["reverses_orientation"]
+                            for g in gieseking["holonomy"]["generators"]))
+        mixed = self.json_answer("embed", "dLQacccjjkg", "--cells", "20")
+        self.assertEqual({kind for t in mixed["tetrahedra"] for kind in t["kinds"]},
+                         {"ideal", "hyperideal"})
+        self.assertEqual(len(mixed["cells"]), 20)
+        self.run_program("embed", "bkaaid", "--cells", "5", "-o", "cells.ply")
+
+    def test_singular_edges_in_space(self):
+        orbifold = self.json_answer("embed", TRIPUS + " 0=3", "--radius", "1")
+        self.assertEqual(orbifold["cone_orders"], [3])
+        self.assertIsNone(orbifold["horosphere_area"])
+        self.assertGreater(len(orbifold["cells"]), 2)
+        relators = orbifold["holonomy"]["relators"]
+        self.assertEqual(relators[0], 3 * relators[0][:len(relators[0]) // 3])
+        self.write("list.json", json.dumps({
+            "gluings": [[[1, "1230"], [1, "3012"], [1, "0321"], [1, "0213"]],
+                        [[0, "1230"], [0, "3012"], [0, "0321"], [0, "0213"]]],
+            "cone_orders": ["5/2"]}))
+        self.assertEqual(len(self.json_answer("embed", "list.json")["cells"]), 2)
+        self.assert_refused("embed", "list.json", "--cells", "5",
+                            says="is not 2 pi / n for a whole number n", kind="unsupported")
+        parabolic = self.json_answer("embed", TRIPUS + " 0=0", "--cells", "3", "-o", "x.ply",
+                                     "--json")
+        self.assertEqual(len(parabolic["cells"]), 3)
 
     def test_a_certificate(self):
         answer = self.run_program("solve", "eLAkbbcddpucaj", "--json")
@@ -77,7 +127,7 @@ class ConeAngles(ProgramTest):
         self.assertNotIn("cone_orders", info)
 
     def test_orders_behind_an_input_are_refused_by_name(self):
-        for verb in (("orthospectrum",), ("embed",), ("cover", "--cyclic", "2"), ("simplify",)):
+        for verb in (("orthospectrum",), ("cover", "--cyclic", "2"), ("simplify",)):
             with self.subTest(verb[0]):
                 self.assert_refused(*verb, "cPcbbbihq 0=2", says="singular edges", kind="unsupported")
 
@@ -99,7 +149,8 @@ class ConeAngles(ProgramTest):
         self.assertEqual(labelled["volume"],
                          self.json_answer("solve", TRIPUS, "--cone-order", "0=3")["volume"])
         self.assertIn("cPcbbbihq 0=3", self.run_program("canonize", "m.json").text)
-        self.assert_refused("embed", "m.json", says="has singular edges", kind="unsupported")
+        self.assert_refused("view", "m.json", "-o", "x.html", says="has singular edges",
+                            kind="unsupported")
         self.write("wrong.json", json.dumps({"gluings": gluings, "cone_orders": [3, 3]}))
         self.assert_refused("solve", "wrong.json", says="expected 1 cone orders")
 

@@ -50,9 +50,9 @@ class EmbedJson(ProgramTest):
     def test_keys(self):
         answer = self.json_answer("embed", TRIPUS)
         solved = self.json_answer("solve", TRIPUS)
-        self.assertEqual(list(answer), list(solved) + ["tetrahedra", "face_pairings", "holonomy",
+        self.assertEqual(list(answer), list(solved) + ["tetrahedra", "face_pairings", "horosphere_area", "holonomy",
                                                        "cells", "cells_end"])
-        self.assertEqual(list(answer["tetrahedra"][0]), ["vertices", "faces"])
+        self.assertEqual(list(answer["tetrahedra"][0]), ["vertices", "faces", "kinds"])
         self.assertEqual(list(answer["cells"][0]),
                          ["tetrahedron", "isometry", "word", "depth", "parent"])
         self.assertEqual(answer["cells"][0]["isometry"], IDENTITY)

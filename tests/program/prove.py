@@ -189,7 +189,7 @@ class Prove(ProgramTest):
         self.assertIn("t2g2.1: edge class 0", answer.text)
         self.assertIn("t2g2.2: there is no proof of it", answer.text)
         answer = self.run_program("census", "--in", "two.tsv", "--check")
-        self.assertEqual((answer.status, answer.text), (0, "8 of 8 manifolds have a valid proof\n"))
+        self.assertEqual((answer.status, answer.text), (0, "12 of 12 manifolds have a valid proof\n"))
         made = self.run_program("census", "--in", "two.tsv", "--prove").text
         shipped = (self.folder / "made.tsv")
         shipped.write_text(made)

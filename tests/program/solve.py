@@ -12,7 +12,7 @@ KEYS = ["tripus", "input", "isosig", "tetrahedron_count", "edge_count", "orienta
         "max_curvature", "volume", "edge_lengths", "dihedral_angles", "edge_classes",
         "flat_tetrahedra", "certificate", "message"]
 OUTCOMES = ["geometric", "degenerate", "infeasible", "unresolved"]
-OPTIONAL_KEYS = {"name", "angle_structure", "retriangulation", "advice", "manifold"}
+OPTIONAL_KEYS = {"name", "valence_theorem", "angle_structure", "retriangulation", "advice", "manifold"}
 NUMBER = (int, float)
 
 

@@ -233,5 +233,23 @@ class Retriangulation(ProgramTest):
         self.assert_refused("solve", NONE, "--seed", "5", says="--retriangulate", kind="usage")
         self.assert_refused("solve", NONE, "--retriangulate", "--budget", "x", says="--budget",
                             kind="usage")
-        self.assert_refused("solve", NONE, "--retriangulate", "--cone-angle", "0=pi",
-                            says="--cone-angle", kind="usage")
+
+    def test_labels_stay_when_it_looks_for_another_triangulation(self):
+        # The triangulation of the trefoil's complement, order 5 on one edge: moves keep the label.
+        answer = self.json_answer("solve", "dLQbcbcaekw", "--cone-order", "0=3", "--retriangulate",
+                                  "--budget", "20", status=1)
+        self.assertEqual(answer["cone_orders"].count(1), len(answer["cone_orders"]) - 1)
+        self.assertEqual(answer["retriangulation"]["from"], "dLQbcbcaekw 0=3")
+        self.write("list", "dLQbcbcaekw 0=3\n")
+        batch = self.run_program("solve", "--batch", "list", "--retriangulate", "--budget", "5",
+                                 "--json")
+        self.assertIn('"cone_orders"', batch.text)
+
+    def test_theorems_from_valences(self):
+        answer = self.json_answer("solve", TRIPUS)["valence_theorem"]
+        self.assertEqual((answer["claim"], answer["least_valence"], answer["source"]),
+                         ("geometric", 12, "arXiv 2601.15174"))
+        self.assertIn("theorem         every valence is at least 9",
+                      self.run_program("solve", TRIPUS).text)
+        self.assertNotIn("valence_theorem",
+                         self.json_answer("solve", TRIPUS, "--cone-order", "0=2"))

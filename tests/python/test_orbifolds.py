@@ -87,9 +87,22 @@ def test_retriangulation_keeps_them():
     assert sorted(N.cone_orders.values()) == [3]
 
 
+def test_places_in_space(M):
+    holonomy = M.metric.holonomy()
+    assert holonomy["holds"] and holonomy["defect"] < 1e-11 and not any(holonomy["reverses"])
+    vertices = M.metric.embedding()["vertices"]
+    assert vertices.shape == (2, 4, 4)
+    assert len(M.metric.universal_cover(30)) == 30
+    eight = tripus.Manifold("4_1").metric
+    v = eight.embedding()["vertices"]
+    assert abs(v[..., 0]**2 + v[..., 1]**2 + v[..., 2]**2 - v[..., 3]**2).max() < 1e-12
+    assert any(tripus.Manifold("bkaaid").metric.holonomy()["reverses"])
+    with pytest.raises(tripus.Unsupported, match="2 pi / n"):
+        tripus.Manifold("cPcbbbihq", cone_orders={0: Fraction(5, 2)}).metric.universal_cover(30)
+
+
 def test_what_does_not_know_them_says_so(M, tmp_path):
-    for work in (M.simplified, M.to_snappy, M.to_regina, M.page, M.picture,
-                 M.metric.embedding, M.metric.holonomy, M.metric.universal_cover):
+    for work in (M.simplified, M.to_snappy, M.to_regina, M.page, M.picture):
         with pytest.raises(tripus.Unsupported, match="cone angles"):
             work()
     assert "img" not in M._repr_html_() and "edge 0: 2" in M._repr_html_()

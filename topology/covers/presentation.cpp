@@ -17,6 +17,9 @@ namespace {
 constexpr std::size_t kGrowth = 8;
 constexpr std::size_t kFreeLength = 1000;
 
+/// Powers of relators are written out, up to this length.
+constexpr std::int64_t kLongestRelator = 10'000'000;
+
 void append_reduced(Word& word, Letter letter) {
   if (!word.empty() && word.back() == -letter) {
     word.pop_back();
@@ -158,7 +161,18 @@ class Rewriter {
 
 }  // namespace
 
+std::int64_t rotation_order(const ConeAngle& cone_angle) {
+  if (!cone_angle.is_rational()) return 0;
+  if (cone_angle.numerator() == 1) return 2 * cone_angle.denominator();
+  return cone_angle.numerator() == 2 ? cone_angle.denominator() : 0;
+}
+
 FundamentalGroup fundamental_group(const Triangulation& triangulation) {
+  return orbifold_group(triangulation, {});
+}
+
+FundamentalGroup orbifold_group(const Triangulation& triangulation,
+                                std::span<const ConeAngle> cone_angles) {
   if (!triangulation.is_connected())
     throw InvalidInput("the triangulation has " + std::to_string(triangulation.component_count()) +
                        " components; take one of them");
@@ -174,7 +188,15 @@ FundamentalGroup fundamental_group(const Triangulation& triangulation) {
       if (group.face_letters[slot] != 0) append_reduced(relator, group.face_letters[slot]);
     });
     reduce_cyclically(relator);
-    if (!relator.empty()) group.presentation.relators.push_back(std::move(relator));
+    const std::int64_t order = cone_angles.empty() ? 1 : rotation_order(cone_angles[e]);
+    if (order > kLongestRelator / std::max<std::int64_t>(1, std::ssize(relator)))
+      throw InvalidInput("the cone order " + std::to_string(order) + " of edge class " +
+                         std::to_string(e) + " makes its relator longer than " +
+                         std::to_string(kLongestRelator) + " letters; give it a smaller order");
+    Word power;
+    for (std::int64_t n = 0; n < order; ++n)
+      power.insert(power.end(), relator.begin(), relator.end());
+    if (!power.empty()) group.presentation.relators.push_back(std::move(power));
   }
   return group;
 }

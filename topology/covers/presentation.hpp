@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "topology/cone_angle.hpp"
 #include "topology/triangulation.hpp"
 
 namespace tripus::topology {
@@ -36,6 +38,16 @@ struct FundamentalGroup {
 /// Finite vertices add nothing: their links are simply connected. O(T).
 /// Throws InvalidInput if the triangulation is not connected.
 FundamentalGroup fundamental_group(const Triangulation& triangulation);
+
+/// n where the cone angle is 2 pi / n with n >= 1 whole, so that the edge is the axis of a rotation
+/// of order n; else 0.
+std::int64_t rotation_order(const ConeAngle& cone_angle);
+
+/// The same for an orbifold with cone angles [E] (empty: 2 pi everywhere): the way around an edge
+/// has the power n as relator where the cone angle is 2 pi / n, and none where it is not: then this
+/// is the group of the manifold without that edge.
+FundamentalGroup orbifold_group(const Triangulation& triangulation,
+                                std::span<const ConeAngle> cone_angles);
 
 /// A presentation of the same group with fewer generators (Tietze moves).
 struct ReducedPresentation {

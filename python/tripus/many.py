@@ -103,7 +103,8 @@ def census(
     cells: str = "",
     **unknown: Any,
 ) -> list[CensusEntry]:
-    """Manifolds of the census that comes with tripus: all with up to four tetrahedra.
+    """Manifolds of the census that comes with tripus: all that are compact, with up to four
+    tetrahedra, and those of up to four with cusps that docs/canonical.md names.
 
     volume    (least, greatest)
     boundary  "g2+g3"
@@ -114,7 +115,7 @@ def census(
 
     >>> import tripus
     >>> len(tripus.census(tetrahedra=2)), len(tripus.census(tetrahedra=3))
-    (8, 150)
+    (12, 167)
     >>> tripus.census(num_tetrahedra=2)
     Traceback (most recent call last):
     ...

@@ -115,7 +115,7 @@ class Limits(ProgramTest):
         for base, volume in (("cMcabbidt", 2 * TRIPUS_VOLUME), ("cMcabbijr", 2 * TRIPUS_VOLUME),
                              ("cPcbbbchw", 2 * TRIPUS_VOLUME)):
             with self.subTest(base):
-                self.assert_refused("embed", base, says="tripus cover INPUT --orientable")
+                self.assert_refused("orthospectrum", base, says="tripus cover INPUT --orientable")
                 line = self.run_program("cover", base, "--orientable").text
                 answer = self.json_answer("solve", line.split()[0])
                 self.assertEqual((answer["orientable"], answer["tetrahedron_count"]), (True, 4))

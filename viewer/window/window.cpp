@@ -329,7 +329,8 @@ class Viewer {
   }
 
   void link() {
-    const std::string command = options_.command + " " + state_.as_options();
+    std::string command = options_.command + " " + state_.as_options();
+    if (scene_.discs != nullptr && state_.shown.discs) command += " " + options_.discs;
     glfwSetClipboardString(window_, command.c_str());
     say("copied: " + command);
   }
@@ -462,8 +463,9 @@ class Viewer {
 }  // namespace
 
 void show_window(const SceneSource& scene_of, const WindowOptions& options) {
-  require_drawable(scene_of(options.cells, options.picture.model), options.picture, options.width,
-                   options.height);
+  const Model model = options.picture.model;
+  require_drawable(moved(model, scene_of(options.cells, model), options.motion), options.picture,
+                   options.width, options.height);
   const Glfw glfw(options.width, options.height);
   Viewer(glfw.window(), scene_of, options).run();
 }

@@ -2,8 +2,9 @@
 #
 # One library a module folder: target tripus_<name>, alias tripus::<name>,
 # exported as tripus::<name>. PUBLIC names what its headers need, PRIVATE what
-# only its sources need. UNITED: see TripusUnity.cmake. Headers lie beside their sources and are included from
-# the root of the repository ("topology/triangulation.hpp").
+# only its sources need. UNITED: see TripusUnity.cmake. Headers lie beside their
+# sources and are included from the root of the repository
+# ("topology/triangulation.hpp").
 include(GNUInstallDirs)
 
 function(tripus_add_module name)

@@ -1,7 +1,7 @@
 # tripus_unite(<target>)
 #
-# Compiles the sources of a target a dozen at a time, if TRIPUS_UNITY is on: from nothing that takes a
-# third of the processor time, as each header and each template is then met once a dozen; after a change
+# Compiles the sources of a target a dozen at a time, if TRIPUS_UNITY is on: from nothing that takes about
+# half of the processor time, as each header and each template is then met once a dozen; after a change
 # of one source it takes longer. So names in a target differ from one another, also those that only
 # their file sees; the build of tests/consumer and the preset dev compile each source by itself, which
 # finds includes that are missing. The formats of files are worlds of their own and stay apart; so do

@@ -32,6 +32,8 @@ MeshFile read(std::string_view content, std::string_view, const ReadFile&) {
       if (is_new) file.mesh.points.push_back(p);
       corner = place->second;
     }
+    if (!(fields >> std::ws).eof())
+      throw InvalidInput("line " + std::to_string(number) + ": more than nine numbers");
     file.mesh.triangles.push_back(triangle);
     file.lines.cells.push_back(number);
   }

@@ -2,6 +2,7 @@
 // that it takes: help, --batch, --json, --threads and --time-limit come with the common options.
 #include "cli/answer.hpp"
 #include "cli/exit_status.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/verb.hpp"
 #include "manifold/json_text.hpp"
 #include "manifold/load.hpp"
@@ -12,15 +13,19 @@ namespace tripus::cli {
 namespace {
 
 Reply volume_of(const CommonOptions& options, const std::string& input) {
-  const Manifold M = load(input);
-  const Metric* metric = M.metric();
-  if (metric == nullptr) return {M.verdict().message + "\n", kNoAnswer};
-  if (!options.json) return {fmt::format("{}\n", metric->volume()), kSuccess};
+  const Context context = interruptible();
+  const Manifold M = load(input, context);
+  const Metric* metric = M.metric(context);
+  const int status = metric != nullptr ? kSuccess : kNoAnswer;
+  const std::string volume = metric != nullptr ? fmt::format("{}", metric->volume()) : "";
+  const std::string& message = M.verdict(context).message;
+  if (!options.json) return {(metric != nullptr ? volume : message) + "\n", status};
   JsonText out;
   append_header(out, input);
-  append_number_key(out, "volume", metric->volume());
+  fmt::format_to(std::back_inserter(out), ", \"volume\": {}", metric != nullptr ? volume : "null");
+  append_text_key(out, "message", message);
   append(out, "}");
-  return {fmt::to_string(out), kSuccess};
+  return {fmt::to_string(out), status};
 }
 
 void add_volume(CLI::App& program, Command& chosen) {

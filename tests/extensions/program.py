@@ -66,6 +66,8 @@ class Extended(unittest.TestCase):
             refused = run("info", str(file))
             self.assertEqual(refused.returncode, 2)
             self.assertIn("line 1: expected nine numbers", refused.stderr)
+            file.write_text("0 0 0 1 0 0 0 1 0 7\n")
+            self.assertIn("line 1: more than nine numbers", run("info", str(file)).stderr)
             Path(folder, "y").write_text("two words")
             self.assertIn("raw triangles", run("info", str(Path(folder, "y"))).stderr)
 
@@ -77,6 +79,8 @@ class Extended(unittest.TestCase):
         self.assertAlmostEqual(answer["volume"], VOLUME, delta=1e-12)
         none = run("volume", "dLQbcbcaekw")
         self.assertEqual(none.returncode, 1)
+        refused = json.loads(run("volume", "dLQbcbcaekw", "--json").stdout)
+        self.assertIsNone(refused["volume"])
         self.assertEqual(run("volume", "nonsense").returncode, 2)
 
 

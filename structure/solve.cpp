@@ -260,6 +260,8 @@ Report settle(const topology::Triangulation& triangulation, const SolveOptions& 
   }
   Existence found = *std::move(decided);
   if (auto* certificate = std::get_if<Certificate>(&found)) {
+    if (certificate->kind == Certificate::Kind::kSemi && report.outcome == Outcome::kUnresolved)
+      report = detail::flat_minimiser(triangulation, options, report).value_or(report);
     // A flat minimiser is more than a certificate says; it contradicts one of kind "none".
     if (certificate->kind == Certificate::Kind::kNone || report.outcome != Outcome::kDegenerate) {
       report.outcome = Outcome::kInfeasible;

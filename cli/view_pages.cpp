@@ -228,6 +228,10 @@ std::shared_ptr<const viewer::WallDiscs> discs_for(const DiscRequest& request,
                                                    const structure::Report& report,
                                                    const embedding::Embedding& embedding) {
   if (!request.wanted) return nullptr;
+  if (std::ranges::none_of(report.vertices, [](const structure::VertexReport& vertex) {
+        return vertex.kind == topology::VertexKind::kHyperideal;
+      }))
+    throw InvalidInput("--discs: there is no geodesic boundary to draw them on");
   try {
     return std::make_shared<const viewer::WallDiscs>(viewer::find_wall_discs(
         embedding, subject.triangulation, report.edge_lengths, request.length, interruptible()));

@@ -23,8 +23,8 @@ Colour mixed(const Colour& from, const Colour& to, float t) {
 void require_no_parabolic_edge(const geometry::HyperboloidTetrahedron& shape) {
   if (shape.parabolic_edges == 0) return;
   throw Unsupported(
-      "parabolic edges (cone order 0) are not drawn; `tripus embed INPUT -o cells.ply --cells 20` "
-      "writes such cells for other programs");
+      "parabolic edges (cone order 0) are not drawn; `tripus embed FILE -o cells.ply`, with a file "
+      "of the labels, writes their cells for other programs");
 }
 
 }  // namespace

@@ -66,7 +66,8 @@ inline std::vector<double> crossings(Model model, const SceneCell& cell, std::si
   if (discriminant < 0) return {};
   const double q = -(b + std::copysign(std::sqrt(discriminant), b)) / 2;
   std::vector<double> roots;
-  if (a != 0) roots.push_back(q / a * length);
+  // Of planes, where a is 0 but for rounding, there is no second one.
+  if (std::abs(a) > 1e-12 * (std::abs(b) + std::abs(c))) roots.push_back(q / a * length);
   if (q != 0) roots.push_back(c / q * length);
   return roots;
 }

@@ -177,7 +177,7 @@ void TubeSet::add_piece(const SceneCell& cell, const Edge& edge, const Vector4& 
   for (std::size_t i = 0; i < 4; ++i) append((i == 2 ? share : 1) * polynomials[i].c);
   append(polynomials[4].c);
   append(radius * radius);
-  append(0);
+  append(is_singular ? 1 : 0);
   append(0);
   for (int k = 0; k < 3; ++k) append(ball.centre[k]);
   append(ball.radius);

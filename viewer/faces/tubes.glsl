@@ -57,12 +57,14 @@ bool meetTube(vec3 ray, out TubeMeeting met) {
     s = clamp(s - (a * valueOf(f, s) + b * valueOf(g, s)) / steep, -1.2, 1.2);
   }
   float away = length(vec2(valueOf(f, s), valueOf(g, s)));
-#if kModel == 2
-  float radius = sqrt(vAbout.y * max(valueOf(h, s), 0.0));
-#else
-  float radius = sqrt(vAbout.y) * valueOf(h, s);
-#endif
   float pixel = uPixel * (nearest + s) * dot(ray, uAxes[2]);
+#if kModel == 2
+  float square = max(valueOf(h, s), 1e-12);
+#else
+  float square = max(valueOf(h, s) * valueOf(h, s), 1e-12);
+#endif
+  float radius = max(sqrt(vAbout.y * square), vAbout.z * pixel);
+  float sinh2 = radius * radius / square;
   float beyond = (away - radius) / max(pixel, 1e-12);
   met.coverage = clamp(0.5 - beyond, 0.0, 1.0);
   if (!(met.coverage > 0.0)) return false;
@@ -74,11 +76,11 @@ bool meetTube(vec3 ray, out TubeMeeting met) {
     for (int i = 0; i < 3; ++i) {
       float a = valueOf(f, s), b = valueOf(g, s), c = valueOf(h, s);
 #if kModel == 2
-      float value = a * a + b * b - vAbout.y * c;
-      float slope = 2.0 * (a * slopeOf(f, s) + b * slopeOf(g, s)) - vAbout.y * slopeOf(h, s);
+      float value = a * a + b * b - sinh2 * c;
+      float slope = 2.0 * (a * slopeOf(f, s) + b * slopeOf(g, s)) - sinh2 * slopeOf(h, s);
 #else
-      float value = a * a + b * b - vAbout.y * c * c;
-      float slope = 2.0 * (a * slopeOf(f, s) + b * slopeOf(g, s) - vAbout.y * c * slopeOf(h, s));
+      float value = a * a + b * b - sinh2 * c * c;
+      float slope = 2.0 * (a * slopeOf(f, s) + b * slopeOf(g, s) - sinh2 * c * slopeOf(h, s));
 #endif
       if (slope < -1e-9) s -= clamp(value / slope, -0.25, 0.25);
     }
@@ -98,11 +100,12 @@ bool meetTube(vec3 ray, out TubeMeeting met) {
   if (at > first) {
     met.normal = normalize(gradientOf(cap, u));
   } else {
-    vec3 outward = valueOf(f, at) * gradientOf(vAcross[0], u) + valueOf(g, at) * gradientOf(vAcross[1], u);
+    vec3 outward = valueOf(f, at) * gradientOf(vAcross[0], u) +
+                   valueOf(g, at) * gradientOf(vAcross[1], u);
 #if kModel == 2
-    outward -= 0.5 * vAbout.y * gradientOf(vFactor, u);
+    outward -= 0.5 * sinh2 * gradientOf(vFactor, u);
 #else
-    outward -= vAbout.y * valueOf(h, at) * gradientOf(vFactor, u);
+    outward -= sinh2 * valueOf(h, at) * gradientOf(vFactor, u);
 #endif
     met.normal = outward * inversesqrt(max(dot(outward, outward), 1e-20));
   }

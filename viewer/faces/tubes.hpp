@@ -12,7 +12,8 @@ namespace tripus::viewer {
 
 /// Hyperbolic radius of the tubes around edges, and of those around singular ones.
 inline constexpr double kTubeRadius = 0.025, kSingularTubeRadius = 0.05;
-/// Thinner tubes, in pixels, are left to the lines of faces, which are no wider.
+/// Thinner tubes, in pixels, are left to the lines of faces, which are no wider. Singular edges are
+/// not: their tubes are made so wide.
 inline constexpr double kThinnestTube = 1.5;
 
 /// A piece of the tube around an edge, short enough to be nearly straight in the model.

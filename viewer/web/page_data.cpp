@@ -199,8 +199,8 @@ void check(const PageOptions& options, const topology::Triangulation& triangulat
   if (std::ranges::any_of(embedding.tetrahedra,
                           [](const auto& shape) { return shape.parabolic_edges != 0; }))
     throw Unsupported(
-        "a page shows no parabolic edges (cone order 0); `tripus embed INPUT -o cells.ply --cells "
-        "20` writes such cells for other programs");
+        "a page shows no parabolic edges (cone order 0); `tripus embed FILE -o cells.ply`, with a "
+        "file of the labels, writes their cells for other programs");
   if (options.cells < 1 || options.cells > kMostPageCells) {
     throw InvalidInput(
         fmt::format("a page shows 1 to {} cells, not {}", kMostPageCells, options.cells));

@@ -116,7 +116,8 @@ class TubeSet {
                       radius: radius * this.scaleAt(m), cell: edge.cell, isInner: edge.isInner,
                       isSingular: edge.isSingular, edgeClass: edge.edgeClass});
     for (const {a, b} of polynomials) this.numbers.push(...b, a);
-    this.numbers.push(...polynomials.map(({c}) => c), radius * radius, 0, 0, ...centre, size,
+    this.numbers.push(...polynomials.map(({c}) => c), radius * radius, edge.isSingular ? 1 : 0,
+                      0, ...centre, size,
                       0, 0, 0, 0);
   }
 }
@@ -174,18 +175,23 @@ class TubeDrawing {
       if (piece.isInner && solid && state.transparent === null && state.cut === null) return;
       if (state.cut !== null && piece.centre[0] - piece.size > state.cut) return;
       const distance = away(piece);
-      if (distance > piece.size && piece.radius * focal < kThinnestTube * scale * distance) return;
-      seen.push({distance, piece, record: kTubeTexels * i});
+      const wide = distance > piece.size ? piece.radius * focal / (scale * distance) : Infinity;
+      if (wide < kThinnestTube && !piece.isSingular) return;
+      if (piece.size * focal < scale * distance) return;
+      const margin = piece.margin + Math.max(0, kThinnestTube / wide - 1) * piece.radius;
+      seen.push({distance, piece, margin, record: kTubeTexels * i});
     });
     // The farthest first.
     seen.sort((one, other) => other.distance - one.distance);
-    for (const {piece, record} of seen) mesh.add(piece.points, piece.margin, piece.centre, 1, record);
+    for (const {piece, margin, record} of seen)
+      mesh.add(piece.points, margin, piece.centre, 1, record);
     if (mesh.triangleCount === 0) return;
     const program = this.program(set.model.number, state);
     setCamera(program);
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D, this.texture);
     gl.uniform1i(program.at('uTubes'), 0);
+    gl.uniform1f(program.at('uThin'), kThinnestTube * scale);
     gl.uniform1f(program.at('uCut'), state.cut ?? 0);
     gl.enable(gl.BLEND);
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ZERO, gl.ONE);

@@ -43,7 +43,7 @@ void TubesRenderer::write_colours(const Scene& scene, ColourBy colour_by) {
 
 void TubesRenderer::collect(const PictureOptions& options, const Frame& frame, const View& view) {
   struct Seen {
-    double distance;
+    double distance, margin;
     std::size_t piece;
   };
   std::vector<Seen> seen;
@@ -55,8 +55,11 @@ void TubesRenderer::collect(const PictureOptions& options, const Frame& frame, c
     const Vector3 begin = piece.begin.cast<double>(), end = piece.end.cast<double>();
     const BoundingBall ball{(begin + end) / 2, (end - begin).norm() / 2 + piece.margin};
     if (options.cut_away && ball.centre.x() - ball.radius > *options.cut_away) continue;
-    if (projector.pixels({ball.centre, piece.radius}) < kThinnestTube * frame.samples) continue;
-    seen.push_back({(ball.centre - view.eye).norm(), i});
+    const double wide = projector.pixels({ball.centre, piece.radius}) / frame.samples;
+    if (wide < kThinnestTube && !piece.is_singular) continue;
+    if (projector.pixels(ball) < frame.samples) continue;
+    const double more = std::max(0.0, kThinnestTube / wide - 1) * piece.radius;
+    seen.push_back({(ball.centre - view.eye).norm(), piece.margin + more, i});
   }
   // The farthest first.
   std::ranges::sort(seen, std::ranges::greater{}, &Seen::distance);
@@ -64,7 +67,7 @@ void TubesRenderer::collect(const PictureOptions& options, const Frame& frame, c
   for (const Seen& one : seen) {
     const TubePiece& piece = set_.pieces()[one.piece];
     const std::array points{piece.begin, piece.end};
-    projector.add(points, piece.margin, static_cast<float>(kTubeTexels * one.piece), mesh_);
+    projector.add(points, one.margin, static_cast<float>(kTubeTexels * one.piece), mesh_);
   }
 }
 
@@ -96,6 +99,7 @@ void TubesRenderer::draw(const Scene& scene, const PictureOptions& options, cons
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, records_.name());
   glUniform1i(uniform.at("uTubes"), 0);
+  glUniform1f(uniform.at("uThin"), static_cast<GLfloat>(kThinnestTube * frame.samples));
   glUniform1f(uniform.at("uCut"), static_cast<GLfloat>(options.cut_away.value_or(0)));
   set_camera(uniform, options, frame, view);
   glEnable(GL_BLEND);

@@ -73,8 +73,10 @@ class Cusps(ProgramTest):
         self.assertEqual(small["horosphere_area"], 0.5)
         self.assert_refused("embed", "cPcbbbiht", "--horosphere-area", "4",
                             says="the largest possible area here is 3.46")
-        self.assert_refused("embed", "cPcbbbiht", "--horosphere-area", "-1",
-                            says="--horosphere-area", kind="usage")
+        for wrong in ("-1", "0", "nan", "1e400", "x"):
+            self.assert_refused("embed", "cPcbbbiht", "--horosphere-area", wrong,
+                                says="--horosphere-area", kind="usage")
+        self.assert_refused("embed", TRIPUS, "--horosphere-area", "1", says="has no cusp")
         gieseking = self.json_answer("embed", "bkaaid")
         self.assertTrue(any(g["reverses_orientation"]
                             for g in gieseking["holonomy"]["generators"]))

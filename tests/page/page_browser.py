@@ -9,7 +9,7 @@ from pathlib import Path
 
 from live_browser import LiveBrowser
 
-TIME_LIMIT = 12
+TIME_LIMIT = 90
 
 
 def page_path():

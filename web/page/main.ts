@@ -53,8 +53,7 @@ async function moduleBytes(): Promise<ArrayBuffer> {
   if (document.readyState === 'loading')
     await new Promise((done) => document.addEventListener('DOMContentLoaded', done, {once: true}));
   if (typeof WebAssembly === 'undefined') throw new Error('this browser has no WebAssembly, or it is switched off');
-  const packed = fromBase64(byId('module-bytes').textContent!);
-  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+  return fromBase64(byId('module-bytes').textContent!).buffer;
 }
 
 const engine = new Engine(byId('worker-script').textContent!, moduleBytes, showWork);
@@ -150,7 +149,13 @@ async function take(list: FileList | undefined | null) {
     refuse(`${one.name} has ${Math.round(one.size / 1e6)} MB; a browser takes files of up to ${kLargestFile / 1e6} MB, the program any.`);
     return;
   }
-  const content = new Uint8Array(await one.arrayBuffer());
+  let content: Uint8Array;
+  try {
+    content = new Uint8Array(await one.arrayBuffer());
+  } catch {
+    refuse(`${one.name} cannot be read: is it a folder, or has it gone?`);
+    return;
+  }
   const format = surfaceFormat(one.name, content);
   if (format) {
     refuse(surfaceAdvice(one.name, format));

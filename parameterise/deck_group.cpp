@@ -30,7 +30,11 @@ std::int64_t box_of(double height) {
 DeckGroup::DeckGroup(const embedding::Embedding& embedding,
                      const topology::Triangulation& triangulation,
                      const embedding::Holonomy& holonomy, const std::vector<Matrix4>& places)
-    : embedding_(embedding), triangulation_(triangulation), holonomy_(holonomy), places_(places) {
+    : embedding_(embedding),
+      triangulation_(triangulation),
+      holonomy_(holonomy),
+      places_(places),
+      generators_(holonomy) {
   of_word({});
 }
 
@@ -46,10 +50,12 @@ std::uint32_t DeckGroup::find(const Vector4& place) const {
 }
 
 std::uint32_t DeckGroup::of_word(const topology::Word& word) {
-  const Matrix4 matrix = embedding::isometry_of(holonomy_, word);
+  const embedding::LongMatrix4 exact = generators_.isometry_of(word);
+  const Matrix4 matrix = exact.cast<double>();
   const std::uint32_t known = find(matrix.col(3));
   if (known != kNone) return known;
   matrices_.push_back(matrix);
+  long_matrices_.push_back(exact);
   words_.push_back(word);
   const auto number = static_cast<std::uint32_t>(matrices_.size() - 1);
   by_height_.emplace(box_of(matrix(3, 3)), number);

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "embedding/holonomy.hpp"
+#include "embedding/wide_holonomy.hpp"
 #include "topology/simplify/carry_back.hpp"
 
 namespace tripus::parameterise {
@@ -23,10 +23,11 @@ struct ExactPole {
 
 /// Deck transformations of a hyperbolic manifold's universal cover, each known by one number, as a
 /// reduced word in the generators of its holonomy and as a Lorentz matrix that is the product of
-/// that word in a hundred digits. A product of two numbers is looked up by where it takes the
-/// centre of tetrahedron 0: deck transformations have no fixed points, so that this tells them
-/// apart. What is not known yet gets its word by walking home from there through the cells. So
-/// matrices do not inherit the rounding of the products that led to them, however many these are.
+/// that word in a hundred digits, of generators that satisfy the relators to fifty. A product of
+/// two numbers is looked up by where it takes the centre of tetrahedron 0: deck transformations
+/// have no fixed points, so that this tells them apart. What is not known yet gets its word by
+/// walking home from there through the cells. So matrices do not inherit the rounding of the
+/// products that led to them, however many these are.
 class DeckGroup final : public topology::NumberedGroup {
  public:
   /// Keeps references to all four. `places` are those of the tetrahedra in the domain. The holonomy
@@ -54,6 +55,10 @@ class DeckGroup final : public topology::NumberedGroup {
 
   std::size_t size() const { return matrices_.size(); }  ///< elements known so far
   const Matrix4& matrix(std::uint32_t element) const { return matrices_[element]; }
+  /// The same, to all digits of a long double.
+  const embedding::LongMatrix4& long_matrix(std::uint32_t element) const {
+    return long_matrices_[element];
+  }
   /// [size] all of them; the first is the identity.
   const std::vector<Matrix4>& matrices() const { return matrices_; }
   const topology::Word& word(std::uint32_t element) const { return words_[element]; }
@@ -74,7 +79,9 @@ class DeckGroup final : public topology::NumberedGroup {
   const topology::Triangulation& triangulation_;
   const embedding::Holonomy& holonomy_;
   const std::vector<Matrix4>& places_;
+  embedding::WideHolonomy generators_;
   std::vector<Matrix4> matrices_;
+  std::vector<embedding::LongMatrix4> long_matrices_;
   std::vector<topology::Word> words_;
   std::unordered_multimap<std::int64_t, std::uint32_t> by_height_;
   std::unordered_map<std::uint64_t, std::uint32_t> products_;

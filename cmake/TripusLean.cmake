@@ -31,7 +31,7 @@ set(TRIPUS_LEFT_OUT
   # What speaks to a terminal; web/module has its own
   cli/interrupt cli/streams cli/output.cpp cli/progress
   cli/verbs/census cli/verbs/check cli/verbs/enumerate cli/verbs/hyperbolic cli/verbs/mesh
-  cli/verbs/parameterise cli/verbs/prove cli/verbs/study cli/verbs/tube cli/verbs/view)
+  cli/verbs/page cli/verbs/parameterise cli/verbs/prove cli/verbs/study cli/verbs/tube cli/verbs/view)
 
 if(TRIPUS_LEAN)
   set(TRIPUS_INSTEAD_solver "${PROJECT_SOURCE_DIR}/solver/detail/sparse_system_eigen.cpp")

@@ -14,8 +14,6 @@ set(TRIPUS_LEFT_OUT
   canonical/census_proofs canonical/shipped_census_proofs
   # SQLite
   canonical/census_database canonical/database_file manifold/diagram_database
-  # pugixml
-  topology/formats/regina_xml
   # zlib: whoever calls the module unpacks
   base/compression
   # Surfaces and meshes: TetGen, pugixml, and much code

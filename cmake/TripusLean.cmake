@@ -14,8 +14,6 @@ set(TRIPUS_LEFT_OUT
   canonical/census_proofs canonical/shipped_census_proofs
   # SQLite
   canonical/census_database canonical/database_file manifold/diagram_database
-  # pugixml
-  topology/formats/regina_xml
   # zlib: whoever calls the module unpacks
   base/compression
   # Surfaces and meshes: TetGen, pugixml, and much code
@@ -31,7 +29,7 @@ set(TRIPUS_LEFT_OUT
   # What speaks to a terminal; web/module has its own
   cli/interrupt cli/streams cli/output.cpp cli/progress
   cli/verbs/census cli/verbs/check cli/verbs/enumerate cli/verbs/hyperbolic cli/verbs/mesh
-  cli/verbs/parameterise cli/verbs/prove cli/verbs/study cli/verbs/tube cli/verbs/view)
+  cli/verbs/page cli/verbs/parameterise cli/verbs/prove cli/verbs/study cli/verbs/tube cli/verbs/view)
 
 if(TRIPUS_LEAN)
   set(TRIPUS_INSTEAD_solver "${PROJECT_SOURCE_DIR}/solver/detail/sparse_system_eigen.cpp")

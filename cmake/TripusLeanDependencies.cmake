@@ -24,6 +24,7 @@ foreach(target Ceres::ceres Cholmod::Cholmod Glpk::Glpk Gmp::Gmp Arb::Arb SQLite
         pugixml::pugixml Stb::Stb Threads::Threads)
   add_library(${target} INTERFACE IMPORTED)
 endforeach()
+target_include_directories(pugixml::pugixml INTERFACE "${PROJECT_SOURCE_DIR}/web/module/xml")  # ours
 target_include_directories(Gmp::Gmp SYSTEM INTERFACE "${TRIPUS_HEADERS}")  # Boost's in its place
 target_compile_definitions(Gmp::Gmp INTERFACE TRIPUS_WITHOUT_GMP)
 add_library(tripus::studies INTERFACE IMPORTED)  # no module of a lean build

@@ -29,7 +29,7 @@ function(tripus_add_module name)
   if(arg_PRIVATE AND arg_SOURCES)
     target_link_libraries(${target} PRIVATE ${arg_PRIVATE})
   endif()
-  if(arg_UNITED)
+  if(arg_UNITED OR (TRIPUS_LEAN AND arg_SOURCES AND NOT name STREQUAL "base"))
     tripus_unite(${target})
   endif()
   install(TARGETS ${target} EXPORT tripusTargets

@@ -34,7 +34,7 @@ const viewerPlugin = {
     build.onResolve({filter: /^viewer$/}, () => ({path: 'viewer', namespace: 'viewer'}));
     build.onLoad({filter: /.*/, namespace: 'viewer'}, () => {
       const names = viewerList('SCRIPTS').filter((name) => !['dump.js', 'start.js'].includes(name));
-      return {contents: names.map((name) => text(viewer, name)).join('\n') + '\nexport {Page, fold, shown};\n',
+      return {contents: names.map((name) => text(viewer, name)).join('\n') + '\nexport {Page, fold, kContextOptions, shown};\n',
               loader: 'js'};
     });
   },

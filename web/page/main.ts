@@ -129,6 +129,8 @@ async function restore() {
       return;
     }
     showScreen('workspace');  // nothing else flashes by
+    // While the worker compiles the module.
+    void engine.start().then(() => setTimeout(() => workspace.source ?? workspace.view.prepare(), 0));
     if (!(await show(source, view)) && !workspace.source) {
       const problem = byId('input-problem').textContent!;
       home();
@@ -288,6 +290,6 @@ function showHistoryAgain() {
 }
 
 connect();
-engine.start();
 void restore();
+void engine.start();
 document.documentElement.dataset.ready = String(Math.round(performance.now()));

@@ -369,13 +369,12 @@ class Walker {
   /// Whether the metric, which was known before the move, is one after it: true tetrahedra.
   static bool keeps_metric(const Moved& next) {
     if (next.lengths.empty()) return false;
-    energies::CoVolume energy(next.state.triangulation, next.state.cone_angles);
-    std::vector<double> curvature(next.lengths.size());
-    if (!energy.evaluate(next.lengths, curvature, {}) || energy.flat_count() > 0) return false;
+    const energies::CoVolume energy(next.state.triangulation, next.state.cone_angles);
+    const auto at = energy.at(next.lengths);
+    if (!at.is_defined() || at.flat_count() > 0) return false;
     for (std::size_t t = 0; t < next.state.triangulation.tetrahedron_count(); ++t)
-      if (std::ranges::max(energy.dihedral_angles(t)) > std::numbers::pi - kNearlyFlat)
-        return false;
-    return std::ranges::all_of(curvature,
+      if (std::ranges::max(at.dihedral_angles(t)) > std::numbers::pi - kNearlyFlat) return false;
+    return std::ranges::all_of(at.gradient(),
                                [](double K) { return std::fabs(K) < tolerance::kFlatAngleMargin; });
   }
 

@@ -42,9 +42,7 @@ class FlowContract : public ::testing::TestWithParam<FlowAndStepper> {
     EXPECT_EQ(s.evaluations, c.problem->evaluations) << c.name;
     EXPECT_EQ(s.iterations + 1, observed) << c.name;
     EXPECT_TRUE(x.allFinite()) << c.name;
-    Vector g = x;
-    EXPECT_TRUE(c.problem->evaluate(as_span(x), as_span(g), {}));
-    EXPECT_EQ(g.cwiseAbs().maxCoeff(), s.max_gradient) << c.name;
+    EXPECT_EQ(max_gradient(*c.problem, as_span(x)), s.max_gradient) << c.name;
     if (std::getenv("TRIPUS_VERBOSE") != nullptr) std::puts(describe(c, s).c_str());
     return s;
   }

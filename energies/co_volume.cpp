@@ -156,8 +156,10 @@ bool CoVolume::is_between_hyperideal(std::size_t e) const {
       });
 }
 
-void CoVolume::gather(std::size_t block, std::span<const double> x, double padding,
-                      double* out) const {
+// The two are the inner loops of everything.
+
+[[gnu::always_inline]] inline void CoVolume::gather(std::size_t block, std::span<const double> x,
+                                                    double padding, double* out) const {
   const std::size_t first = kLanes * block;
   const std::size_t lanes = std::min(kLanes, triangulation_.tetrahedron_count() - first);
   const std::uint32_t* edge = triangulation_.edge_classes().data() + 6 * first;
@@ -167,7 +169,8 @@ void CoVolume::gather(std::size_t block, std::span<const double> x, double paddi
     for (std::size_t i = 0; i < 6; ++i) out[i * kLanes + lane] = padding;
 }
 
-void CoVolume::scatter_add(std::size_t block, const double* in, std::span<double> y) const {
+[[gnu::always_inline]] inline void CoVolume::scatter_add(std::size_t block, const double* in,
+                                                         std::span<double> y) const {
   const std::size_t first = kLanes * block;
   const std::size_t lanes = std::min(kLanes, triangulation_.tetrahedron_count() - first);
   const std::uint32_t* edge = triangulation_.edge_classes().data() + 6 * first;
@@ -288,13 +291,15 @@ void CoVolumeAt::hessian_values(std::span<double> values) const {
 }
 
 void CoVolumeAt::hessian_times(std::span<const double> v, std::span<double> Hv) const {
+  const CoVolume& energy = *energy_;
+  const auto jacobian_times = energy.kernels_.jacobian_times;
   std::fill(Hv.begin(), Hv.end(), 0.0);
   alignas(64) double in[6 * kLanes], out[6 * kLanes];
-  const std::size_t blocks = geometry::block_count(energy_->triangulation_.tetrahedron_count());
+  const std::size_t blocks = geometry::block_count(energy.triangulation_.tetrahedron_count());
   for (std::size_t b = 0; b < blocks; ++b) {
-    energy_->gather(b, v, 0.0, in);
-    energy_->kernels_.jacobian_times(jacobian_block(b), in, out);
-    energy_->scatter_add(b, out, Hv);
+    energy.gather(b, v, 0.0, in);
+    jacobian_times(jacobian_block(b), in, out);
+    energy.scatter_add(b, out, Hv);
   }
 }
 

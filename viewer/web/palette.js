@@ -8,7 +8,9 @@ const kDepthStops = ['#0b3c6f', '#0072b2', '#56b4e9', '#bfe3d0', '#f0e442', '#e6
 /// The colours of tetrahedra, which come with the data, in linear light.
 const linearPalette = [];
 
-function setPalette(colours) { linearPalette.push(...colours.map(linearColour)); }
+function setPalette(colours) {
+  linearPalette.splice(0, linearPalette.length, ...colours.map(linearColour));
+}
 
 /// Twelve colours along the stops.
 const kDepthPalette = Array.from({length: 12}, (_, i) => {
@@ -17,6 +19,9 @@ const kDepthPalette = Array.from({length: 12}, (_, i) => {
   const [a, b] = [linearColour(kDepthStops[at]), linearColour(kDepthStops[at + 1])];
   return a.map((x, k) => x + (place - at) * (b[k] - x));
 });
+
+/// The colour of singular edges.
+const kSingularColour = linearColour('#d01c1f');
 
 /// Colour of tetrahedron i.
 function paletteColour(i) { return linearPalette[i % linearPalette.length]; }

@@ -53,11 +53,11 @@ std::string links(const Solved& solved) {
 /// Largest over least eigenvalue of the Hessian at the metric. With cusps it has a kernel.
 std::string condition(const Solved& solved) {
   return of_metric(solved, [&](const structure::Report& report) -> std::string {
-    energies::CoVolume energy(solved.subject.triangulation, solved.subject.cone_angles);
+    const energies::CoVolume energy(solved.subject.triangulation, solved.subject.cone_angles);
     if (!energy.is_hyperideal()) return {};
-    std::vector<double> gradient(report.edge_lengths.size());
-    if (!energy.evaluate(report.edge_lengths, gradient, {.second_derivatives = true})) return {};
-    const double ratio = solver::extreme_eigenvalues(energy).condition();
+    const auto at = energy.at(report.edge_lengths, solver::Order::kSecond);
+    if (!at.is_defined()) return {};
+    const double ratio = solver::extreme_eigenvalues(at).condition();
     return std::isfinite(ratio) ? fmt::format("{:.6g}", ratio) : std::string();
   });
 }

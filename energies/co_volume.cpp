@@ -104,7 +104,6 @@ CoVolume::CoVolume(const topology::Triangulation& triangulation,
       links_(topology::orbifold_links(triangulation, cone_angles)) {
   for (const topology::ConeAngle& k : topology::completed(cone_angles, triangulation.edge_count()))
     cone_angles_.push_back(k.radians());
-  theta_.resize(geometry::block_count(triangulation.tetrahedron_count()) * 6 * kLanes);
   for (const topology::OrbifoldLink& link : links_) {
     if (link.kind == VertexKind::kFinite) form_ = Form::kFinite;
     if (link.kind == VertexKind::kIdeal && form_ == Form::kHyperideal) form_ = Form::kMixed;
@@ -118,6 +117,36 @@ CoVolume::CoVolume(const topology::Triangulation& triangulation,
   pins_ = horosphere_pins(triangulation, links_);
 }
 
+CoVolume::CoVolume(const CoVolumeAt& at, std::vector<std::size_t> flat) : CoVolume(at.energy()) {
+  held_ = std::move(flat);
+  held_pi_.clear();
+  for (const std::size_t t : held_) {
+    const auto theta = at.dihedral_angles(t);
+    std::size_t most = 0;
+    for (std::size_t e = 1; e < 3; ++e)
+      if (theta[e] + theta[5 - e] > theta[most] + theta[5 - most]) most = e;
+    held_pi_.push_back(most);
+  }
+}
+
+bool CoVolume::evaluate(std::span<const double> x, solver::Order order,
+                        std::unique_ptr<solver::Evaluation>& into) const {
+  auto& at = solver::reuse<CoVolumeAt>(into, *this);
+  at.move_to(x, order);
+  return at.is_defined();
+}
+
+CoVolumeAt CoVolume::at(std::span<const double> x, solver::Order order) const {
+  CoVolumeAt result(*this);
+  result.move_to(x, order);
+  return result;
+}
+
+const ElementPattern& CoVolume::slots() const {
+  return pattern_.get(
+      [&] { return ElementPattern(dimension(), 6, triangulation_.edge_classes()); });
+}
+
 bool CoVolume::is_between_hyperideal(std::size_t e) const {
   const topology::EdgeCorner corner = triangulation_.corners(e)[0];
   return std::ranges::all_of(
@@ -127,19 +156,73 @@ bool CoVolume::is_between_hyperideal(std::size_t e) const {
       });
 }
 
+// The two are the inner loops of everything.
+
+[[gnu::always_inline]] inline void CoVolume::gather(std::size_t block, std::span<const double> x,
+                                                    double padding, double* out) const {
+  const std::size_t first = kLanes * block;
+  const std::size_t lanes = std::min(kLanes, triangulation_.tetrahedron_count() - first);
+  const std::uint32_t* edge = triangulation_.edge_classes().data() + 6 * first;
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    for (std::size_t i = 0; i < 6; ++i) out[i * kLanes + lane] = x[edge[6 * lane + i]];
+  for (std::size_t lane = lanes; lane < kLanes; ++lane)
+    for (std::size_t i = 0; i < 6; ++i) out[i * kLanes + lane] = padding;
+}
+
+[[gnu::always_inline]] inline void CoVolume::scatter_add(std::size_t block, const double* in,
+                                                         std::span<double> y) const {
+  const std::size_t first = kLanes * block;
+  const std::size_t lanes = std::min(kLanes, triangulation_.tetrahedron_count() - first);
+  const std::uint32_t* edge = triangulation_.edge_classes().data() + 6 * first;
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    for (std::size_t i = 0; i < 6; ++i) y[edge[6 * lane + i]] += in[i * kLanes + lane];
+}
+
+CoVolumeAt::CoVolumeAt(const CoVolume& energy)
+    : energy_(&energy),
+      gradient_(energy.dimension()),
+      theta_(geometry::block_count(energy.triangulation_.tetrahedron_count()) * 6 * kLanes) {}
+
+void CoVolumeAt::move_to(std::span<const double> x, solver::Order order) {
+  const CoVolume& energy = *energy_;
+  const bool second = order == solver::Order::kSecond;
+  x_.assign(x.begin(), x.end());
+  is_defined_ = std::all_of(x.begin(), x.end(), [](double l) { return std::isfinite(l); });
+  if (!is_defined_) return;
+  const std::size_t blocks = geometry::block_count(energy.triangulation_.tetrahedron_count());
+  if (second) jacobian_.resize(blocks * kPackedJacobian * kLanes);
+
+  std::transform(energy.cone_angles_.begin(), energy.cone_angles_.end(), gradient_.begin(),
+                 [](double k) { return -k; });
+  flat_count_ = 0;
+  alignas(64) double lengths[kChunk * 6 * kLanes];
+  for (std::size_t begin = 0; begin < blocks; begin += kChunk) {
+    const std::size_t count = std::min(kChunk, blocks - begin);
+    for (std::size_t b = 0; b < count; ++b)
+      energy.gather(begin + b, x, kPaddingLength, lengths + 6 * kLanes * b);
+    const double* theta = theta_.data() + 6 * kLanes * begin;
+    is_defined_ = angles(begin, count, lengths, second);
+    if (!is_defined_) return;
+    if (!energy.held_.empty()) flatten(begin, begin + count, second);
+    for (std::size_t b = 0; b < count; ++b)
+      energy.scatter_add(begin + b, theta + 6 * kLanes * b, gradient_);
+  }
+}
+
 /// Angles, and Jacobians if asked for, of blocks whose lengths have been gathered.
-bool CoVolume::angles(std::size_t first_block, std::size_t count, const double* lengths,
-                      bool second_derivatives) {
+bool CoVolumeAt::angles(std::size_t first_block, std::size_t count, const double* lengths,
+                        bool second_derivatives) {
   double* theta = theta_.data() + 6 * kLanes * first_block;
   double* jacobian =
       second_derivatives ? jacobian_.data() + kPackedJacobian * kLanes * first_block : nullptr;
-  switch (form_) {
+  using Form = CoVolume::Form;
+  switch (energy_->form_) {
     case Form::kHyperideal:
-      flat_count_ += kernels_.angles(count, lengths, theta, jacobian);
+      flat_count_ += energy_->kernels_.angles(count, lengths, theta, jacobian);
       return true;
     case Form::kMixed:
-      flat_count_ += kernels_.mixed_angles(
-          count, lengths, diagonal_.data() + 4 * kLanes * first_block, theta, jacobian);
+      flat_count_ += energy_->kernels_.mixed_angles(
+          count, lengths, energy_->diagonal_.data() + 4 * kLanes * first_block, theta, jacobian);
       return true;
     case Form::kFinite:
       break;
@@ -148,10 +231,10 @@ bool CoVolume::angles(std::size_t first_block, std::size_t count, const double* 
 }
 
 /// One by one; false if some tetrahedron is not a true one.
-bool CoVolume::finite_angles(std::size_t first_block, std::size_t count, const double* lengths,
-                             bool second_derivatives) {
+bool CoVolumeAt::finite_angles(std::size_t first_block, std::size_t count, const double* lengths,
+                               bool second_derivatives) {
   const std::size_t last =
-      std::min(kLanes * (first_block + count), triangulation_.tetrahedron_count());
+      std::min(kLanes * (first_block + count), energy_->triangulation_.tetrahedron_count());
   for (std::size_t t = kLanes * first_block; t < last; ++t) {
     const std::size_t block = t / kLanes, lane = t % kLanes;
     std::array<double, 6> l, angle;
@@ -159,7 +242,7 @@ bool CoVolume::finite_angles(std::size_t first_block, std::size_t count, const d
     std::array<double, 36> jacobian;
     for (std::size_t e = 0; e < 6; ++e)
       l[e] = lengths[(6 * (block - first_block) + e) * kLanes + lane];
-    for (std::size_t v = 0; v < 4; ++v) d[v] = diagonal_[(4 * block + v) * kLanes + lane];
+    for (std::size_t v = 0; v < 4; ++v) d[v] = energy_->diagonal_[(4 * block + v) * kLanes + lane];
     if (!geometry::general_dihedral_angles(
             l, d, angle, second_derivatives ? std::span<double>(jacobian) : std::span<double>()))
       return false;
@@ -172,116 +255,62 @@ bool CoVolume::finite_angles(std::size_t first_block, std::size_t count, const d
   return true;
 }
 
-void CoVolume::gather(std::size_t block, std::span<const double> x, double padding,
-                      double* out) const {
-  const std::size_t first = kLanes * block;
-  const std::size_t lanes = std::min(kLanes, triangulation_.tetrahedron_count() - first);
-  const std::uint32_t* edge = triangulation_.edge_classes().data() + 6 * first;
-  for (std::size_t lane = 0; lane < lanes; ++lane)
-    for (std::size_t i = 0; i < 6; ++i) out[i * kLanes + lane] = x[edge[6 * lane + i]];
-  for (std::size_t lane = lanes; lane < kLanes; ++lane)
-    for (std::size_t i = 0; i < 6; ++i) out[i * kLanes + lane] = padding;
-}
-
-void CoVolume::scatter_add(std::size_t block, const double* in, std::span<double> y) const {
-  const std::size_t first = kLanes * block;
-  const std::size_t lanes = std::min(kLanes, triangulation_.tetrahedron_count() - first);
-  const std::uint32_t* edge = triangulation_.edge_classes().data() + 6 * first;
-  for (std::size_t lane = 0; lane < lanes; ++lane)
-    for (std::size_t i = 0; i < 6; ++i) y[edge[6 * lane + i]] += in[i * kLanes + lane];
-}
-
-bool CoVolume::evaluate(std::span<const double> x, std::span<double> gradient,
-                        const Request& request) {
-  if (!std::all_of(x.begin(), x.end(), [](double l) { return std::isfinite(l); })) return false;
-  const std::size_t blocks = geometry::block_count(triangulation_.tetrahedron_count());
-  if (request.second_derivatives) jacobian_.resize(blocks * kPackedJacobian * kLanes);
-
-  std::transform(cone_angles_.begin(), cone_angles_.end(), gradient.begin(),
-                 [](double k) { return -k; });
-  flat_count_ = 0;
-  alignas(64) double lengths[kChunk * 6 * kLanes];
-  for (std::size_t begin = 0; begin < blocks; begin += kChunk) {
-    const std::size_t count = std::min(kChunk, blocks - begin);
-    for (std::size_t b = 0; b < count; ++b)
-      gather(begin + b, x, kPaddingLength, lengths + 6 * kLanes * b);
-    const double* theta = theta_.data() + 6 * kLanes * begin;
-    if (!angles(begin, count, lengths, request.second_derivatives)) return false;
-    if (!held_.empty()) flatten(begin, begin + count, request.second_derivatives);
-    for (std::size_t b = 0; b < count; ++b)
-      scatter_add(begin + b, theta + 6 * kLanes * b, gradient);
-  }
-  if (request.value != nullptr) *request.value = value_at(x);
-  return true;
-}
-
-void CoVolume::hold_flat(std::vector<std::size_t> tetrahedra) {
-  held_ = std::move(tetrahedra);
-  held_pi_.clear();
-  for (const std::size_t t : held_) {
-    const auto theta = dihedral_angles(t);
-    std::size_t most = 0;
-    for (std::size_t e = 1; e < 3; ++e)
-      if (theta[e] + theta[5 - e] > theta[most] + theta[5 - most]) most = e;
-    held_pi_.push_back(most);
-  }
-}
-
 /// Overwrites what the kernel found for those tetrahedra of the blocks that are held flat.
-void CoVolume::flatten(std::size_t first_block, std::size_t last_block, bool second_derivatives) {
+void CoVolumeAt::flatten(std::size_t first_block, std::size_t last_block, bool second_derivatives) {
+  const std::vector<std::size_t>& held = energy_->held_;
   auto k = static_cast<std::size_t>(
-      std::lower_bound(held_.begin(), held_.end(), kLanes * first_block) - held_.begin());
-  for (; k < held_.size() && held_[k] < kLanes * last_block; ++k) {
-    const std::size_t block = held_[k] / kLanes, lane = held_[k] % kLanes;
-    if (!is_flat(dihedral_angles(held_[k]))) ++flat_count_;
+      std::lower_bound(held.begin(), held.end(), kLanes * first_block) - held.begin());
+  for (; k < held.size() && held[k] < kLanes * last_block; ++k) {
+    const std::size_t block = held[k] / kLanes, lane = held[k] % kLanes;
+    if (!is_flat(dihedral_angles(held[k]))) ++flat_count_;
     for (std::size_t e = 0; e < 6; ++e)
-      theta_[(block * 6 + e) * kLanes + lane] = std::min(e, 5 - e) == held_pi_[k] ? kPi : 0;
+      theta_[(block * 6 + e) * kLanes + lane] =
+          std::min(e, 5 - e) == energy_->held_pi_[k] ? kPi : 0;
     if (!second_derivatives) continue;
     for (std::size_t q = 0; q < kPackedJacobian; ++q)
       jacobian_[(block * kPackedJacobian + q) * kLanes + lane] = 0;
   }
 }
 
-const solver::SparsityPattern& CoVolume::hessian_pattern() {
-  if (!pattern_) pattern_.emplace(dimension(), 6, triangulation_.edge_classes());
-  return pattern_->pattern();
-}
-
-void CoVolume::hessian_values(std::span<double> values) const {
+void CoVolumeAt::hessian_values(std::span<double> values) const {
+  const topology::Triangulation& triangulation = energy_->triangulation_;
+  const ElementPattern& slots = energy_->slots();
   std::fill(values.begin(), values.end(), 0.0);
-  for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
+  for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t) {
     std::size_t q = 0;
     for (int i = 0; i < 6; ++i) {
       for (int j = i; j < 6; ++j, ++q) {
         // Two different corners on one edge class meet in its diagonal entry from both sides.
         const bool twice =
-            i != j && triangulation_.edge_class(t, i) == triangulation_.edge_class(t, j);
+            i != j && triangulation.edge_class(t, i) == triangulation.edge_class(t, j);
         const double entry = jacobian_entry(t, q);
-        values[static_cast<std::size_t>(pattern_->slot(t, q))] += twice ? 2 * entry : entry;
+        values[static_cast<std::size_t>(slots.slot(t, q))] += twice ? 2 * entry : entry;
       }
     }
   }
 }
 
-void CoVolume::hessian_times(std::span<const double> v, std::span<double> Hv) const {
+void CoVolumeAt::hessian_times(std::span<const double> v, std::span<double> Hv) const {
+  const CoVolume& energy = *energy_;
+  const auto jacobian_times = energy.kernels_.jacobian_times;
   std::fill(Hv.begin(), Hv.end(), 0.0);
   alignas(64) double in[6 * kLanes], out[6 * kLanes];
-  const std::size_t blocks = geometry::block_count(triangulation_.tetrahedron_count());
+  const std::size_t blocks = geometry::block_count(energy.triangulation_.tetrahedron_count());
   for (std::size_t b = 0; b < blocks; ++b) {
-    gather(b, v, 0.0, in);
-    kernels_.jacobian_times(jacobian_block(b), in, out);
-    scatter_add(b, out, Hv);
+    energy.gather(b, v, 0.0, in);
+    jacobian_times(jacobian_block(b), in, out);
+    energy.scatter_add(b, out, Hv);
   }
 }
 
-void CoVolume::hessian_diagonal_blocks(std::size_t block_size, std::span<double> blocks) const {
+void CoVolumeAt::hessian_diagonal_blocks(std::size_t block_size, std::span<double> blocks) const {
   std::fill(blocks.begin(), blocks.end(), 0.0);
-  for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
+  for (std::size_t t = 0; t < energy_->triangulation_.tetrahedron_count(); ++t) {
     std::size_t q = 0;
     for (int i = 0; i < 6; ++i) {
-      const std::size_t a = triangulation_.edge_class(t, i);
+      const std::size_t a = energy_->triangulation_.edge_class(t, i);
       for (int j = i; j < 6; ++j, ++q) {
-        const std::size_t b = triangulation_.edge_class(t, j);
+        const std::size_t b = energy_->triangulation_.edge_class(t, j);
         if (a / block_size != b / block_size) continue;
         const double entry = jacobian_entry(t, q);
         double* block = blocks.data() + (a / block_size) * block_size * block_size;
@@ -292,27 +321,27 @@ void CoVolume::hessian_diagonal_blocks(std::size_t block_size, std::span<double>
   }
 }
 
-std::array<double, 6> CoVolume::dihedral_angles(std::size_t t) const {
+std::array<double, 6> CoVolumeAt::dihedral_angles(std::size_t t) const {
   std::array<double, 6> theta;
   const double* block = theta_.data() + 6 * kLanes * (t / kLanes);
   for (std::size_t i = 0; i < 6; ++i) theta[i] = block[i * kLanes + t % kLanes];
   return theta;
 }
 
-std::vector<std::size_t> CoVolume::flat_tetrahedra() const {
+std::vector<std::size_t> CoVolumeAt::flat_tetrahedra() const {
   std::vector<std::size_t> flat;
   if (flat_count_ == 0) return flat;
-  for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
+  for (std::size_t t = 0; t < energy_->triangulation_.tetrahedron_count(); ++t) {
     if (is_flat(dihedral_angles(t))) flat.push_back(t);
   }
   return flat;
 }
 
-double CoVolume::volume() const {
+double CoVolumeAt::volume() const {
   Sum sum;
   std::array<double, 6> latest{};
   double latest_volume = 0;
-  for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
+  for (std::size_t t = 0; t < energy_->triangulation_.tetrahedron_count(); ++t) {
     const std::array<double, 6> theta = dihedral_angles(t);
     // Where all lengths are equal, as at the start, all tetrahedra are.
     if (t == 0 || theta != latest) latest_volume = geometry::volume(theta);
@@ -322,10 +351,10 @@ double CoVolume::volume() const {
   return sum.value();
 }
 
-double CoVolume::convexity_bound() const {
+double CoVolumeAt::convexity_bound() const {
   using Matrix = Eigen::Matrix<double, 6, 6>;
   double largest_inverse = 0;
-  for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
+  for (std::size_t t = 0; t < energy_->triangulation_.tetrahedron_count(); ++t) {
     if (flat_count_ != 0 && is_flat(dihedral_angles(t))) continue;
     Matrix jacobian;
     Eigen::Index q = 0;
@@ -337,21 +366,21 @@ double CoVolume::convexity_bound() const {
     const Matrix inverse = factor.solve(Matrix::Identity());
     largest_inverse = std::max(largest_inverse, inverse.norm());
   }
-  std::size_t least_valence = triangulation_.valence(0);
-  for (std::size_t e = 1; e < dimension(); ++e)
-    least_valence = std::min(least_valence, triangulation_.valence(e));
+  std::size_t least_valence = energy_->triangulation_.valence(0);
+  for (std::size_t e = 1; e < x_.size(); ++e)
+    least_valence = std::min(least_valence, energy_->triangulation_.valence(e));
   return largest_inverse > 0 ? static_cast<double>(least_valence) / largest_inverse : 0;
 }
 
-double CoVolume::value_at(std::span<const double> x) const {
+double CoVolumeAt::value() const {
   Sum sum;
-  for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
+  for (std::size_t t = 0; t < energy_->triangulation_.tetrahedron_count(); ++t) {
     const auto theta = dihedral_angles(t);
     sum.add(2 * geometry::volume(theta));
     for (int i = 0; i < 6; ++i)
-      sum.add(theta[static_cast<std::size_t>(i)] * x[triangulation_.edge_class(t, i)]);
+      sum.add(theta[static_cast<std::size_t>(i)] * x_[energy_->triangulation_.edge_class(t, i)]);
   }
-  for (std::size_t e = 0; e < x.size(); ++e) sum.add(-cone_angles_[e] * x[e]);
+  for (std::size_t e = 0; e < x_.size(); ++e) sum.add(-energy_->cone_angles_[e] * x_[e]);
   return sum.value();
 }
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,6 +15,66 @@
 #include "topology/vertex_kinds.hpp"
 
 namespace tripus::energies {
+
+class CoVolume;
+
+/// The co-volume functional at given edge lengths: a value of its own.
+class CoVolumeAt final : public solver::Evaluation {
+ public:
+  explicit CoVolumeAt(const CoVolume& energy);
+
+  bool is_of(const CoVolume& energy) const { return energy_ == &energy; }
+  const CoVolume& energy() const { return *energy_; }
+  /// False where the lengths are not finite, and with finite vertices where some tetrahedron is not
+  /// a true one. Then nothing below means anything.
+  bool is_defined() const { return is_defined_; }
+  /// The edge lengths [E].
+  std::span<const double> lengths() const { return x_; }
+
+  /// -K, the edge curvatures [E].
+  std::span<const double> gradient() const override { return gradient_; }
+  double value() const override;
+  void hessian_values(std::span<double> values) const override;
+  void hessian_times(std::span<const double> v, std::span<double> Hv) const override;
+  void hessian_diagonal_blocks(std::size_t block_size, std::span<double> blocks) const override;
+
+  /// Dihedral angles [6] of tetrahedron t.
+  std::array<double, 6> dihedral_angles(std::size_t t) const;
+  /// Number of flat tetrahedra, and which they are.
+  std::size_t flat_count() const { return flat_count_; }
+  std::vector<std::size_t> flat_tetrahedra() const;
+  /// Sum of the volumes of the tetrahedra.
+  double volume() const;
+  /// A lower bound of the least eigenvalue of the Hessian, of the second order only: min_e valence
+  /// * min_t 1 / |J_t^-1| (Frobenius norm) with the Jacobians J_t of the tetrahedra that are not
+  /// flat. It is a bound on all of R^E if there are no flat ones, and 0 where a Jacobian is not
+  /// positive definite. Source: docs/theory.md (40), (49).
+  double convexity_bound() const;
+
+ private:
+  friend class CoVolume;
+
+  void move_to(std::span<const double> x, solver::Order order);
+  bool angles(std::size_t first_block, std::size_t count, const double* lengths,
+              bool second_derivatives);
+  bool finite_angles(std::size_t first_block, std::size_t count, const double* lengths,
+                     bool second_derivatives);
+  void flatten(std::size_t first_block, std::size_t last_block, bool second_derivatives);
+  const double* jacobian_block(std::size_t b) const {
+    return jacobian_.data() + geometry::kPackedJacobian * geometry::kLanes * b;
+  }
+  /// Entry q of the packed Jacobian of tetrahedron t.
+  double jacobian_entry(std::size_t t, std::size_t q) const {
+    return jacobian_block(t / geometry::kLanes)[q * geometry::kLanes + t % geometry::kLanes];
+  }
+
+  const CoVolume* energy_;
+  std::vector<double> x_, gradient_;  // [E]
+  std::vector<double> theta_;         // [T/8][6][8]
+  std::vector<double> jacobian_;      // [T/8][21][8], allocated at the first request
+  std::size_t flat_count_ = 0;
+  bool is_defined_ = false;
+};
 
 /// The co-volume functional of a triangulation in its edge lengths x [E],
 ///     H(x) = sum_t cov(x|t) - sum_e k_e x_e,     grad H = -K,
@@ -34,14 +94,19 @@ class CoVolume final : public solver::Problem {
   explicit CoVolume(const topology::Triangulation& triangulation,
                     std::span<const topology::ConeAngle> cone_angles = {});
 
-  std::size_t dimension() const override { return triangulation_.edge_count(); }
-  bool evaluate(std::span<const double> x, std::span<double> gradient,
-                const Request& request) override;
-  const solver::SparsityPattern& hessian_pattern() override;
-  void hessian_values(std::span<double> values) const override;
-  void hessian_times(std::span<const double> v, std::span<double> Hv) const override;
-  void hessian_diagonal_blocks(std::size_t block_size, std::span<double> blocks) const override;
+  /// The functional of `at` with these tetrahedra taken for flat at all lengths, with angle pi at
+  /// that pair of opposite edges where `at` has the largest angles. It is convex, nowhere above H,
+  /// and equal to it where these tetrahedra are flat: a minimiser of it where they are is one of H.
+  /// Source: docs/theory.md (54').
+  ///   flat  indices < T, ascending
+  CoVolume(const CoVolumeAt& at, std::vector<std::size_t> flat);
 
+  std::size_t dimension() const override { return triangulation_.edge_count(); }
+  bool evaluate(std::span<const double> x, solver::Order order,
+                std::unique_ptr<solver::Evaluation>& into) const override;
+  /// The functional at x [E]; ask whether it is defined there.
+  CoVolumeAt at(std::span<const double> x, solver::Order order = solver::Order::kFirst) const;
+  const solver::SparsityPattern& hessian_pattern() const override { return slots().pattern(); }
   std::span<const std::uint32_t> pins() const override { return pins_; }
 
   std::span<const double> cone_angles() const { return cone_angles_; }
@@ -52,62 +117,26 @@ class CoVolume final : public solver::Problem {
   /// Whether edge class e joins hyperideal vertices, so that its length is > 0 in a metric.
   bool is_between_hyperideal(std::size_t e) const;
 
-  // What the latest evaluation found.
-
-  /// Dihedral angles [6] of tetrahedron t.
-  std::array<double, 6> dihedral_angles(std::size_t t) const;
-  /// Number of flat tetrahedra, and which they are.
-  std::size_t flat_count() const { return flat_count_; }
-  std::vector<std::size_t> flat_tetrahedra() const;
-  /// Sum of the volumes of the tetrahedra.
-  double volume() const;
-  /// A lower bound of the least eigenvalue of the Hessian, from the Jacobians of the latest
-  /// evaluation with second derivatives: min_e valence * min_t 1 / |J_t^-1| (Frobenius norm), over
-  /// the tetrahedra that are not flat. It is a bound on all of R^E if there are no flat ones, and 0
-  /// where a Jacobian is not positive definite. Source: docs/theory.md (40), (49).
-  double convexity_bound() const;
-  /// H at x, from the angles of the latest evaluation, which must have been at x.
-  double value_at(std::span<const double> x) const;
-
-  /// From now on takes these tetrahedra for flat at all lengths, with angle pi at that pair of
-  /// opposite edges where the latest evaluation found the largest angles. What is evaluated then is
-  /// convex, nowhere above H, and equal to it where these tetrahedra are flat: a minimiser of it
-  /// where they are is one of H. Source: docs/theory.md (54').
-  ///   tetrahedra  indices < T, ascending
-  void hold_flat(std::vector<std::size_t> tetrahedra);
-
  private:
+  friend class CoVolumeAt;
+
   /// Which kernel computes the angles, chosen once.
   enum class Form { kHyperideal, kMixed, kFinite };
 
-  bool angles(std::size_t first_block, std::size_t count, const double* lengths,
-              bool second_derivatives);
-  bool finite_angles(std::size_t first_block, std::size_t count, const double* lengths,
-                     bool second_derivatives);
-  const double* jacobian_block(std::size_t b) const {
-    return jacobian_.data() + geometry::kPackedJacobian * geometry::kLanes * b;
-  }
-  /// Entry q of the packed Jacobian of tetrahedron t.
-  double jacobian_entry(std::size_t t, std::size_t q) const {
-    return jacobian_block(t / geometry::kLanes)[q * geometry::kLanes + t % geometry::kLanes];
-  }
+  const ElementPattern& slots() const;
   void gather(std::size_t block, std::span<const double> x, double padding, double* out) const;
   void scatter_add(std::size_t block, const double* in, std::span<double> y) const;
-  void flatten(std::size_t first_block, std::size_t last_block, bool second_derivatives);
 
   const topology::Triangulation& triangulation_;
   const geometry::BatchKernels& kernels_;
   std::vector<double> cone_angles_;  // [E]
   std::vector<topology::OrbifoldLink> links_;
   Form form_ = Form::kHyperideal;
-  std::vector<double> diagonal_;     // [T/8][4][8] of the Gram matrices; empty if all are 1
-  std::vector<std::uint32_t> pins_;  // an edge class for each ideal vertex
-  std::vector<double> theta_;        // [T/8][6][8]
-  std::vector<double> jacobian_;     // [T/8][21][8], allocated at the first request
-  std::size_t flat_count_ = 0;
+  std::vector<double> diagonal_;      // [T/8][4][8] of the Gram matrices; empty if all are 1
+  std::vector<std::uint32_t> pins_;   // an edge class for each ideal vertex
   std::vector<std::size_t> held_;     // tetrahedra held flat
   std::vector<std::size_t> held_pi_;  // the first of the two edges of each that have angle pi
-  std::optional<ElementPattern> pattern_;
+  LazyElementPattern pattern_;
 };
 
 }  // namespace tripus::energies

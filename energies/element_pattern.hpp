@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,6 +36,25 @@ class ElementPattern {
   std::size_t pairs_;
   solver::SparsityPattern pattern_;
   std::vector<std::int64_t> slots_;  // [elements x pairs]
+};
+
+/// An ElementPattern that is built when it is first asked for, once, whatever the threads. Copies
+/// build their own.
+class LazyElementPattern {
+ public:
+  LazyElementPattern() = default;
+  LazyElementPattern(const LazyElementPattern&) {}
+  LazyElementPattern& operator=(const LazyElementPattern&) = delete;
+
+  template <class Make>
+  const ElementPattern& get(Make&& make) const {
+    std::call_once(once_, [&] { pattern_.emplace(make()); });
+    return *pattern_;
+  }
+
+ private:
+  mutable std::once_flag once_;
+  mutable std::optional<ElementPattern> pattern_;
 };
 
 }  // namespace tripus::energies

@@ -23,7 +23,7 @@ using InteriorAngles = std::function<std::optional<std::vector<double>>()>;
 class Functional {
  public:
   virtual ~Functional() = default;
-  virtual solver::Problem& problem() = 0;
+  virtual const solver::Problem& problem() const = 0;
   /// Turns a point x [n] into edge lengths [E], in place; where x leaves them open, into their
   /// means over the corners of an edge.
   virtual void to_lengths(std::vector<double>& x) = 0;

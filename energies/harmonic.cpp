@@ -91,43 +91,55 @@ HarmonicEnergy::HarmonicEnergy(std::vector<HarmonicEdge> edges, std::vector<Matr
   base_.resize(points.size());
   frames_.resize(points.size());
   rebase(points);
-  places_.resize(points.size());
-  u_.resize(points.size());
-  in_.resize(3 * points.size());
-  out_.resize(3 * points.size());
 }
 
-void HarmonicEnergy::move(std::span<const double> x) {
+bool HarmonicEnergy::evaluate(std::span<const double> x, solver::Order order,
+                              std::unique_ptr<solver::Evaluation>& into) const {
+  return solver::reuse<HarmonicAt>(into, *this).move_to(x, order);
+}
+
+HarmonicAt::HarmonicAt(const HarmonicEnergy& energy)
+    : energy_(&energy),
+      gradient_(energy.dimension()),
+      places_(energy.point_count()),
+      u_(energy.point_count()),
+      in_(3 * energy.point_count()),
+      out_(3 * energy.point_count()) {}
+
+void HarmonicAt::place(std::span<const double> x) {
   for (std::size_t v = 0; v < places_.size(); ++v) {
     Vector3& u = u_[v];
     u.setZero();
-    for (std::size_t k = 0; k < width(v); ++k) u[static_cast<Eigen::Index>(k)] = x[first_[v] + k];
-    Place& place = places_[v];
-    const Matrix4& B = frames_[v];
-    place.time = std::sqrt(1 + u.squaredNorm());
-    place.point = B.leftCols<3>() * u + place.time * B.col(3);
+    for (std::size_t k = 0; k < energy_->width(v); ++k)
+      u[static_cast<Eigen::Index>(k)] = x[energy_->first_[v] + k];
+    Place& here = places_[v];
+    const Matrix4& B = energy_->frames_[v];
+    here.time = std::sqrt(1 + u.squaredNorm());
+    here.point = B.leftCols<3>() * u + here.time * B.col(3);
     for (int k = 0; k < 3; ++k)
-      place.tangent[static_cast<std::size_t>(k)] = B.col(k) + u[k] / place.time * B.col(3);
+      here.tangent[static_cast<std::size_t>(k)] = B.col(k) + u[k] / here.time * B.col(3);
   }
 }
 
-bool HarmonicEnergy::evaluate(std::span<const double> x, std::span<double> gradient,
-                              const Request& request) {
-  move(x);
-  std::fill(gradient.begin(), gradient.end(), 0.0);
+bool HarmonicAt::move_to(std::span<const double> x, solver::Order order) {
+  const bool second_derivatives = order == solver::Order::kSecond;
+  const HarmonicEnergy& energy = *energy_;
+  const std::vector<HarmonicEdge>& edges = energy.edges_;
+  place(x);
+  std::fill(gradient_.begin(), gradient_.end(), 0.0);
   double value = 0;
-  if (request.second_derivatives) {
+  if (second_derivatives) {
     diagonal_.assign(places_.size(), {});
-    across_.resize(edges_.size());
+    across_.resize(edges.size());
     bend_.assign(places_.size(), 0.0);
   }
-  for (std::size_t e = 0; e < edges_.size(); ++e) {
-    const HarmonicEdge& edge = edges_[e];
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const HarmonicEdge& edge = edges[e];
     const Place& a = places_[edge.a];
     Place b = places_[edge.b];
-    Vector4 base = frames_[edge.b].col(3);
+    Vector4 base = energy.frames_[edge.b].col(3);
     if (edge.isometry != 0) {
-      const Matrix4& g = isometries_[edge.isometry];
+      const Matrix4& g = energy.isometries_[edge.isometry];
       b.point = g * b.point;
       for (Vector4& tangent : b.tangent) tangent = g * tangent;
       base = g * base;
@@ -143,9 +155,11 @@ bool HarmonicEnergy::evaluate(std::span<const double> x, std::span<double> gradi
       cb[k] = -lorentz_product(b.tangent[k], step);
     }
     const double w1 = edge.weight * first;
-    for (std::size_t k = 0; k < width(edge.a); ++k) gradient[first_[edge.a] + k] += w1 * ca[k];
-    for (std::size_t k = 0; k < width(edge.b); ++k) gradient[first_[edge.b] + k] += w1 * cb[k];
-    if (!request.second_derivatives) continue;
+    for (std::size_t k = 0; k < energy.width(edge.a); ++k)
+      gradient_[energy.first_variable(edge.a) + k] += w1 * ca[k];
+    for (std::size_t k = 0; k < energy.width(edge.b); ++k)
+      gradient_[energy.first_variable(edge.b) + k] += w1 * cb[k];
+    if (!second_derivatives) continue;
     const double w2 = edge.weight * second;
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t l = 0; l < 3; ++l) {
@@ -154,11 +168,11 @@ bool HarmonicEnergy::evaluate(std::span<const double> x, std::span<double> gradi
         diagonal_[edge.a][3 * k + l] += w2 * ca[k] * ca[l];
         diagonal_[edge.b][3 * k + l] += w2 * cb[k] * cb[l];
       }
-    bend_[edge.a] -= w1 * lorentz_product(frames_[edge.a].col(3), b.point);
+    bend_[edge.a] -= w1 * lorentz_product(energy.frames_[edge.a].col(3), b.point);
     bend_[edge.b] -= w1 * lorentz_product(a.point, base);
   }
-  if (request.value != nullptr) *request.value = value;
-  if (request.second_derivatives)
+  value_ = value;
+  if (second_derivatives)
     for (std::size_t v = 0; v < places_.size(); ++v) {
       const double time = places_[v].time;
       for (int k = 0; k < 3; ++k)
@@ -172,23 +186,23 @@ bool HarmonicEnergy::evaluate(std::span<const double> x, std::span<double> gradi
 /// Calls add(variable, variable, entry, slot) for all ordered pairs of variables, the diagonal
 /// blocks once; slot is the element and the local pair of the pattern.
 template <class Add>
-void HarmonicEnergy::for_entries(Add&& add) const {
+void HarmonicAt::for_entries(Add&& add) const {
   for (std::size_t v = 0; v < places_.size(); ++v)
-    for (std::size_t k = 0; k < width(v); ++k)
-      for (std::size_t l = 0; l < width(v); ++l)
-        add(first_[v] + k, first_[v] + l, diagonal_[v][3 * k + l]);
-  for (std::size_t e = 0; e < edges_.size(); ++e) {
-    const HarmonicEdge& edge = edges_[e];
-    for (std::size_t k = 0; k < width(edge.a); ++k)
-      for (std::size_t l = 0; l < width(edge.b); ++l) {
-        add(first_[edge.a] + k, first_[edge.b] + l, across_[e][3 * k + l]);
-        add(first_[edge.b] + l, first_[edge.a] + k, across_[e][3 * k + l]);
+    for (std::size_t k = 0; k < energy_->width(v); ++k)
+      for (std::size_t l = 0; l < energy_->width(v); ++l)
+        add(energy_->first_[v] + k, energy_->first_[v] + l, diagonal_[v][3 * k + l]);
+  for (std::size_t e = 0; e < energy_->edges_.size(); ++e) {
+    const HarmonicEdge& edge = energy_->edges_[e];
+    for (std::size_t k = 0; k < energy_->width(edge.a); ++k)
+      for (std::size_t l = 0; l < energy_->width(edge.b); ++l) {
+        add(energy_->first_[edge.a] + k, energy_->first_[edge.b] + l, across_[e][3 * k + l]);
+        add(energy_->first_[edge.b] + l, energy_->first_[edge.a] + k, across_[e][3 * k + l]);
       }
   }
 }
 
-const solver::SparsityPattern& HarmonicEnergy::hessian_pattern() {
-  if (!pattern_) {
+const solver::SparsityPattern& HarmonicEnergy::hessian_pattern() const {
+  const auto make = [&] {
     std::vector<std::uint32_t> variables(6 * edges_.size(), kNoVariable);
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       for (std::size_t k = 0; k < width(edges_[e].a); ++k)
@@ -196,14 +210,14 @@ const solver::SparsityPattern& HarmonicEnergy::hessian_pattern() {
       for (std::size_t k = 0; k < width(edges_[e].b); ++k)
         variables[6 * e + 3 + k] = static_cast<std::uint32_t>(first_[edges_[e].b] + k);
     }
-    pattern_.emplace(dimension(), 6, variables);
-  }
-  return pattern_->pattern();
+    return ElementPattern(dimension(), 6, variables);
+  };
+  return pattern_.get(make).pattern();
 }
 
-void HarmonicEnergy::hessian_values(std::span<double> values) const {
+void HarmonicAt::hessian_values(std::span<double> values) const {
   std::fill(values.begin(), values.end(), 0.0);
-  const solver::SparsityPattern& pattern = pattern_->pattern();
+  const solver::SparsityPattern& pattern = energy_->hessian_pattern();
   for_entries([&](std::size_t row, std::size_t column, double entry) {
     if (row < column) return;
     const auto begin = pattern.row.begin() + pattern.column_start[column];
@@ -213,34 +227,33 @@ void HarmonicEnergy::hessian_values(std::span<double> values) const {
   });
 }
 
-void HarmonicEnergy::hessian_times(std::span<const double> v, std::span<double> Hv) const {
+void HarmonicAt::hessian_times(std::span<const double> v, std::span<double> Hv) const {
   const auto at = [](std::vector<double>& padded, std::size_t p) { return &padded[3 * p]; };
   for (std::size_t p = 0; p < places_.size(); ++p) {
     double* in = at(in_, p);
     in[2] = 0;
-    std::copy_n(v.data() + first_[p], width(p), in);
+    std::copy_n(v.data() + energy_->first_[p], energy_->width(p), in);
     double* out = at(out_, p);
     const std::array<double, 9>& m = diagonal_[p];
     for (std::size_t k = 0; k < 3; ++k)
       out[k] = m[3 * k] * in[0] + m[3 * k + 1] * in[1] + m[3 * k + 2] * in[2];
   }
-  for (std::size_t e = 0; e < edges_.size(); ++e) {
+  for (std::size_t e = 0; e < energy_->edges_.size(); ++e) {
     const std::array<double, 9>& m = across_[e];
-    const double* a = at(in_, edges_[e].a);
-    const double* b = at(in_, edges_[e].b);
-    double* to_a = at(out_, edges_[e].a);
-    double* to_b = at(out_, edges_[e].b);
+    const double* a = at(in_, energy_->edges_[e].a);
+    const double* b = at(in_, energy_->edges_[e].b);
+    double* to_a = at(out_, energy_->edges_[e].a);
+    double* to_b = at(out_, energy_->edges_[e].b);
     for (std::size_t k = 0; k < 3; ++k) {
       to_a[k] += m[3 * k] * b[0] + m[3 * k + 1] * b[1] + m[3 * k + 2] * b[2];
       to_b[k] += m[k] * a[0] + m[3 + k] * a[1] + m[6 + k] * a[2];
     }
   }
   for (std::size_t p = 0; p < places_.size(); ++p)
-    std::copy_n(at(out_, p), width(p), Hv.data() + first_[p]);
+    std::copy_n(at(out_, p), energy_->width(p), Hv.data() + energy_->first_[p]);
 }
 
-void HarmonicEnergy::hessian_diagonal_blocks(std::size_t block_size,
-                                             std::span<double> blocks) const {
+void HarmonicAt::hessian_diagonal_blocks(std::size_t block_size, std::span<double> blocks) const {
   std::fill(blocks.begin(), blocks.end(), 0.0);
   const std::size_t b = block_size;
   for_entries([&](std::size_t row, std::size_t column, double entry) {

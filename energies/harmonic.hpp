@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -18,6 +18,45 @@ struct HarmonicEdge {
   std::uint32_t a = 0, b = 0;
   std::uint32_t isometry = 0;  ///< index into the list of isometries
   double weight = 1;           ///< finite; the energy is convex if all are positive
+};
+
+class HarmonicEnergy;
+
+/// The harmonic energy at one map: a value of its own, in the charts that there were.
+class HarmonicAt final : public solver::Evaluation {
+ public:
+  explicit HarmonicAt(const HarmonicEnergy& energy);
+
+  bool is_of(const HarmonicEnergy& energy) const { return energy_ == &energy; }
+  std::span<const double> gradient() const override { return gradient_; }
+  double value() const override { return value_; }
+  void hessian_values(std::span<double> values) const override;
+  void hessian_times(std::span<const double> v, std::span<double> Hv) const override;
+  void hessian_diagonal_blocks(std::size_t block_size, std::span<double> blocks) const override;
+
+ private:
+  friend class HarmonicEnergy;
+  using Vector4 = geometry::Vector4;
+
+  struct Place {
+    Vector4 point;
+    std::array<Vector4, 3> tangent;  // derivatives by u
+    double time;                     // sqrt(1 + |u|^2)
+  };
+  bool move_to(std::span<const double> x, solver::Order order);
+  void place(std::span<const double> x);
+  template <class Add>
+  void for_entries(Add&& add) const;
+
+  const HarmonicEnergy* energy_;
+  double value_ = 0;
+  std::vector<double> gradient_;
+  std::vector<Place> places_;                    // [V]
+  std::vector<geometry::Vector3> u_;             // [V]
+  std::vector<std::array<double, 9>> diagonal_;  // [V] blocks of the Hessian
+  std::vector<std::array<double, 9>> across_;    // [edges] rows of a, columns of b
+  std::vector<double> bend_;              // [V] sum of w phi' times -<base point, other point>
+  mutable std::vector<double> in_, out_;  // [3 V] of hessian_times
 };
 
 /// The harmonic energy of an equivariant map into hyperbolic space,
@@ -47,12 +86,9 @@ class HarmonicEnergy final : public solver::Problem {
                  std::span<const Vector4> points, std::span<const Vector4> poles);
 
   std::size_t dimension() const override { return first_.back(); }
-  bool evaluate(std::span<const double> x, std::span<double> gradient,
-                const Request& request) override;
-  const solver::SparsityPattern& hessian_pattern() override;
-  void hessian_values(std::span<double> values) const override;
-  void hessian_times(std::span<const double> v, std::span<double> Hv) const override;
-  void hessian_diagonal_blocks(std::size_t block_size, std::span<double> blocks) const override;
+  bool evaluate(std::span<const double> x, solver::Order order,
+                std::unique_ptr<solver::Evaluation>& into) const override;
+  const solver::SparsityPattern& hessian_pattern() const override;
 
   std::size_t point_count() const { return first_.size() - 1; }
   /// First variable of a point; it has two in a plane and three otherwise.
@@ -65,35 +101,22 @@ class HarmonicEnergy final : public solver::Problem {
 
   /// The points of the hyperboloid [V] at x.
   std::vector<Vector4> points(std::span<const double> x) const;
-  /// Makes the points at x the base points; they are at 0 then. Evaluate anew afterwards.
+  /// Makes the points at x the base points; they are at 0 then.
   void recentre(std::span<const double> x);
   /// Makes these points [V] the base points, or the nearest ones of their planes.
   void rebase(std::span<const Vector4> points);
 
  private:
-  struct Place {
-    Vector4 point;
-    std::array<Vector4, 3> tangent;  // derivatives by u
-    double time;                     // sqrt(1 + |u|^2)
-  };
-  void move(std::span<const double> x);
+  friend class HarmonicAt;
   std::size_t width(std::size_t v) const { return first_[v + 1] - first_[v]; }
-  template <class Add>
-  void for_entries(Add&& add) const;
 
   std::vector<HarmonicEdge> edges_;
   std::vector<Matrix4> isometries_;
   std::vector<std::uint32_t> first_;  // [V + 1]
   std::vector<Matrix4> planes_;  // [V] takes the plane z = 0 to that of v; the identity if free
-  std::vector<geometry::Vector3> base_;          // [V] in that frame, spatial coordinates
-  std::vector<Matrix4> frames_;                  // [V] B
-  std::vector<Place> places_;                    // [V] at the latest evaluation
-  std::vector<geometry::Vector3> u_;             // [V] likewise
-  std::vector<std::array<double, 9>> diagonal_;  // [V] blocks of the Hessian
-  std::vector<std::array<double, 9>> across_;    // [edges] rows of a, columns of b
-  std::vector<double> bend_;              // [V] sum of w phi' times -<base point, other point>
-  mutable std::vector<double> in_, out_;  // [3 V] of hessian_times
-  std::optional<ElementPattern> pattern_;
+  std::vector<geometry::Vector3> base_;  // [V] in that frame, spatial coordinates
+  std::vector<Matrix4> frames_;          // [V] B
+  LazyElementPattern pattern_;
 };
 
 /// The derivatives of phi(c) = (arcosh c)^2 / 2 at c = cosh d: d / sinh d, and

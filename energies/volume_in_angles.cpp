@@ -54,26 +54,42 @@ VolumeInAngles::VolumeInAngles(const topology::Triangulation& triangulation,
       variables_[kLocal * (d / 6) + 6 + d % 6] = variable;
     }
   }
-  theta_.resize(corners);
-  length_.resize(corners);
 }
 
-bool VolumeInAngles::evaluate(std::span<const double> y, std::span<double> gradient,
-                              const Request& request) {
-  const std::size_t tetrahedra = triangulation_.tetrahedron_count();
-  std::vector<double>& theta = theta_;
-  theta = interior_;
+bool VolumeInAngles::evaluate(std::span<const double> y, solver::Order order,
+                              std::unique_ptr<solver::Evaluation>& into) const {
+  return solver::reuse<VolumeInAnglesAt>(into, *this).move_to(y, order);
+}
+
+VolumeInAnglesAt VolumeInAngles::at(std::span<const double> y, solver::Order order) const {
+  VolumeInAnglesAt result(*this);
+  result.move_to(y, order);
+  return result;
+}
+
+const ElementPattern& VolumeInAngles::slots() const {
+  return pattern_.get([&] { return ElementPattern(dimension(), kLocal, variables_); });
+}
+
+VolumeInAnglesAt::VolumeInAnglesAt(const VolumeInAngles& energy)
+    : energy_(&energy),
+      gradient_(energy.dimension()),
+      theta_(energy.interior_.size()),
+      length_(energy.interior_.size()) {}
+
+bool VolumeInAnglesAt::move_to(std::span<const double> y, solver::Order order) {
+  const std::vector<std::uint32_t>&first = energy_->first_, &second = energy_->second_;
+  theta_ = energy_->interior_;
   for (std::size_t v = 0; v < y.size(); ++v) {
-    theta[first_[v]] += y[v];
-    theta[second_[v]] -= y[v];
+    theta_[first[v]] += y[v];
+    theta_[second[v]] -= y[v];
   }
-  double value = 0;
-  if (request.second_derivatives) inverse_.resize(36 * tetrahedra);
+  const std::size_t tetrahedra = theta_.size() / 6;
+  if (order == solver::Order::kSecond) inverse_.resize(36 * tetrahedra);
   for (std::size_t t = 0; t < tetrahedra; ++t) {
     const std::span<double, 6> l(length_.data() + 6 * t, 6);
-    if (!geometry::lengths_from_angles(six(theta, t), l)) return false;
-    if (request.value != nullptr) value -= 2 * geometry::volume(six(theta, t));
-    if (request.second_derivatives) {
+    if (!geometry::lengths_from_angles(six(theta_, t), l)) return false;
+    if (order == solver::Order::kSecond) {
       using Matrix = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
       Matrix jacobian;
       std::array<double, 6> angles;
@@ -83,16 +99,21 @@ bool VolumeInAngles::evaluate(std::span<const double> y, std::span<double> gradi
       Eigen::Map<Matrix>(inverse_.data() + 36 * t) = jacobian.llt().solve(Matrix::Identity());
     }
   }
-  for (std::size_t v = 0; v < y.size(); ++v) gradient[v] = length_[first_[v]] - length_[second_[v]];
-  if (request.value != nullptr) *request.value = value;
+  for (std::size_t v = 0; v < y.size(); ++v) gradient_[v] = length_[first[v]] - length_[second[v]];
   return true;
 }
 
+double VolumeInAnglesAt::value() const {
+  double value = 0;
+  for (std::size_t t = 0; 6 * t < theta_.size(); ++t) value -= 2 * geometry::volume(six(theta_, t));
+  return value;
+}
+
 template <class Add>
-void VolumeInAngles::for_entries(Add&& add) const {
+void VolumeInAnglesAt::for_entries(Add&& add) const {
   // df = sum l d theta, so the Hessian in the angles is d l / d theta.
-  for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t) {
-    const std::uint32_t* variable = variables_.data() + kLocal * t;
+  for (std::size_t t = 0; t < energy_->triangulation_.tetrahedron_count(); ++t) {
+    const std::uint32_t* variable = energy_->variables_.data() + kLocal * t;
     const double* inverse = inverse_.data() + 36 * t;
     for (std::size_t i = 0; i < kLocal; ++i) {
       if (variable[i] == kNoVariable) continue;
@@ -105,43 +126,40 @@ void VolumeInAngles::for_entries(Add&& add) const {
   }
 }
 
-const solver::SparsityPattern& VolumeInAngles::hessian_pattern() {
-  if (!pattern_) pattern_.emplace(dimension(), kLocal, variables_);
-  return pattern_->pattern();
-}
-
-void VolumeInAngles::hessian_values(std::span<double> values) const {
+void VolumeInAnglesAt::hessian_values(std::span<double> values) const {
+  const ElementPattern& slots = energy_->slots();
   std::fill(values.begin(), values.end(), 0.0);
   for_entries([&](std::size_t t, std::size_t i, std::size_t j, double entry) {
-    const bool same = variables_[kLocal * t + i] == variables_[kLocal * t + j];
+    const bool same = energy_->variables_[kLocal * t + i] == energy_->variables_[kLocal * t + j];
     if (i > j && !same) return;  // the lower triangle once; a shared variable from both sides
     const std::size_t a = std::min(i, j), b = std::max(i, j);
     const std::size_t pair = a * kLocal - a * (a - 1) / 2 + (b - a);
-    values[static_cast<std::size_t>(pattern_->slot(t, pair))] += entry;
+    values[static_cast<std::size_t>(slots.slot(t, pair))] += entry;
   });
 }
 
-void VolumeInAngles::hessian_times(std::span<const double> v, std::span<double> Hv) const {
+void VolumeInAnglesAt::hessian_times(std::span<const double> v, std::span<double> Hv) const {
   std::fill(Hv.begin(), Hv.end(), 0.0);
   for_entries([&](std::size_t t, std::size_t i, std::size_t j, double entry) {
-    Hv[variables_[kLocal * t + i]] += entry * v[variables_[kLocal * t + j]];
+    Hv[energy_->variables_[kLocal * t + i]] += entry * v[energy_->variables_[kLocal * t + j]];
   });
 }
 
-void VolumeInAngles::hessian_diagonal_blocks(std::size_t block_size,
-                                             std::span<double> blocks) const {
+void VolumeInAnglesAt::hessian_diagonal_blocks(std::size_t block_size,
+                                               std::span<double> blocks) const {
   std::fill(blocks.begin(), blocks.end(), 0.0);
   for_entries([&](std::size_t t, std::size_t i, std::size_t j, double entry) {
-    const std::size_t a = variables_[kLocal * t + i], b = variables_[kLocal * t + j];
+    const std::size_t a = energy_->variables_[kLocal * t + i],
+                      b = energy_->variables_[kLocal * t + j];
     if (a / block_size != b / block_size) return;
     blocks[(a / block_size * block_size + a % block_size) * block_size + b % block_size] += entry;
   });
 }
 
-std::vector<double> VolumeInAngles::mean_edge_lengths() const {
-  std::vector<double> mean(triangulation_.edge_count());
+std::vector<double> VolumeInAnglesAt::mean_edge_lengths() const {
+  std::vector<double> mean(energy_->triangulation_.edge_count());
   for (std::size_t e = 0; e < mean.size(); ++e) {
-    const auto around = triangulation_.corners(e);
+    const auto around = energy_->triangulation_.corners(e);
     for (const auto corner : around) mean[e] += length_[flat_corner(corner)];
     mean[e] /= static_cast<double>(around.size());
   }

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -12,6 +12,42 @@
 #include "topology/triangulation.hpp"
 
 namespace tripus::energies {
+
+class VolumeInAngles;
+
+/// The volume functional at given angles: a value of its own.
+class VolumeInAnglesAt final : public solver::Evaluation {
+ public:
+  explicit VolumeInAnglesAt(const VolumeInAngles& energy);
+
+  bool is_of(const VolumeInAngles& energy) const { return energy_ == &energy; }
+
+  /// Mismatches of lengths [6 T - E].
+  std::span<const double> gradient() const override { return gradient_; }
+  double value() const override;
+  void hessian_values(std::span<double> values) const override;
+  void hessian_times(std::span<const double> v, std::span<double> Hv) const override;
+  void hessian_diagonal_blocks(std::size_t block_size, std::span<double> blocks) const override;
+
+  /// Dihedral angles [T x 6].
+  std::span<const double> dihedral_angles() const { return theta_; }
+  /// For each edge class the mean of the lengths of its corners [E].
+  std::vector<double> mean_edge_lengths() const;
+
+ private:
+  friend class VolumeInAngles;
+
+  bool move_to(std::span<const double> y, solver::Order order);
+  /// Calls add(variable a, variable b, entry) for all ordered pairs of variables of all tetrahedra.
+  template <class Add>
+  void for_entries(Add&& add) const;
+
+  const VolumeInAngles* energy_;
+  std::vector<double> gradient_;
+  std::vector<double> theta_;    // [T x 6]
+  std::vector<double> length_;   // [T x 6]
+  std::vector<double> inverse_;  // [T x 36] d l / d theta, allocated at the first request
+};
 
 /// Minus twice the volume, as a function of the dihedral angles of all tetrahedra:
 ///     f(y) = -2 sum_t vol(theta_t(y)),      theta(y) = theta_0 + B y,
@@ -31,34 +67,23 @@ class VolumeInAngles final : public solver::Problem {
 
   /// 6 T - E: the corners less one an edge class.
   std::size_t dimension() const override { return first_.size(); }
-  bool evaluate(std::span<const double> y, std::span<double> gradient,
-                const Request& request) override;
-  const solver::SparsityPattern& hessian_pattern() override;
-  void hessian_values(std::span<double> values) const override;
-  void hessian_times(std::span<const double> v, std::span<double> Hv) const override;
-  void hessian_diagonal_blocks(std::size_t block_size, std::span<double> blocks) const override;
-
-  // What the latest successful evaluation found.
-
-  /// Dihedral angles [T x 6].
-  std::span<const double> dihedral_angles() const { return theta_; }
-  /// For each edge class the mean of the lengths of its corners [E].
-  std::vector<double> mean_edge_lengths() const;
+  bool evaluate(std::span<const double> y, solver::Order order,
+                std::unique_ptr<solver::Evaluation>& into) const override;
+  /// The functional at a y [dimension] of the polytope.
+  VolumeInAnglesAt at(std::span<const double> y, solver::Order order = solver::Order::kFirst) const;
+  const solver::SparsityPattern& hessian_pattern() const override { return slots().pattern(); }
 
  private:
-  /// Calls add(variable a, variable b, entry) for all ordered pairs of variables of all tetrahedra.
-  template <class Add>
-  void for_entries(Add&& add) const;
+  friend class VolumeInAnglesAt;
+
+  const ElementPattern& slots() const;
 
   const topology::Triangulation& triangulation_;
   std::vector<double> interior_;          // [T x 6]
   std::vector<std::uint32_t> first_;      // [dimension] flat corner 6 t + e with coefficient +1
   std::vector<std::uint32_t> second_;     // [dimension] ... and with -1
   std::vector<std::uint32_t> variables_;  // [T x 12] variables with +1, then -1, at each corner
-  std::vector<double> theta_;             // [T x 6]
-  std::vector<double> length_;            // [T x 6]
-  std::vector<double> inverse_;           // [T x 36] d l / d theta
-  std::optional<ElementPattern> pattern_;
+  LazyElementPattern pattern_;
 };
 
 }  // namespace tripus::energies

@@ -10,10 +10,10 @@
 int main() {
   using namespace tripus;
   const topology::Triangulation tripus_manifold(topology::decode_isosig("cPcbbbihq"));
-  energies::CoVolume energy(tripus_manifold);
-  std::vector<double> x(energy.dimension(), 1.0), gradient(x.size());
+  const energies::CoVolume energy(tripus_manifold);
+  std::vector<double> x(energy.dimension(), 1.0);
   solver::find_method("newton")->minimise(energy, x, {});
-  energy.evaluate(x, gradient, {});  // gradient = -K, the edge curvatures
-  std::printf("length %.15f, volume %.15f, K %.1e\n", x[0], energy.volume(), -gradient[0]);
-  return std::fabs(energy.volume() - 6.4519902708350328) < 1e-12 ? 0 : 1;
+  const auto at = energy.at(x);  // its gradient is -K, the edge curvatures
+  std::printf("length %.15f, volume %.15f, K %.1e\n", x[0], at.volume(), -at.gradient()[0]);
+  return std::fabs(at.volume() - 6.4519902708350328) < 1e-12 ? 0 : 1;
 }

@@ -4,33 +4,24 @@
 #include <cstdio>
 
 #include "integrators/integrate.hpp"
+#include "solver/dense_problem.hpp"
 #include "solver/method.hpp"
 
 namespace {
 
-class Example : public tripus::solver::Problem {
+class Example : public tripus::solver::DenseProblem {
  public:
-  std::size_t dimension() const override { return 1; }
-  bool evaluate(std::span<const double> x, std::span<double> gradient,
-                const Request& request) override {
-    hessian_ = std::exp(x[0]);
-    gradient[0] = hessian_ - 2;
-    if (request.value != nullptr) *request.value = hessian_ - 2 * x[0];
-    return true;
-  }
-  const tripus::solver::SparsityPattern& hessian_pattern() override { return pattern_; }
-  void hessian_values(std::span<double> values) const override { values[0] = hessian_; }
-  void hessian_times(std::span<const double> v, std::span<double> Hv) const override {
-    Hv[0] = hessian_ * v[0];
-  }
-  void hessian_diagonal_blocks(std::size_t block_size, std::span<double> blocks) const override {
-    for (double& entry : blocks.first(block_size * block_size)) entry = 0;
-    blocks[0] = hessian_;
-  }
+  Example() : DenseProblem(1) {}
 
  private:
-  tripus::solver::SparsityPattern pattern_{{0, 1}, {0}};
-  double hessian_ = 1;
+  std::optional<double> value(std::span<const double> x,
+                              std::span<double> gradient) const override {
+    gradient[0] = std::exp(x[0]) - 2;
+    return std::exp(x[0]) - 2 * x[0];
+  }
+  void hessian(std::span<const double> x, std::span<double> H) const override {
+    H[0] = std::exp(x[0]);
+  }
 };
 
 bool report(const char* how, const tripus::solver::Summary& s, double x) {

@@ -118,6 +118,7 @@ class Integration {
   State x_, new_x_, v_, new_v_, g_, new_g_, error_;  // [n]; the new ones belong to the trial
   State displacement_, remainder_;  // of the trial from x_; of the latest x by rounding
   State eigenvector_, product_;
+  std::unique_ptr<solver::Evaluation> at_;                  // for the Jacobian
   double gradient_ = kInfinity, new_gradient_ = kInfinity;  // max|g|
   double stiffness_ = 0;  // estimate of the largest eigenvalue of -dF/dx
   double safety_ = 1;     // further factor of the step, after rejections
@@ -144,11 +145,12 @@ bool Integration::start() {
 void Integration::refresh(int iterations) {
   since_refresh_ = 0;
   double unused = 0;
-  if (!run_.evaluate(x_, product_, {.value = nullptr, .second_derivatives = true}, unused)) return;
+  if (!run_.evaluate(x_, solver::Order::kSecond, at_, product_, unused)) return;
+  const Jacobian jacobian = field_.jacobian(x_, *at_);
   double length = norm(eigenvector_);
   for (int k = 0; k < iterations && length > 0; ++k) {
     for (double& value : eigenvector_) value /= length;
-    field_.jacobian_times(x_, g_, eigenvector_, product_);
+    jacobian(eigenvector_, product_);
     const double image = norm(product_);
     stiffness_ = image;
     if (!(image > 0) || !(image < kInfinity)) break;
@@ -336,7 +338,7 @@ void validate(const FlowOptions& options) {
   }
 }
 
-Summary integrate(solver::Problem& problem, const Flow& flow, const Stepper& stepper,
+Summary integrate(const solver::Problem& problem, const Flow& flow, const Stepper& stepper,
                   std::span<double> x, const solver::Options& options,
                   const FlowOptions& flow_options) {
   validate(flow_options);

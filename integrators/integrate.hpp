@@ -25,7 +25,7 @@ void validate(const FlowOptions& options);
 /// Follows the flow from x [n], in place, until max|g| <= tolerance. Mathematical outcomes are
 /// returned, never thrown; Summary::iterations counts accepted steps, Iterate::time is the flow
 /// time. Throws InvalidInput for bad options or a length of x other than n.
-solver::Summary integrate(solver::Problem& problem, const Flow& flow, const Stepper& stepper,
+solver::Summary integrate(const solver::Problem& problem, const Flow& flow, const Stepper& stepper,
                           std::span<double> x, const solver::Options& options,
                           const FlowOptions& flow_options = {});
 

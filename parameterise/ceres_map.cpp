@@ -223,7 +223,13 @@ void add_balances(ceres::Problem& problem, const energies::HarmonicEnergy& energ
 HarmonicMap minimised_by_ceres(energies::HarmonicEnergy& energy, const MapOptions& options,
                                const Context& context) {
   HarmonicMap map;
-  std::vector<double> x(energy.dimension(), 0.0), gradient(energy.dimension());
+  const std::vector<double> x(energy.dimension(), 0.0);
+  std::unique_ptr<solver::Evaluation> at;
+  const auto measure = [&] {
+    energy.evaluate(x, solver::Order::kFirst, at);
+    map.energy = at->value();
+    map.max_gradient = solver::max_abs(at->gradient());
+  };
   std::vector<Vector4> points = energy.points(x);
   Watch watch(map, context);
   const auto start = std::chrono::steady_clock::now();
@@ -248,11 +254,9 @@ HarmonicMap minimised_by_ceres(energies::HarmonicEnergy& energy, const MapOption
     map.evaluations += summary.num_residual_evaluations;
     // Judged by the energy itself, not by what Ceres says.
     energy.rebase(points);
-    energy.evaluate(x, gradient, {.value = &map.energy});
-    map.max_gradient = solver::max_abs(gradient);
+    measure();
   };
-  energy.evaluate(x, gradient, {.value = &map.energy});
-  map.max_gradient = solver::max_abs(gradient);
+  measure();
   // With negative weights the energy is no sum of squares.
   if (std::ranges::all_of(energy.edges(), [](const auto& edge) { return edge.weight > 0; }))
     solve(add_distances, std::max(options.tolerance, kNear * map.max_gradient));

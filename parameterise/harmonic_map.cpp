@@ -51,11 +51,13 @@ HarmonicMap minimised(energies::HarmonicEnergy& energy, const MapOptions& option
   const solver::Method& method = *solver::find_method(method_of(options.minimiser));
   const bool is_newton = options.minimiser == Minimiser::kNewton;
   HarmonicMap map;
-  std::vector<double> x(energy.dimension(), 0.0), gradient(energy.dimension());
+  std::vector<double> x(energy.dimension(), 0.0);
+  std::unique_ptr<solver::Evaluation> at;
   const auto start = Clock::now();
   const auto measure = [&] {
-    energy.evaluate(x, gradient, {.value = &map.energy});
-    map.max_gradient = solver::max_abs(gradient);
+    energy.evaluate(x, solver::Order::kFirst, at);
+    map.energy = at->value();
+    map.max_gradient = solver::max_abs(at->gradient());
     map.history.push_back({map.iterations, seconds_since(start), map.energy, map.max_gradient});
   };
   measure();
@@ -125,9 +127,8 @@ HarmonicMap harmonic_map(MarkedSolid& solid, Weights weights, const MapOptions& 
     how.max_iterations -= map.iterations;
     how.time_limit -= map.seconds;
     if (part > 0) {
-      std::vector<double> x(energy.dimension(), 0.0), gradient(energy.dimension());
-      energy.evaluate(x, gradient, {});
-      how.tolerance = std::max(options.tolerance, part * solver::max_abs(gradient));
+      const auto at = energy.at(std::vector<double>(energy.dimension(), 0.0));
+      how.tolerance = std::max(options.tolerance, part * solver::max_abs(at->gradient()));
     }
     HarmonicMap next = options.minimiser == Minimiser::kCeres
                            ? minimised_by_ceres(energy, how, context)

@@ -71,6 +71,7 @@ class Session {
 
   Run& run_;
   std::size_t n_;
+  std::unique_ptr<Evaluation> at_;                          // where Ceres asked last
   std::span<double> result_;                                // the centre c while Ceres runs
   std::vector<double> trial_, gradient_, centre_gradient_;  // the latest x and its g; g(c)
   std::vector<double> best_x_, best_gradient_;
@@ -142,11 +143,8 @@ bool Session::evaluate(const double* y, double* cost, double* gradient) {
   if (!(max_abs(trial_) < 1e4 * runaway_)) return false;
   double value = 0;
   try {
-    if (!run_.evaluate(trial_, gradient_,
-                       {.value = use_values_ ? &value : nullptr, .second_derivatives = false},
-                       trial_max_)) {
-      return false;
-    }
+    if (!run_.evaluate(trial_, Order::kFirst, at_, gradient_, trial_max_)) return false;
+    if (use_values_) value = at_->value();
   } catch (...) {
     exception_ = std::current_exception();
     stopped_ = true;
@@ -246,10 +244,9 @@ bool Session::recentre() {
 
 Summary Session::minimise(ceres::LineSearchDirectionType direction) {
   std::copy(result_.begin(), result_.end(), trial_.begin());
-  const bool defined =
-      max_abs(trial_) < kInfinity &&
-      run_.evaluate(trial_, gradient_, {.value = &centre_value_, .second_derivatives = false},
-                    trial_max_);
+  const bool defined = max_abs(trial_) < kInfinity &&
+                       run_.evaluate(trial_, Order::kFirst, at_, gradient_, trial_max_);
+  if (defined) centre_value_ = at_->value();
   if (!defined || !(centre_value_ - centre_value_ == 0)) {
     return run_.finish(Termination::kNumericalFailure, kInfinity,
                        "the function is not defined at the start");
@@ -276,7 +273,7 @@ Summary Session::minimise(ceres::LineSearchDirectionType direction) {
   return finish_converged(run_, result_, best_);
 }
 
-Summary minimise(Problem& problem, std::span<double> x, const Options& options,
+Summary minimise(const Problem& problem, std::span<double> x, const Options& options,
                  ceres::LineSearchDirectionType direction, int max_iterations) {
   silence_ceres();
   Run run(problem, x, options, max_iterations);
@@ -285,11 +282,11 @@ Summary minimise(Problem& problem, std::span<double> x, const Options& options,
 
 }  // namespace
 
-Summary ceres_lbfgs(Problem& problem, std::span<double> x, const Options& options) {
+Summary ceres_lbfgs(const Problem& problem, std::span<double> x, const Options& options) {
   return minimise(problem, x, options, ceres::LBFGS, kMaxIterations);
 }
 
-Summary ceres_bfgs(Problem& problem, std::span<double> x, const Options& options) {
+Summary ceres_bfgs(const Problem& problem, std::span<double> x, const Options& options) {
   if (x.size() > kLargestBfgs) {
     return Run(problem, x, options, kMaxIterations)
         .finish(Termination::kNumericalFailure, kInfinity,
@@ -299,11 +296,12 @@ Summary ceres_bfgs(Problem& problem, std::span<double> x, const Options& options
   return minimise(problem, x, options, ceres::BFGS, kMaxIterations);
 }
 
-Summary ceres_cg(Problem& problem, std::span<double> x, const Options& options) {
+Summary ceres_cg(const Problem& problem, std::span<double> x, const Options& options) {
   return minimise(problem, x, options, ceres::NONLINEAR_CONJUGATE_GRADIENT, kMaxIterations);
 }
 
-Summary ceres_steepest_descent(Problem& problem, std::span<double> x, const Options& options) {
+Summary ceres_steepest_descent(const Problem& problem, std::span<double> x,
+                               const Options& options) {
   return minimise(problem, x, options, ceres::STEEPEST_DESCENT, kMaxSteepestDescent);
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <exception>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -48,6 +49,7 @@ class Shared final : public ceres::EvaluationCallback {
   std::span<double> variables;  // [n], the memory that Ceres writes
  private:
   std::vector<double> at_;
+  std::unique_ptr<Evaluation> evaluation_;
   double runaway_;
   bool evaluated_ = false, hessian_read_ = false;
 
@@ -70,12 +72,11 @@ void Shared::prepare(bool jacobians) {
       evaluated_ = true;
       hessian_read_ = false;
       valid = max_abs(at_) < kInfinity &&
-              run_.evaluate(at_, gradient, {.value = nullptr, .second_derivatives = true},
-                            max_gradient);
+              run_.evaluate(at_, Order::kSecond, evaluation_, gradient, max_gradient);
       if (run_.out_of_time()) stopped = true;
     }
     if (jacobians && valid && !hessian_read_) {
-      run_.problem().hessian_values(hessian);
+      evaluation_->hessian_values(hessian);
       hessian_read_ = true;
     }
   } catch (...) {
@@ -184,7 +185,7 @@ ceres::Solver::Options solver_options(std::size_t n, int max_iterations) {
 
 }  // namespace
 
-Summary ceres_lm(Problem& problem, std::span<double> x, const Options& options) {
+Summary ceres_lm(const Problem& problem, std::span<double> x, const Options& options) {
   silence_ceres();
   Run run(problem, x, options, kMaxIterations);
   std::vector<double> variables(x.begin(), x.end());

@@ -66,13 +66,13 @@ double largest_eigenvalue(Eigen::Index n, const Apply& apply, Vector& vector) {
 }
 
 /// out = H^-1 v. False where H is not positive definite to rounding.
-bool apply_inverse(const Problem& problem, const Vector& diagonal, const Vector& v, Vector& out) {
+bool apply_inverse(const Evaluation& at, const Vector& diagonal, const Vector& v, Vector& out) {
   Vector r = v, z = r.cwiseQuotient(diagonal), p = z, Hp(v.size());
   out = Vector::Zero(v.size());
   double rz = r.dot(z);
   const double enough = kInverseResidual * v.norm();
   for (int step = 0; step < kMostConjugate && r.norm() > enough; ++step) {
-    problem.hessian_times(view(std::as_const(p)), view(Hp));
+    at.hessian_times(view(std::as_const(p)), view(Hp));
     const double pHp = p.dot(Hp);
     if (!(pHp > 0)) return false;
     out += (rz / pHp) * p;
@@ -87,23 +87,22 @@ bool apply_inverse(const Problem& problem, const Vector& diagonal, const Vector&
 
 }  // namespace
 
-ExtremeEigenvalues extreme_eigenvalues(const Problem& problem) {
-  const auto n = Eigen::Index(problem.dimension());
+ExtremeEigenvalues extreme_eigenvalues(const Evaluation& at) {
+  const auto n = Eigen::Index(at.gradient().size());
   ExtremeEigenvalues result;
   if (n == 0) return result;
   Vector vector(n), diagonal(n);
   result.largest = largest_eigenvalue(
       n,
       [&](const Vector& v, Vector& out) {
-        problem.hessian_times(view(v), view(out));
+        at.hessian_times(view(v), view(out));
         return out.allFinite();
       },
       vector);
-  problem.hessian_diagonal_blocks(1, view(diagonal));
+  at.hessian_diagonal_blocks(1, view(diagonal));
   if (!(diagonal.minCoeff() > 0)) return result;
   const double inverse = largest_eigenvalue(
-      n, [&](const Vector& v, Vector& out) { return apply_inverse(problem, diagonal, v, out); },
-      vector);
+      n, [&](const Vector& v, Vector& out) { return apply_inverse(at, diagonal, v, out); }, vector);
   if (!(inverse > 0) || !std::isfinite(inverse)) return result;
   result.smallest = 1 / inverse;
   result.slowest.assign(vector.begin(), vector.end());

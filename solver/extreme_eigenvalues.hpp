@@ -14,11 +14,11 @@ struct ExtremeEigenvalues {
   double condition() const { return largest / smallest; }
 };
 
-/// Of the Hessian at the point of the latest evaluation with second derivatives, by Lanczos
+/// Of the Hessian of an evaluation of second order, by Lanczos
 /// iterations on it and on its inverse, which conjugate gradients apply: no matrix is stored.
 /// Accuracy: some 1e-10, relative, unless the Hessian is singular to rounding; then smallest is 0
 /// and slowest is empty. The same problem gives the same bits.
 /// Source: G. Golub, C. Van Loan, Matrix Computations, chapter 10.
-ExtremeEigenvalues extreme_eigenvalues(const Problem& problem);
+ExtremeEigenvalues extreme_eigenvalues(const Evaluation& at);
 
 }  // namespace tripus::solver

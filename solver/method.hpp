@@ -63,7 +63,7 @@ void validate(const Options& options);
 /// finite afterwards if it was before, and is the point with the least max|gradient| that was
 /// accepted. Throws InvalidInput for a bad option or a length of x other than n; what the problem
 /// or the observer throw passes through.
-using Minimise = Summary (*)(Problem& problem, std::span<double> x, const Options& options);
+using Minimise = Summary (*)(const Problem& problem, std::span<double> x, const Options& options);
 
 /// One line of the table of methods.
 struct Method {

@@ -12,20 +12,20 @@
 namespace tripus::solver {
 
 struct NewtonDirection::Implementation {
-  explicit Implementation(Problem& of)
-      : problem(of), system(detail::make_direct_system(of)), regularised(*system, of.dimension()) {}
-  Problem& problem;
+  explicit Implementation(const Problem& of)
+      : system(detail::make_direct_system(of)), regularised(*system, of.dimension()) {}
   std::unique_ptr<detail::NewtonSystem> system;
   detail::RegularisedSystem regularised;
 };
 
-NewtonDirection::NewtonDirection(Problem& problem)
+NewtonDirection::NewtonDirection(const Problem& problem)
     : implementation_(std::make_unique<Implementation>(problem)) {}
 
 NewtonDirection::~NewtonDirection() = default;
 
-void NewtonDirection::compute(std::span<const double> x, std::span<const double> g,
+void NewtonDirection::compute(std::span<const double> x, const Evaluation& at,
                               std::span<double> d) {
+  const std::span<const double> g = at.gradient();
   const double max_gradient = max_abs(g);
   if (max_gradient == 0) {
     std::fill(d.begin(), d.end(), 0.0);
@@ -34,15 +34,14 @@ void NewtonDirection::compute(std::span<const double> x, std::span<const double>
   Implementation& i = *implementation_;
   i.regularised.adapt(true, 1);
   const double longest = detail::kStepGrowth * (1 + max_abs(x));
-  i.regularised.compute(i.problem, g, max_gradient, longest, 1, d);
+  i.regularised.compute(at, g, max_gradient, longest, 1, d);
 }
 
-double newton_distance(const Problem& problem, std::span<const double> g,
-                       double least_curvature) {
+double newton_distance(const Evaluation& at, std::span<const double> g, double least_curvature) {
   constexpr double kDigits = 1e-3;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  detail::ConjugateGradients system(problem, 1);
-  const std::span<const double> diagonal = system.load(problem);
+  detail::ConjugateGradients system(g.size(), 1);
+  const std::span<const double> diagonal = system.load(at);
   std::vector<double> shift(g.size()), d(g.size());
   for (std::size_t i = 0; i < g.size(); ++i) {
     shift[i] = least_curvature;
@@ -51,7 +50,7 @@ double newton_distance(const Problem& problem, std::span<const double> g,
     shift[i] = 1;
   }
   if (max_abs(g) == 0) return 0;
-  return system.solve(problem, shift, g, kDigits, d) ? max_abs(d) : kInfinity;
+  return system.solve(at, shift, g, kDigits, d) ? max_abs(d) : kInfinity;
 }
 
 }  // namespace tripus::solver

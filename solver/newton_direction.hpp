@@ -12,12 +12,12 @@ namespace tripus::solver {
 /// 1 + max|x|. See the essay in solver/detail/newton_loop.cpp.
 class NewtonDirection {
  public:
-  explicit NewtonDirection(Problem& problem);
+  explicit NewtonDirection(const Problem& problem);
   ~NewtonDirection();
 
-  /// At x [n], which must be the point of the latest evaluation with second derivatives, with
-  /// gradient g [n]. Writes d [n]; d = 0 where g = 0.
-  void compute(std::span<const double> x, std::span<const double> g, std::span<double> d);
+  /// At x [n], with the evaluation of second order there. Writes d [n]; d = 0 where the gradient
+  /// is.
+  void compute(std::span<const double> x, const Evaluation& at, std::span<double> d);
 
  private:
   struct Implementation;
@@ -25,12 +25,11 @@ class NewtonDirection {
 };
 
 /// max|d| of the Newton step H d = -g to 3 digits, by conjugate gradients: an estimate of how far
-/// the minimiser is. Refers to the latest evaluation with second derivatives. g must be orthogonal
-/// to the constant directions of `Problem::pins`. The step is 0 at variables that neither g nor H
+/// the minimiser is. `at` is of second order. g must be orthogonal to the constant directions of
+/// `Problem::pins`. The step is 0 at variables that neither g nor H
 /// sees, and infinite where H does not bend along g.
 ///   least_curvature  added to the diagonal of H: where the function may be constant along more
 ///                    directions than those of the pins, and g is rounding along them
-double newton_distance(const Problem& problem, std::span<const double> g,
-                       double least_curvature = 0);
+double newton_distance(const Evaluation& at, std::span<const double> g, double least_curvature = 0);
 
 }  // namespace tripus::solver

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -14,33 +15,24 @@ struct SparsityPattern {
   std::vector<std::int32_t> row;           ///< [column_start[n]]
 };
 
-/// A convex function of n variables with gradient and sparse Hessian, to be minimised.
-///
-/// All second-derivative queries refer to the point of the latest call of `evaluate` that asked
-/// for second derivatives. Implementations keep their workspace between calls: nothing here
-/// allocates after the first evaluation.
-class Problem {
+/// Up to which derivatives a function is evaluated.
+enum class Order { kFirst, kSecond };
+
+/// A function at one point: a value that owns all that it answers from. What it says does not
+/// depend on what else is evaluated, before or after. Its problem must outlive it.
+class Evaluation {
  public:
-  virtual ~Problem() = default;
+  virtual ~Evaluation() = default;
 
-  /// Number of variables n.
-  virtual std::size_t dimension() const = 0;
+  /// [n].
+  virtual std::span<const double> gradient() const = 0;
 
-  /// What an evaluation shall compute besides the gradient.
-  struct Request {
-    double* value = nullptr;          ///< f(x), where not null
-    bool second_derivatives = false;  ///< prepare the hessian_* queries at x
-  };
+  /// f(x). Computed when asked for: it may cost as much as the gradient.
+  virtual double value() const = 0;
 
-  /// Evaluates at x [n]; writes the gradient [n]. Returns false where f is not defined (outside an
-  /// open domain); the outputs are then unspecified.
-  virtual bool evaluate(std::span<const double> x, std::span<double> gradient,
-                        const Request& request) = 0;
+  // Of the second order only.
 
-  /// The pattern of the Hessian, built once.
-  virtual const SparsityPattern& hessian_pattern() = 0;
-
-  /// Hessian values [nnz] in the order of `hessian_pattern`.
+  /// Hessian values [nnz] in the order of `Problem::hessian_pattern`.
   virtual void hessian_values(std::span<double> values) const = 0;
 
   /// Hv = Hessian * v, without assembling. [n], [n].
@@ -51,6 +43,38 @@ class Problem {
   /// missing variables as zero rows and columns. block_size 1 is the diagonal.
   virtual void hessian_diagonal_blocks(std::size_t block_size, std::span<double> blocks) const = 0;
 
+ protected:
+  Evaluation() = default;
+  Evaluation(const Evaluation&) = default;
+  Evaluation& operator=(const Evaluation&) = default;
+};
+
+/// A convex function of n variables with gradient and sparse Hessian, to be minimised. Does not
+/// change by being evaluated, and may be evaluated by several threads at once. Few variables need
+/// two functions: derive from `DenseProblem`.
+class Problem {
+ public:
+  virtual ~Problem() = default;
+
+  /// Number of variables n.
+  virtual std::size_t dimension() const = 0;
+
+  /// Puts the function at x [n] into `into`. Returns false where it is not defined (outside an open
+  /// domain); ask nothing of `into` then. An earlier evaluation of this problem that is passed in
+  /// is overwritten, with its memory used again: a loop that does so allocates once.
+  virtual bool evaluate(std::span<const double> x, Order order,
+                        std::unique_ptr<Evaluation>& into) const = 0;
+
+  /// The function at x [n]; null where it is not defined.
+  std::unique_ptr<Evaluation> at(std::span<const double> x, Order order = Order::kFirst) const {
+    std::unique_ptr<Evaluation> result;
+    if (!evaluate(x, order, result)) result.reset();
+    return result;
+  }
+
+  /// The pattern of the Hessian, built once.
+  virtual const SparsityPattern& hessian_pattern() const = 0;
+
   /// Variables that fix the directions along which f is constant everywhere, as many as there are
   /// such directions: none of these but 0 vanishes at all pins. A factorisation adds to the
   /// diagonal there; a solution for a gradient, which is orthogonal to these directions, is then
@@ -58,5 +82,17 @@ class Problem {
   /// need it not.
   virtual std::span<const std::uint32_t> pins() const { return {}; }
 };
+
+/// What `into` points to, as an evaluation of type E of `problem`; made where it is none. E has a
+/// constructor from the problem, and `is_of(problem)`.
+template <class E, class P>
+E& reuse(std::unique_ptr<Evaluation>& into, const P& problem) {
+  auto* found = dynamic_cast<E*>(into.get());
+  if (found != nullptr && found->is_of(problem)) return *found;
+  auto made = std::make_unique<E>(problem);
+  E& result = *made;
+  into = std::move(made);
+  return result;
+}
 
 }  // namespace tripus::solver

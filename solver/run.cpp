@@ -1,5 +1,6 @@
 #include "solver/run.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -19,7 +20,7 @@ double max_abs(std::span<const double> v) {
   return finite ? largest : std::numeric_limits<double>::infinity();
 }
 
-Run::Run(Problem& problem, std::span<const double> x, const Options& options,
+Run::Run(const Problem& problem, std::span<const double> x, const Options& options,
          int default_max_iterations)
     : problem_(problem),
       options_(options),
@@ -33,10 +34,11 @@ Run::Run(Problem& problem, std::span<const double> x, const Options& options,
   }
 }
 
-bool Run::evaluate(std::span<const double> x, std::span<double> gradient,
-                   const Problem::Request& request, double& max_gradient) {
+bool Run::evaluate(std::span<const double> x, Order order, std::unique_ptr<Evaluation>& into,
+                   std::span<double> gradient, double& max_gradient) {
   ++evaluations;
-  const bool defined = problem_.evaluate(x, gradient, request);
+  const bool defined = problem_.evaluate(x, order, into);
+  if (defined) std::ranges::copy(into->gradient(), gradient.begin());
   max_gradient = defined ? max_abs(gradient) : std::numeric_limits<double>::infinity();
   return max_gradient <= std::numeric_limits<double>::max();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -21,13 +22,13 @@ inline constexpr double kRunaway = 1e8;
 class Run {
  public:
   /// Validates options and the length of x (InvalidInput); keeps references to problem and options.
-  Run(Problem& problem, std::span<const double> x, const Options& options,
+  Run(const Problem& problem, std::span<const double> x, const Options& options,
       int default_max_iterations);
 
-  /// Problem::evaluate, counted. Sets max_gradient = max|gradient|. Returns false where f is not
-  /// defined and where the gradient is not finite.
-  bool evaluate(std::span<const double> x, std::span<double> gradient,
-                const Problem::Request& request, double& max_gradient);
+  /// Problem::evaluate, counted; copies the gradient [n] and sets max_gradient = max|gradient|.
+  /// Returns false where f is not defined and where the gradient is not finite.
+  bool evaluate(std::span<const double> x, Order order, std::unique_ptr<Evaluation>& into,
+                std::span<double> gradient, double& max_gradient);
 
   /// Passes x to the observer as iterate number `iterations`. Returns false, and keeps the reason
   /// in `termination`, when the run has to end: asked to stop, out of time, out of iterations.
@@ -42,7 +43,7 @@ class Run {
   double seconds() const;
   double tolerance() const { return options_.tolerance; }
   int max_iterations() const { return max_iterations_; }
-  Problem& problem() const { return problem_; }
+  const Problem& problem() const { return problem_; }
 
   int iterations = 0;
   int evaluations = 0;
@@ -50,7 +51,7 @@ class Run {
   Termination termination = Termination::kNumericalFailure;
 
  private:
-  Problem& problem_;
+  const Problem& problem_;
   const Options& options_;
   int max_iterations_;
   std::chrono::steady_clock::time_point start_;

@@ -22,9 +22,9 @@ using topology::VertexKind;
 
 /// Link data and areas of the vertex classes.
 std::vector<VertexReport> report_vertices(const topology::Triangulation& triangulation,
-                                          const energies::CoVolume& energy,
-                                          std::span<const double> x,
+                                          const energies::CoVolumeAt& at,
                                           const std::vector<std::array<double, 6>>& angles) {
+  const energies::CoVolume& energy = at.energy();
   std::vector<VertexReport> vertices(triangulation.vertex_count());
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     const topology::VertexLink& link = triangulation.link(v);
@@ -46,7 +46,7 @@ std::vector<VertexReport> report_vertices(const topology::Triangulation& triangu
     }
   }
   if (energy.is_hyperideal()) return vertices;
-  const std::vector<double> areas = horosphere_areas(triangulation, energy, x);
+  const std::vector<double> areas = horosphere_areas(triangulation, at);
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (vertices[v].kind == VertexKind::kFinite) vertices[v].area = -vertices[v].area;
     if (vertices[v].kind == VertexKind::kIdeal)
@@ -85,10 +85,10 @@ bool has_finite_vertices(const energies::CoVolume& energy) {
 /// tetrahedra: they do not see the horospheres move, nor the edge. The Newton step itself then says
 /// how far the minimiser is.
 std::string distance_objection(const topology::Triangulation& triangulation,
-                               const energies::CoVolume& energy, std::span<const double> curvature,
-                               double longest, double scale) {
+                               const energies::CoVolumeAt& at, double longest, double scale) {
   constexpr double kNothing = 1e-5 * tolerance::kCurvatureRounding;
-  std::vector<double> gradient(curvature.begin(), curvature.end());
+  const energies::CoVolume& energy = at.energy();
+  std::vector<double> gradient(at.gradient().begin(), at.gradient().end());
   for (std::size_t e = 0; e < gradient.size(); ++e) {
     if (energy.cone_angles()[e] == 0) gradient[e] = 0;
     if (gradient[e] != 0 && std::fabs(gradient[e]) < tolerance::kCurvatureRounding)
@@ -97,11 +97,11 @@ std::string distance_objection(const topology::Triangulation& triangulation,
   // Without the flat tetrahedra the rest may come apart, into more cusps than there were, whose
   // horospheres move one by one.
   constexpr double kLeastCurvature = 1e-9;
-  const bool flat = energy.flat_count() > 0;
+  const bool flat = at.flat_count() > 0;
   if (!flat) remove_horosphere_shifts(triangulation, energy, gradient);
   for (double& g : gradient)
     if (std::fabs(g) < kNothing) g = 0;
-  const double distance = solver::newton_distance(energy, gradient, flat ? kLeastCurvature : 0);
+  const double distance = solver::newton_distance(at, gradient, flat ? kLeastCurvature : 0);
   if (distance <= tolerance::kMaxDistanceToMetric * scale) return {};
   return fmt::format(
       "the curvature is small but a metric is not near (the longest edge has length {:.3g}), as "
@@ -112,14 +112,15 @@ std::string distance_objection(const topology::Triangulation& triangulation,
 
 /// A lower bound of the least eigenvalue of the Hessian of few variables, the reciprocal of the
 /// trace of its inverse; 0 for many variables, or where it is not positive definite.
-double small_convexity_bound(energies::CoVolume& energy) {
+double small_convexity_bound(const energies::CoVolumeAt& at) {
   constexpr int kFew = 8;
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kFew, kFew>;
+  const energies::CoVolume& energy = at.energy();
   const auto n = static_cast<Eigen::Index>(energy.dimension());
   if (n > kFew) return 0;
   const solver::SparsityPattern& pattern = energy.hessian_pattern();
   std::array<double, kFew*(kFew + 1) / 2> values;
-  energy.hessian_values(std::span(values).first(pattern.row.size()));
+  at.hessian_values(std::span(values).first(pattern.row.size()));
   Matrix H = Matrix::Zero(n, n);
   for (Eigen::Index j = 0; j < n; ++j)
     for (auto k = static_cast<std::size_t>(pattern.column_start[static_cast<std::size_t>(j)]);
@@ -134,9 +135,9 @@ double small_convexity_bound(energies::CoVolume& energy) {
 }
 
 /// Why the lengths are not those of a critical point of the energy, or empty if they are.
-std::string not_critical(const topology::Triangulation& triangulation, energies::CoVolume& energy,
-                         const Report& report, double tolerance,
-                         std::span<const double> curvature_of_edges) {
+std::string not_critical(const topology::Triangulation& triangulation,
+                         const energies::CoVolumeAt& at, const Report& report, double tolerance) {
+  const energies::CoVolume& energy = at.energy();
   if (!(report.max_curvature <= tolerance)) {
     return fmt::format("the largest edge curvature {:.3g} is above the tolerance {:.3g}",
                        report.max_curvature, tolerance);
@@ -151,16 +152,16 @@ std::string not_critical(const topology::Triangulation& triangulation, energies:
   }
   const bool parabolic = std::ranges::any_of(energy.cone_angles(), [](double k) { return k == 0; });
   if (!energy.is_hyperideal() || parabolic)
-    return distance_objection(triangulation, energy, curvature_of_edges, longest, scale);
+    return distance_objection(triangulation, at, longest, scale);
   // Saturated angles do add up to 2 pi in floating point: a computed K = 0 is one within rounding.
   double squares = 0;
-  for (const double k : curvature_of_edges) squares += k * k;
+  for (const double k : at.gradient()) squares += k * k;
   const double curvature = std::max(std::sqrt(squares), tolerance::kCurvatureRounding);
   const double enough = curvature / (tolerance::kMaxDistanceToMetric * scale);
   // The cheapest bound first. The second takes the flattest tetrahedron for all; the true least
   // eigenvalue costs more.
-  if (!(small_convexity_bound(energy) >= enough) && !(energy.convexity_bound() >= enough) &&
-      !(solver::extreme_eigenvalues(energy).smallest >= enough)) {
+  if (!(small_convexity_bound(at) >= enough) && !(at.convexity_bound() >= enough) &&
+      !(solver::extreme_eigenvalues(at).smallest >= enough)) {
     return fmt::format(
         "the curvature is small but so is the convexity of the energy (the longest edge has length "
         "{:.3g}), as when lengths run off to infinity",
@@ -199,10 +200,10 @@ std::string ends_of(const energies::CoVolume& energy) {
 }
 
 /// The outcome of what has been computed, and the sentence that goes with it.
-void judge(const topology::Triangulation& triangulation, energies::CoVolume& energy,
-           double tolerance, std::span<const double> curvature, const solver::Summary& summary,
-           Report& report) {
-  std::string why_not = not_critical(triangulation, energy, report, tolerance, curvature);
+void judge(const topology::Triangulation& triangulation, const energies::CoVolumeAt& at,
+           double tolerance, const solver::Summary& summary, Report& report) {
+  const energies::CoVolume& energy = at.energy();
+  std::string why_not = not_critical(triangulation, at, report, tolerance);
   if (why_not.empty() && !report.flat_tetrahedra.empty()) {
     report.outcome = Outcome::kDegenerate;
     report.message = fmt::format(
@@ -231,34 +232,31 @@ void judge(const topology::Triangulation& triangulation, energies::CoVolume& ene
       why_not);
 }
 
-/// What the latest evaluation, at the lengths of the report, gives.
-void fill_geometry(const topology::Triangulation& triangulation, const energies::CoVolume& energy,
+/// What the functional at the lengths of the report gives.
+void fill_geometry(const topology::Triangulation& triangulation, const energies::CoVolumeAt& at,
                    Report& report) {
-  report.flat_tetrahedra = energy.flat_tetrahedra();
+  for (const double k : at.gradient())
+    report.max_curvature = std::max(report.max_curvature, std::fabs(k));
+  report.flat_tetrahedra = at.flat_tetrahedra();
   report.dihedral_angles.reserve(triangulation.tetrahedron_count());
   for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t)
-    report.dihedral_angles.push_back(energy.dihedral_angles(t));
-  report.volume = energy.volume();
-  report.vertices =
-      report_vertices(triangulation, energy, report.edge_lengths, report.dihedral_angles);
+    report.dihedral_angles.push_back(at.dihedral_angles(t));
+  report.volume = at.volume();
+  report.vertices = report_vertices(triangulation, at, report.dihedral_angles);
 }
 
 }  // namespace
 
-Report report_at(const topology::Triangulation& triangulation, energies::CoVolume& energy,
+Report report_at(const topology::Triangulation& triangulation, const energies::CoVolume& energy,
                  std::span<const double> x) {
   Report report;
   report.edge_lengths.assign(x.begin(), x.end());
-  std::vector<double> curvature(x.size());
-  energy.evaluate(report.edge_lengths, curvature, {});
   report.evaluations = 1;
-  for (const double k : curvature)
-    report.max_curvature = std::max(report.max_curvature, std::fabs(k));
-  fill_geometry(triangulation, energy, report);
+  fill_geometry(triangulation, energy.at(x), report);
   return report;
 }
 
-Report assess(const topology::Triangulation& triangulation, energies::CoVolume& energy,
+Report assess(const topology::Triangulation& triangulation, const energies::CoVolume& energy,
               std::span<const double> x, double tolerance, const solver::Summary& summary) {
   Report report;
   report.termination = summary.termination;
@@ -267,15 +265,12 @@ Report assess(const topology::Triangulation& triangulation, energies::CoVolume& 
   report.linear_iterations = summary.linear_iterations;
   report.seconds = summary.seconds;
   report.edge_lengths.assign(x.begin(), x.end());
-
-  std::vector<double> curvature(x.size());
-  if (!energy.is_hyperideal() && energy.evaluate(report.edge_lengths, curvature, {}))
-    set_horospheres(triangulation, energy, report.edge_lengths);
-  energy.evaluate(report.edge_lengths, curvature, {.second_derivatives = true});
-  for (const double k : curvature)
-    report.max_curvature = std::max(report.max_curvature, std::fabs(k));
-  fill_geometry(triangulation, energy, report);
-  judge(triangulation, energy, tolerance, curvature, summary, report);
+  if (!energy.is_hyperideal())
+    if (const auto at = energy.at(x); at.is_defined())
+      set_horospheres(triangulation, at, report.edge_lengths);
+  const auto at = energy.at(report.edge_lengths, solver::Order::kSecond);
+  fill_geometry(triangulation, at, report);
+  judge(triangulation, at, tolerance, summary, report);
   return report;
 }
 

@@ -18,12 +18,12 @@ namespace tripus::structure {
 ///                margin above rounding;
 ///   degenerate   if some tetrahedra are flat: the minimiser of the boundary case;
 /// and otherwise unresolved.
-Report assess(const topology::Triangulation& triangulation, energies::CoVolume& energy,
+Report assess(const topology::Triangulation& triangulation, const energies::CoVolume& energy,
               std::span<const double> x, double tolerance, const solver::Summary& summary);
 
 /// The numbers at lengths x [E] that are no metric's and have not been looked for: everything of
 /// the report but outcome and message. Only without finite vertices.
-Report report_at(const topology::Triangulation& triangulation, energies::CoVolume& energy,
+Report report_at(const topology::Triangulation& triangulation, const energies::CoVolume& energy,
                  std::span<const double> x);
 
 }  // namespace tripus::structure

@@ -22,11 +22,12 @@ double diagonal_of(VertexKind kind) {
 }  // namespace
 
 std::vector<double> horosphere_areas(const Triangulation& triangulation,
-                                     const energies::CoVolume& energy, std::span<const double> x) {
+                                     const energies::CoVolumeAt& at) {
+  const std::span<const double> x = at.lengths();
   std::vector<double> areas(triangulation.vertex_count());
-  const auto links = energy.links();
+  const auto links = at.energy().links();
   for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t) {
-    const auto theta = energy.dihedral_angles(t);
+    const auto theta = at.dihedral_angles(t);
     std::array<double, 4> d;
     for (std::size_t v = 0; v < 4; ++v)
       d[v] = diagonal_of(links[triangulation.vertex_class(t, static_cast<int>(v))].kind);
@@ -59,12 +60,12 @@ std::vector<double> horosphere_areas(const Triangulation& triangulation,
   return areas;
 }
 
-void set_horospheres(const Triangulation& triangulation, const energies::CoVolume& energy,
+void set_horospheres(const Triangulation& triangulation, const energies::CoVolumeAt& at,
                      std::span<double> x) {
-  const std::vector<double> areas = horosphere_areas(triangulation, energy, x);
+  const std::vector<double> areas = horosphere_areas(triangulation, at);
   std::vector<double> shift(areas.size());
   for (std::size_t v = 0; v < areas.size(); ++v) {
-    if (energy.links()[v].kind != VertexKind::kIdeal) continue;
+    if (at.energy().links()[v].kind != VertexKind::kIdeal) continue;
     shift[v] = std::log(areas[v] / kHorosphereArea) / 2;
     if (!std::isfinite(shift[v])) return;
   }

@@ -56,17 +56,18 @@ struct Run {
   std::unique_ptr<energies::Functional> functional;  ///< what was minimised; null if nothing was
 };
 
-/// The history row of an iterate whose lengths are x; the energy must have been evaluated there.
+/// The history row of an iterate whose lengths are x.
 HistoryRow history_row(const solver::Iterate& iterate, std::span<const double> x,
-                       energies::CoVolume& energy) {
-  std::vector<double> gradient(x.size());
+                       const energies::CoVolume& energy) {
+  const auto at = energy.at(x);
   HistoryRow row;
   row.iteration = iterate.iteration;
   row.evaluations = iterate.evaluations;
   row.seconds = iterate.seconds;
-  energy.evaluate(x, gradient, {.value = &row.energy});
-  for (const double g : gradient) row.max_curvature = std::max(row.max_curvature, std::fabs(g));
-  row.volume = energy.volume();
+  row.energy = at.value();
+  for (const double g : at.gradient())
+    row.max_curvature = std::max(row.max_curvature, std::fabs(g));
+  row.volume = at.volume();
   const auto [shortest, longest] = std::minmax_element(x.begin(), x.end());
   row.shortest_edge = *shortest;
   row.longest_edge = *longest;
@@ -80,7 +81,6 @@ solver::Options solver_options(const topology::Triangulation& triangulation,
   result.max_iterations = options.max_iterations;
   result.time_limit = options.time_limit;
   if (!options.history && !options.on_iteration && options.stop_requested == nullptr) return result;
-  // The history has an energy of its own: the solver's keeps the derivatives at its own points.
   auto energy = options.history
                     ? std::make_shared<energies::CoVolume>(triangulation, options.cone_angles)
                     : nullptr;
@@ -191,8 +191,9 @@ Report judged_run(const topology::Triangulation& triangulation, const SolveOptio
     limited.max_iterations = kNewtonPatience;
   const Run run = run_method(triangulation, limited, method);
   std::optional<energies::CoVolume> other;
-  auto* energy =
-      run.functional ? dynamic_cast<energies::CoVolume*>(&run.functional->problem()) : nullptr;
+  auto* energy = run.functional
+                     ? dynamic_cast<const energies::CoVolume*>(&run.functional->problem())
+                     : nullptr;
   if (energy == nullptr) energy = &other.emplace(triangulation, options.cone_angles);
   Report report = assess(triangulation, *energy, run.lengths, options.tolerance, run.summary);
   report.method = method.name;

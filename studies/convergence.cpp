@@ -92,7 +92,7 @@ std::vector<Row> run_rows(const Subject& subject, const std::string& method,
                                     .max_iterations = flow ? kFirstOrderSteps : 200,
                                     .trace = true,
                                     .stop = &stop});
-  energies::CoVolume energy(m);
+  const energies::CoVolume energy(m);
   std::vector<Measures> measures;
   std::vector<Row> rows;
   for (const TracePoint& point : run.trace) {

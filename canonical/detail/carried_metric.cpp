@@ -98,23 +98,23 @@ std::optional<CarriedMetric> carried_metric(const MetricState& from, const Move&
 
 bool has_true_tetrahedra(const CarriedMetric& next) {
   if (next.lengths.empty()) return false;
-  energies::CoVolume energy(next.state.triangulation, next.state.cone_angles);
-  std::vector<double> curvature(next.lengths.size());
-  if (!energy.evaluate(next.lengths, curvature, {}) || energy.flat_count() > 0) return false;
+  const energies::CoVolume energy(next.state.triangulation, next.state.cone_angles);
+  const auto at = energy.at(next.lengths);
+  if (!at.is_defined() || at.flat_count() > 0) return false;
   for (std::size_t t = 0; t < next.state.triangulation.tetrahedron_count(); ++t)
-    if (std::ranges::max(energy.dihedral_angles(t)) > std::numbers::pi - kNearlyFlat) return false;
-  return fits(curvature);
+    if (std::ranges::max(at.dihedral_angles(t)) > std::numbers::pi - kNearlyFlat) return false;
+  return fits(at.gradient());
 }
 
 bool lay_out_flat(CarriedMetric& next, std::size_t most) {
   if (next.lengths.empty()) return false;
   MetricState& state = next.state;
-  energies::CoVolume energy(state.triangulation, state.cone_angles);
-  std::vector<double> curvature(next.lengths.size());
-  if (!energy.evaluate(next.lengths, curvature, {}) || !fits(curvature)) return false;
+  const energies::CoVolume energy(state.triangulation, state.cone_angles);
+  const auto at = energy.at(next.lengths);
+  if (!at.is_defined() || !fits(at.gradient())) return false;
   state.report = {};
   for (std::size_t t = 0; t < state.triangulation.tetrahedron_count(); ++t) {
-    state.report.dihedral_angles.push_back(energy.dihedral_angles(t));
+    state.report.dihedral_angles.push_back(at.dihedral_angles(t));
     const double largest = std::ranges::max(state.report.dihedral_angles.back());
     if (largest <= std::numbers::pi - kNearlyFlat) continue;
     if (largest < std::numbers::pi - kInPlane) return false;

@@ -30,13 +30,12 @@ constexpr double kStartingCurvature = 1e-7;
 
 /// The Hessian of the co-volume, factorised. Lengths that change no angle are held: of one edge a
 /// cusp, the pins of docs/theory.md 10.3, and of parabolic edges.
-void factorise(energies::CoVolume& energy, std::span<const double> lengths, Factor& factor) {
-  std::vector<double> gradient(lengths.size());
-  if (!energy.evaluate(lengths, gradient, {.second_derivatives = true}))
-    throw InternalError("the lengths are not those of true tetrahedra");
+void factorise(const energies::CoVolume& energy, std::span<const double> lengths, Factor& factor) {
+  const auto at = energy.at(lengths, solver::Order::kSecond);
+  if (!at.is_defined()) throw InternalError("the lengths are not those of true tetrahedra");
   const solver::SparsityPattern& pattern = energy.hessian_pattern();
   std::vector<double> values(pattern.row.size());
-  energy.hessian_values(values);
+  at.hessian_values(values);
   const auto size = static_cast<Eigen::Index>(lengths.size());
   std::vector<Eigen::Triplet<double>> entries;
   for (Eigen::Index column = 0; column < size; ++column) {
@@ -73,7 +72,7 @@ class Metric {
       const auto ends = topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())];
       ends_.push_back({d[static_cast<std::size_t>(ends[0])], d[static_cast<std::size_t>(ends[1])]});
     }
-    energies::CoVolume energy(triangulation, cone_angles);
+    const energies::CoVolume energy(triangulation, cone_angles);
     improve(energy, lengths);
     set_horospheres(energy);
   }
@@ -135,7 +134,7 @@ class Metric {
   }
 
   /// Lengths of the metric to about 48 digits.
-  void improve(energies::CoVolume& energy, std::span<const double> lengths) {
+  void improve(const energies::CoVolume& energy, std::span<const double> lengths) {
     Factor factor;
     factorise(energy, lengths, factor);
     Eigen::VectorXd right(static_cast<Eigen::Index>(x_.size()));

@@ -11,7 +11,7 @@ class InLengths final : public Functional {
             std::span<const topology::ConeAngle> cone_angles)
       : energy_(triangulation, cone_angles) {}
 
-  solver::Problem& problem() override { return energy_; }
+  const solver::Problem& problem() const override { return energy_; }
   void to_lengths(std::vector<double>&) override {}
 
  private:

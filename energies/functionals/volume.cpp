@@ -7,17 +7,13 @@ namespace {
 class InAngles final : public Functional {
  public:
   InAngles(const topology::Triangulation& triangulation, std::span<const double> interior)
-      : energy_(triangulation, interior), gradient_(energy_.dimension()) {}
+      : energy_(triangulation, interior) {}
 
-  solver::Problem& problem() override { return energy_; }
-  void to_lengths(std::vector<double>& y) override {
-    energy_.evaluate(y, gradient_, {});
-    y = energy_.mean_edge_lengths();
-  }
+  const solver::Problem& problem() const override { return energy_; }
+  void to_lengths(std::vector<double>& y) override { y = energy_.at(y).mean_edge_lengths(); }
 
  private:
   VolumeInAngles energy_;
-  std::vector<double> gradient_;
 };
 
 std::unique_ptr<Functional> begin(const topology::Triangulation& triangulation,

@@ -1,6 +1,7 @@
 // A method of one's own: steepest descent. This file is all that it takes.
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <vector>
 
@@ -20,26 +21,30 @@ struct Point {
 
   explicit Point(std::span<const double> start)
       : x(start.begin(), start.end()), gradient(x.size()) {}
-  bool evaluate(Run& run) { return run.evaluate(x, gradient, {}, max_gradient); }
+  bool evaluate(Run& run, std::unique_ptr<Evaluation>& at) {
+    return run.evaluate(x, Order::kFirst, at, gradient, max_gradient);
+  }
 };
 
 /// Moves `next` downhill of `here`; false where no step is left. A convex function still falls at
 /// `next`, and so has fallen all the way, if the gradients there and here point to the same side.
-bool descend(Run& run, const Point& here, Point& next, double& step) {
+bool descend(Run& run, const Point& here, Point& next, std::unique_ptr<Evaluation>& at,
+             double& step) {
   for (step *= 4; step * here.max_gradient > 1e-16 * (1 + max_abs(here.x)); step /= 2) {
     for (std::size_t i = 0; i < next.x.size(); ++i) next.x[i] = here.x[i] - step * here.gradient[i];
-    if (next.evaluate(run) && std::inner_product(here.gradient.begin(), here.gradient.end(),
-                                                 next.gradient.begin(), 0.0) >= 0)
+    if (next.evaluate(run, at) && std::inner_product(here.gradient.begin(), here.gradient.end(),
+                                                     next.gradient.begin(), 0.0) >= 0)
       return true;
   }
   return false;
 }
 
-Summary minimise(Problem& problem, std::span<double> x, const Options& options) {
+Summary minimise(const Problem& problem, std::span<double> x, const Options& options) {
   Run run(problem, x, options, kMaxIterations);
   const double farthest = kRunaway * (1 + max_abs(x));
   Point here(x), next(x), best(x);
-  if (!here.evaluate(run))
+  std::unique_ptr<Evaluation> at;
+  if (!here.evaluate(run, at))
     return run.finish(Termination::kNumericalFailure, std::numeric_limits<double>::infinity(),
                       "the gradient is not defined at the start");
   best = here;
@@ -54,7 +59,7 @@ Summary minimise(Problem& problem, std::span<double> x, const Options& options) 
     if (best.max_gradient <= run.tolerance()) return finish_converged(run, x, best.max_gradient);
     if (!goes_on) return run.finish(run.termination, best.max_gradient);
     if (max_abs(here.x) > farthest) return run.finish(Termination::kUnbounded, best.max_gradient);
-    if (run.iterations - best_at > kPatience || !descend(run, here, next, step))
+    if (run.iterations - best_at > kPatience || !descend(run, here, next, at, step))
       return run.finish(Termination::kStalled, best.max_gradient, "no step goes down");
     std::swap(here, next);
   }

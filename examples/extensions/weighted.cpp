@@ -20,33 +20,36 @@ class Weighted final : public Functional, private solver::DenseProblem {
       weight_.push_back(1 / std::sqrt(static_cast<double>(triangulation.corners(e).size())));
   }
 
-  solver::Problem& problem() override { return *this; }
-  void to_lengths(std::vector<double>& y) override {
-    for (std::size_t e = 0; e < y.size(); ++e) y[e] *= weight_[e];
-  }
+  const solver::Problem& problem() const override { return *this; }
+  void to_lengths(std::vector<double>& y) override { y = lengths_of(y); }
   void from_lengths(std::vector<double>& x) const {
     for (std::size_t e = 0; e < x.size(); ++e) x[e] /= weight_[e];
   }
 
  private:
-  std::optional<double> value(std::span<const double> y, std::span<double> gradient) override {
-    double f = 0;
-    const Request both{.value = &f, .second_derivatives = true};
-    std::vector<double> lengths(y.begin(), y.end());
-    to_lengths(lengths);
-    if (!energy_.evaluate(lengths, gradient, both)) return std::nullopt;
-    for (std::size_t e = 0; e < gradient.size(); ++e) gradient[e] *= weight_[e];
-    return f;
+  std::optional<double> value(std::span<const double> y,
+                              std::span<double> gradient) const override {
+    const CoVolumeAt at = energy_.at(lengths_of(y));
+    if (!at.is_defined()) return std::nullopt;
+    for (std::size_t e = 0; e < gradient.size(); ++e) gradient[e] = weight_[e] * at.gradient()[e];
+    return at.value();
   }
-  void hessian(std::span<const double>, std::span<double> H) override {
+  void hessian(std::span<const double> y, std::span<double> H) const override {
+    const CoVolumeAt at = energy_.at(lengths_of(y), solver::Order::kSecond);
     const std::size_t n = dimension();
     std::vector<double> direction(n), product(n);
     for (std::size_t j = 0; j < n; ++j) {
       direction[j] = weight_[j];
-      energy_.hessian_times(direction, product);
+      at.hessian_times(direction, product);
       direction[j] = 0;
       for (std::size_t i = 0; i < n; ++i) H[n * i + j] = weight_[i] * product[i];
     }
+  }
+
+  std::vector<double> lengths_of(std::span<const double> y) const {
+    std::vector<double> lengths(y.begin(), y.end());
+    for (std::size_t e = 0; e < lengths.size(); ++e) lengths[e] *= weight_[e];
+    return lengths;
   }
 
   CoVolume energy_;

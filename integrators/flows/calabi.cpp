@@ -8,32 +8,32 @@
 namespace tripus::integrators::registered_flows {
 namespace {
 
+using solver::Evaluation;
+using solver::Order;
+
 class Calabi final : public Field {
  public:
-  explicit Calabi(solver::Problem& problem) : problem_(problem), product_(problem.dimension()) {}
-
   bool evaluate(solver::Run& run, std::span<const double> x, std::span<double> velocity,
                 std::span<double> gradient, double& max_gradient) override {
-    if (!run.evaluate(x, gradient, {.value = nullptr, .second_derivatives = true}, max_gradient)) {
-      return false;
-    }
-    problem_.hessian_times(gradient, velocity);
+    if (!run.evaluate(x, Order::kSecond, at_, gradient, max_gradient)) return false;
+    at_->hessian_times(gradient, velocity);
     for (double& v : velocity) v = -v;
     return true;
   }
 
-  void jacobian_times(std::span<const double>, std::span<const double>, std::span<const double> v,
-                      std::span<double> Jv) override {
-    problem_.hessian_times(v, product_);
-    problem_.hessian_times(product_, Jv);
+  Jacobian jacobian(std::span<const double>, const Evaluation& at) const override {
+    return [&at, product = std::vector<double>(at.gradient().size())](
+               std::span<const double> v, std::span<double> Jv) mutable {
+      at.hessian_times(v, product);
+      at.hessian_times(product, Jv);
+    };
   }
 
  private:
-  solver::Problem& problem_;
-  std::vector<double> product_;
+  std::unique_ptr<Evaluation> at_;
 };
 
-std::unique_ptr<Field> make(solver::Problem& problem) { return std::make_unique<Calabi>(problem); }
+std::unique_ptr<Field> make(const solver::Problem&) { return std::make_unique<Calabi>(); }
 
 }  // namespace
 

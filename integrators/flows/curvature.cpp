@@ -5,29 +5,27 @@
 namespace tripus::integrators::registered_flows {
 namespace {
 
+using solver::Evaluation;
+using solver::Order;
+
 class Curvature final : public Field {
  public:
-  explicit Curvature(solver::Problem& problem) : problem_(problem) {}
-
   bool evaluate(solver::Run& run, std::span<const double> x, std::span<double> velocity,
                 std::span<double> gradient, double& max_gradient) override {
-    if (!run.evaluate(x, gradient, {}, max_gradient)) return false;
+    if (!run.evaluate(x, Order::kFirst, at_, gradient, max_gradient)) return false;
     for (std::size_t i = 0; i < x.size(); ++i) velocity[i] = -gradient[i];
     return true;
   }
 
-  void jacobian_times(std::span<const double>, std::span<const double>, std::span<const double> v,
-                      std::span<double> Jv) override {
-    problem_.hessian_times(v, Jv);
+  Jacobian jacobian(std::span<const double>, const Evaluation& at) const override {
+    return [&at](std::span<const double> v, std::span<double> Jv) { at.hessian_times(v, Jv); };
   }
 
  private:
-  solver::Problem& problem_;
+  std::unique_ptr<Evaluation> at_;
 };
 
-std::unique_ptr<Field> make(solver::Problem& problem) {
-  return std::make_unique<Curvature>(problem);
-}
+std::unique_ptr<Field> make(const solver::Problem&) { return std::make_unique<Curvature>(); }
 
 }  // namespace
 

@@ -8,22 +8,23 @@
 namespace tripus::integrators::registered_flows {
 namespace {
 
+using solver::Evaluation;
+using solver::Order;
+
 class NewtonFlow final : public Field {
  public:
-  explicit NewtonFlow(solver::Problem& problem) : direction_(problem) {}
+  explicit NewtonFlow(const solver::Problem& problem) : direction_(problem) {}
 
   bool evaluate(solver::Run& run, std::span<const double> x, std::span<double> velocity,
                 std::span<double> gradient, double& max_gradient) override {
-    if (!run.evaluate(x, gradient, {.value = nullptr, .second_derivatives = true}, max_gradient)) {
-      return false;
-    }
-    direction_.compute(x, gradient, velocity);
+    if (!run.evaluate(x, Order::kSecond, at_, gradient, max_gradient)) return false;
+    direction_.compute(x, *at_, velocity);
     return true;
   }
 
-  void jacobian_times(std::span<const double>, std::span<const double>, std::span<const double> v,
-                      std::span<double> Jv) override {
-    std::copy(v.begin(), v.end(), Jv.begin());
+  Jacobian jacobian(std::span<const double>, const Evaluation&) const override {
+    return
+        [](std::span<const double> v, std::span<double> Jv) { std::ranges::copy(v, Jv.begin()); };
   }
 
   /// An Euler step of 1 is a step of Newton's method.
@@ -31,9 +32,10 @@ class NewtonFlow final : public Field {
 
  private:
   solver::NewtonDirection direction_;
+  std::unique_ptr<Evaluation> at_;
 };
 
-std::unique_ptr<Field> make(solver::Problem& problem) {
+std::unique_ptr<Field> make(const solver::Problem& problem) {
   return std::make_unique<NewtonFlow>(problem);
 }
 

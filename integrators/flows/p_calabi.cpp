@@ -12,43 +12,47 @@
 namespace tripus::integrators::registered_flows {
 namespace {
 
+using solver::Evaluation;
+using solver::Order;
+
 /// |g_i| / |g| below this counts as this, smoothly, where the exponent p - 2 is negative.
 constexpr double kSmallestShare = 0.01;
 
 class PCalabi final : public Field {
  public:
-  PCalabi(solver::Problem& problem, double p)
-      : problem_(problem), p_(p), weights_(problem.dimension()), product_(problem.dimension()) {}
+  PCalabi(const solver::Problem& problem, double p)
+      : p_(p), weights_(problem.dimension()), product_(problem.dimension()) {}
 
   bool evaluate(solver::Run& run, std::span<const double> x, std::span<double> velocity,
                 std::span<double> gradient, double& max_gradient) override {
-    if (!run.evaluate(x, gradient, {.value = nullptr, .second_derivatives = true}, max_gradient)) {
-      return false;
-    }
-    set_weights(gradient, max_gradient);
+    if (!run.evaluate(x, Order::kSecond, at_, gradient, max_gradient)) return false;
+    set_weights(gradient, max_gradient, weights_);
     for (std::size_t i = 0; i < x.size(); ++i) product_[i] = weights_[i] * gradient[i];
-    problem_.hessian_times(product_, velocity);
+    at_->hessian_times(product_, velocity);
     for (double& v : velocity) v = -v;
     return true;
   }
 
-  void jacobian_times(std::span<const double>, std::span<const double> g, std::span<const double> v,
-                      std::span<double> Jv) override {
-    double largest = 0;
-    for (const double value : g) largest = std::max(largest, std::abs(value));
-    set_weights(g, largest);
-    problem_.hessian_times(v, product_);
-    for (std::size_t i = 0; i < v.size(); ++i) product_[i] *= std::max(1.0, p_ - 1) * weights_[i];
-    problem_.hessian_times(product_, Jv);
+  Jacobian jacobian(std::span<const double>, const Evaluation& at) const override {
+    const std::span<const double> g = at.gradient();
+    std::vector<double> weights(g.size());
+    set_weights(g, solver::max_abs(g), weights);
+    return [&at, weights = std::move(weights), factor = std::max(1.0, p_ - 1),
+            product = std::vector<double>(g.size())](std::span<const double> v,
+                                                     std::span<double> Jv) mutable {
+      at.hessian_times(v, product);
+      for (std::size_t i = 0; i < v.size(); ++i) product[i] *= factor * weights[i];
+      at.hessian_times(product, Jv);
+    };
   }
 
   /// sum |g_i|^p falls, and not |g|.
   bool contractive() const override { return false; }
 
  private:
-  void set_weights(std::span<const double> g, double largest) {
+  void set_weights(std::span<const double> g, double largest, std::span<double> weights) const {
     if (!(largest > 0)) {
-      std::fill(weights_.begin(), weights_.end(), 1.0);
+      std::fill(weights.begin(), weights.end(), 1.0);
       return;
     }
     double square = 0;  // of |g| / largest, which neither overflows nor vanishes
@@ -56,17 +60,17 @@ class PCalabi final : public Field {
     const double floor = p_ < 2 ? kSmallestShare * kSmallestShare : 0;
     for (std::size_t i = 0; i < g.size(); ++i) {
       const double share = g[i] / largest * (g[i] / largest) / square;
-      weights_[i] = std::pow(share + floor, (p_ - 2) / 2);
+      weights[i] = std::pow(share + floor, (p_ - 2) / 2);
     }
   }
 
-  solver::Problem& problem_;
+  std::unique_ptr<Evaluation> at_;
   double p_;
   std::vector<double> weights_, product_;
 };
 
 template <int kTwiceP>
-std::unique_ptr<Field> make(solver::Problem& problem) {
+std::unique_ptr<Field> make(const solver::Problem& problem) {
   return std::make_unique<PCalabi>(problem, kTwiceP / 2.0);
 }
 

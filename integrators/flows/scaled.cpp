@@ -6,33 +6,36 @@
 namespace tripus::integrators::registered_flows {
 namespace {
 
+using solver::Evaluation;
+using solver::Order;
+
 class Scaled final : public Field {
  public:
-  explicit Scaled(solver::Problem& problem) : problem_(problem) {}
-
   bool evaluate(solver::Run& run, std::span<const double> x, std::span<double> velocity,
                 std::span<double> gradient, double& max_gradient) override {
     for (const double value : x) {
       if (!(value > 0)) return false;
     }
-    if (!run.evaluate(x, gradient, {}, max_gradient)) return false;
+    if (!run.evaluate(x, Order::kFirst, at_, gradient, max_gradient)) return false;
     for (std::size_t i = 0; i < x.size(); ++i) velocity[i] = -gradient[i] * x[i];
     return true;
   }
 
-  void jacobian_times(std::span<const double> x, std::span<const double> g,
-                      std::span<const double> v, std::span<double> Jv) override {
-    problem_.hessian_times(v, Jv);
-    for (std::size_t i = 0; i < x.size(); ++i) Jv[i] = x[i] * Jv[i] + g[i] * v[i];
+  Jacobian jacobian(std::span<const double> x, const Evaluation& at) const override {
+    return [x, &at](std::span<const double> v, std::span<double> Jv) {
+      const std::span<const double> g = at.gradient();
+      at.hessian_times(v, Jv);
+      for (std::size_t i = 0; i < x.size(); ++i) Jv[i] = x[i] * Jv[i] + g[i] * v[i];
+    };
   }
 
   bool contractive() const override { return false; }
 
  private:
-  solver::Problem& problem_;
+  std::unique_ptr<Evaluation> at_;
 };
 
-std::unique_ptr<Field> make(solver::Problem& problem) { return std::make_unique<Scaled>(problem); }
+std::unique_ptr<Field> make(const solver::Problem&) { return std::make_unique<Scaled>(); }
 
 }  // namespace
 

@@ -6,10 +6,10 @@
 /// them when they are called.
 namespace tripus::solver::detail {
 
-Summary ceres_lbfgs(Problem& problem, std::span<double> x, const Options& options);
-Summary ceres_bfgs(Problem& problem, std::span<double> x, const Options& options);
-Summary ceres_cg(Problem& problem, std::span<double> x, const Options& options);
-Summary ceres_steepest_descent(Problem& problem, std::span<double> x, const Options& options);
-Summary ceres_lm(Problem& problem, std::span<double> x, const Options& options);
+Summary ceres_lbfgs(const Problem& problem, std::span<double> x, const Options& options);
+Summary ceres_bfgs(const Problem& problem, std::span<double> x, const Options& options);
+Summary ceres_cg(const Problem& problem, std::span<double> x, const Options& options);
+Summary ceres_steepest_descent(const Problem& problem, std::span<double> x, const Options& options);
+Summary ceres_lm(const Problem& problem, std::span<double> x, const Options& options);
 
 }  // namespace tripus::solver::detail

@@ -25,8 +25,8 @@ long iteration_limit(std::size_t n) {
 
 }  // namespace
 
-ConjugateGradients::ConjugateGradients(const Problem& problem, std::size_t block_size)
-    : n_(problem.dimension()),
+ConjugateGradients::ConjugateGradients(std::size_t dimension, std::size_t block_size)
+    : n_(dimension),
       block_size_(block_size),
       blocks_((n_ + block_size - 1) / block_size * block_size * block_size),
       factors_(blocks_.size()),
@@ -36,8 +36,8 @@ ConjugateGradients::ConjugateGradients(const Problem& problem, std::size_t block
       p_(n_),
       q_(n_) {}
 
-std::span<const double> ConjugateGradients::load(const Problem& problem) {
-  problem.hessian_diagonal_blocks(block_size_, blocks_);
+std::span<const double> ConjugateGradients::load(const Evaluation& at) {
+  at.hessian_diagonal_blocks(block_size_, blocks_);
   const std::size_t b = block_size_;
   for (std::size_t i = 0; i < n_; ++i) {
     diagonal_[i] = blocks_[(i / b) * b * b + (i % b) * (b + 1)];
@@ -95,7 +95,7 @@ double ConjugateGradients::precondition() {
   return dot(r_.data(), z_.data(), n_);
 }
 
-bool ConjugateGradients::solve(const Problem& problem, std::span<const double> shift,
+bool ConjugateGradients::solve(const Evaluation& at, std::span<const double> shift,
                                std::span<const double> g, double forcing, std::span<double> d) {
   if (!factor_preconditioner(shift)) return false;
   for (std::size_t i = 0; i < n_; ++i) {
@@ -107,7 +107,7 @@ bool ConjugateGradients::solve(const Problem& problem, std::span<const double> s
   std::copy(z_.begin(), z_.end(), p_.begin());
   const long limit = iteration_limit(n_);
   for (long k = 0; k < limit; ++k) {
-    problem.hessian_times(p_, q_);
+    at.hessian_times(p_, q_);
     ++iterations_;
     double pq = 0, pdp = 0;
     for (std::size_t i = 0; i < n_; ++i) {

@@ -6,15 +6,15 @@
 
 namespace tripus::solver::detail {
 
-/// Newton steps by preconditioned conjugate gradients on Problem::hessian_times. O(n) memory; the
-/// only allocation is in the constructor.
+/// Newton steps by preconditioned conjugate gradients on Evaluation::hessian_times. O(n) memory;
+/// the only allocation is in the constructor.
 class ConjugateGradients final : public NewtonSystem {
  public:
   /// The preconditioner is the diagonal blocks of block_size consecutive variables; 1 is Jacobi.
-  ConjugateGradients(const Problem& problem, std::size_t block_size);
+  ConjugateGradients(std::size_t dimension, std::size_t block_size);
 
-  std::span<const double> load(const Problem& problem) override;
-  bool solve(const Problem& problem, std::span<const double> shift, std::span<const double> g,
+  std::span<const double> load(const Evaluation& at) override;
+  bool solve(const Evaluation& at, std::span<const double> shift, std::span<const double> g,
              double forcing, std::span<double> d) override;
   long linear_iterations() const override { return iterations_; }
 

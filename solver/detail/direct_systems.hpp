@@ -11,13 +11,14 @@ namespace tripus::solver::detail {
 /// Dense Cholesky, for a few dozen variables at most: one allocation in all.
 class DenseSystem final : public NewtonSystem {
  public:
-  explicit DenseSystem(Problem& problem);
-  std::span<const double> load(const Problem& problem) override;
-  bool solve(const Problem& problem, std::span<const double> shift, std::span<const double> g,
+  explicit DenseSystem(const Problem& problem);
+  std::span<const double> load(const Evaluation& at) override;
+  bool solve(const Evaluation& at, std::span<const double> shift, std::span<const double> g,
              double forcing, std::span<double> d) override;
 
  private:
   const SparsityPattern& pattern_;
+  std::span<const std::uint32_t> pins_;
   std::size_t n_;
   std::vector<double> memory_;
   std::span<double> values_, diagonal_, factor_;  // [nnz], [n], [n x n]
@@ -31,10 +32,10 @@ class SparseSystem final : public NewtonSystem {
   static constexpr std::size_t kMaxEntries = std::numeric_limits<int>::max();
 
   /// Throws InvalidInput where the pattern has kMaxEntries entries or more.
-  explicit SparseSystem(Problem& problem);
+  explicit SparseSystem(const Problem& problem);
   ~SparseSystem() override;
-  std::span<const double> load(const Problem& problem) override;
-  bool solve(const Problem& problem, std::span<const double> shift, std::span<const double> g,
+  std::span<const double> load(const Evaluation& at) override;
+  bool solve(const Evaluation& at, std::span<const double> shift, std::span<const double> g,
              double forcing, std::span<double> d) override;
 
   /// Whether memory has run out or the matrix is too large to factorise.
@@ -43,6 +44,7 @@ class SparseSystem final : public NewtonSystem {
  private:
   struct Cholmod;
   std::unique_ptr<Cholmod> cholmod_;
+  std::span<const std::uint32_t> pins_;
   std::vector<double> diagonal_;
 };
 
@@ -50,7 +52,7 @@ class SparseSystem final : public NewtonSystem {
 inline constexpr std::size_t kDenseDimension = 64;
 
 /// The one that suits the dimension.
-inline std::unique_ptr<NewtonSystem> make_direct_system(Problem& problem) {
+inline std::unique_ptr<NewtonSystem> make_direct_system(const Problem& problem) {
   if (problem.dimension() <= kDenseDimension) return std::make_unique<DenseSystem>(problem);
   return std::make_unique<SparseSystem>(problem);
 }

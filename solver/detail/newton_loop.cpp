@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -101,8 +102,8 @@ class Loop {
 
   bool is_saturated() const;
   bool shrink();
-  bool evaluate_on_ray(double scale, bool second_derivatives, double& slope);
-  bool evaluate_trial(double t, bool second_derivatives);
+  bool evaluate_on_ray(double scale, Order order, double& slope);
+  bool evaluate_trial(double t, Order order);
   void accept_trial();
   void compute_direction(double forcing);
   Search search();
@@ -117,6 +118,8 @@ class Loop {
   RegularisedSystem system_;
   std::span<double> result_;
   std::size_t n_;
+  /// The latest evaluation: at x_ between steps, in a search at a trial.
+  std::unique_ptr<Evaluation> at_;
   std::vector<double> memory_;
   std::span<double> x_, g_, trial_x_, trial_g_, d_, best_x_;
   double gradient_ = 0, trial_gradient_ = 0;                    // max|g| at x_ and at trial_x_
@@ -136,7 +139,7 @@ Summary Loop::minimise() {
     return run_.finish(Termination::kNumericalFailure, kInfinity, "the start is not finite");
   }
   runaway_ = kRunaway * (1 + start_size);
-  if (!run_.evaluate(x_, g_, {.value = nullptr, .second_derivatives = true}, gradient_)) {
+  if (!run_.evaluate(x_, Order::kSecond, at_, g_, gradient_)) {
     return run_.finish(Termination::kNumericalFailure, kInfinity,
                        "the gradient is not defined at the start");
   }
@@ -179,7 +182,7 @@ Summary Loop::minimise() {
 
 /// Whether f bends too little for some variable's Newton step to mean anything.
 bool Loop::is_saturated() const {
-  run_.problem().hessian_diagonal_blocks(1, d_);
+  at_->hessian_diagonal_blocks(1, d_);
   const double longest = kStepGrowth * size();
   for (std::size_t i = 0; i < n_; ++i)
     if (d_[i] * longest < std::fabs(g_[i])) return true;
@@ -187,39 +190,35 @@ bool Loop::is_saturated() const {
 }
 
 /// Evaluates at scale * x; slope is the derivative by scale.
-bool Loop::evaluate_on_ray(double scale, bool second_derivatives, double& slope) {
+bool Loop::evaluate_on_ray(double scale, Order order, double& slope) {
   for (std::size_t i = 0; i < n_; ++i) trial_x_[i] = scale * x_[i];
-  const bool defined =
-      run_.evaluate(trial_x_, trial_g_,
-                    {.value = nullptr, .second_derivatives = second_derivatives}, trial_gradient_);
+  const bool defined = run_.evaluate(trial_x_, order, at_, trial_g_, trial_gradient_);
   slope = dot(trial_g_.data(), x_.data(), n_);
   return defined;
 }
 
 /// Along the ray to the origin to where f stops falling. Returns false if it does not fall that
-/// way; then the derivatives are again those at x.
+/// way; then at_ is again at x.
 bool Loop::shrink() {
   if (!(dot(g_.data(), x_.data(), n_) > 0)) return false;
   double outer = 1, inner = 0.25, slope = 0;
-  while (inner > kShortestRay && evaluate_on_ray(inner, false, slope) && slope > 0) {
+  while (inner > kShortestRay && evaluate_on_ray(inner, Order::kFirst, slope) && slope > 0) {
     outer = inner;
     inner *= inner;
   }
   while (outer > kRayRatio * inner) {
     const double middle = std::sqrt(outer) * std::sqrt(inner);
-    if (!evaluate_on_ray(middle, false, slope)) break;
+    if (!evaluate_on_ray(middle, Order::kFirst, slope)) break;
     (slope > 0 ? outer : inner) = middle;
   }
-  const bool moved = evaluate_on_ray(outer, true, slope) && outer < 1;
+  const bool moved = evaluate_on_ray(outer, Order::kSecond, slope) && outer < 1;
   if (moved) accept_trial();
   return moved;
 }
 
-bool Loop::evaluate_trial(double t, bool second_derivatives) {
+bool Loop::evaluate_trial(double t, Order order) {
   for (std::size_t i = 0; i < n_; ++i) trial_x_[i] = x_[i] + t * d_[i];
-  return run_.evaluate(trial_x_, trial_g_,
-                       {.value = nullptr, .second_derivatives = second_derivatives},
-                       trial_gradient_);
+  return run_.evaluate(trial_x_, order, at_, trial_g_, trial_gradient_);
 }
 
 void Loop::accept_trial() {
@@ -234,7 +233,7 @@ void Loop::accept_trial() {
 }
 
 void Loop::compute_direction(double forcing) {
-  slope_ = system_.compute(run_.problem(), g_, gradient_, kStepGrowth * size(), forcing, d_);
+  slope_ = system_.compute(*at_, g_, gradient_, kStepGrowth * size(), forcing, d_);
   run_.linear_iterations = system_.linear_iterations();
 }
 
@@ -245,7 +244,7 @@ Loop::Search Loop::search() {
   const double shortest = std::numeric_limits<double>::epsilon() * size() / max_abs(d_);
   double t = 1;
   for (int trial = 1; trial <= kMaxTrials; ++trial) {
-    const bool defined = evaluate_trial(t, true);
+    const bool defined = evaluate_trial(t, Order::kSecond);
     if (run_.out_of_time()) return Search::kStopped;
     step_ = t;
     if (defined && trial_gradient_ <= kAccept * best_) {
@@ -280,7 +279,7 @@ bool Loop::cross_bend() {
   if (!(low_ > 0) || !(high_slope_ < kInfinity)) return false;
   if (low_ * max_abs(d_) <= kTinyStep * size()) return false;
   step_ = high_;
-  if (!evaluate_trial(high_, true)) return false;
+  if (!evaluate_trial(high_, Order::kSecond)) return false;
   accept_trial();
   if (is_saturated()) shrink();
   return true;
@@ -312,7 +311,9 @@ Summary Loop::polish() {
     const double allowed = kEscapeStep * size();
     compute_direction(kPolishForcing);
     const bool long_step = max_abs(d_) > allowed;
-    if (!evaluate_trial(1, long_step) || !(trial_gradient_ < gradient_)) break;
+    if (!evaluate_trial(1, long_step ? Order::kSecond : Order::kFirst) ||
+        !(trial_gradient_ < gradient_))
+      break;
     const double previous = gradient_;
     accept_trial();
     if (observed_ && !run_.observe(x_, gradient_)) return finish(run_.termination);
@@ -328,7 +329,7 @@ bool Loop::escapes() {
   const int iterations = run_.iterations;
   const long linear_iterations = run_.linear_iterations;
   bool fades = false;
-  if (run_.evaluate(x_, g_, {.value = nullptr, .second_derivatives = true}, gradient_)) {
+  if (run_.evaluate(x_, Order::kSecond, at_, g_, gradient_)) {
     observed_ = false;
     fades = polish().termination == Termination::kUnbounded;
   }
@@ -354,7 +355,7 @@ Summary newton_loop(Run& run, NewtonSystem& system, std::span<double> x) {
 namespace tripus::solver {
 
 bool fades_at_infinity(Run& run, std::span<const double> x) {
-  detail::ConjugateGradients system(run.problem(), 1);
+  detail::ConjugateGradients system(run.problem().dimension(), 1);
   std::vector<double> copy(x.begin(), x.end());
   return detail::Loop(run, system, copy).escapes();
 }

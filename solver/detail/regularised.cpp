@@ -19,10 +19,10 @@ constexpr double kZeroRow = 1e-13;   // of the mean diagonal: a row that vanishe
 
 }  // namespace
 
-double RegularisedSystem::compute(const Problem& problem, std::span<const double> g,
+double RegularisedSystem::compute(const Evaluation& at, std::span<const double> g,
                                   double max_gradient, double longest, double forcing,
                                   std::span<double> d) {
-  diagonal_ = system_.load(problem);
+  diagonal_ = system_.load(at);
   double sum = 0;
   std::size_t count = 0;
   for (const double h : diagonal_) {
@@ -33,7 +33,7 @@ double RegularisedSystem::compute(const Problem& problem, std::span<const double
   }
   // Flat everywhere: a step of the longest length allowed.
   mean_ = sum > 0 ? sum / static_cast<double>(count) : max_gradient / longest;
-  while (!solve(problem, g, forcing, d)) {
+  while (!solve(at, g, forcing, d)) {
     if (mu_ > kLargestMu) {
       for (std::size_t i = 0; i < d.size(); ++i) d[i] = -g[i] / std::max(diagonal_[i], mean_);
       slope_ = dot(g.data(), d.data(), d.size());
@@ -45,7 +45,7 @@ double RegularisedSystem::compute(const Problem& problem, std::span<const double
   if (length > longest) {
     const double kept = mu_;
     mu_ = std::max(mu_, max_gradient / (longest * mean_));
-    if (mu_ > kept && solve(problem, g, forcing, d)) length = max_abs(d);
+    if (mu_ > kept && solve(at, g, forcing, d)) length = max_abs(d);
   }
   if (length > longest) {
     const double factor = longest / length;
@@ -55,14 +55,14 @@ double RegularisedSystem::compute(const Problem& problem, std::span<const double
   return slope_;
 }
 
-bool RegularisedSystem::solve(const Problem& problem, std::span<const double> g, double forcing,
+bool RegularisedSystem::solve(const Evaluation& at, std::span<const double> g, double forcing,
                               std::span<double> d) {
   const double zero_row = kZeroRow * mean_;
   for (std::size_t i = 0; i < d.size(); ++i) {
     const double h = diagonal_[i];
     shift_[i] = mu_ * std::max(h, mean_) + (h > zero_row ? 0 : mean_);
   }
-  if (!system_.solve(problem, shift_, g, forcing, d)) return false;
+  if (!system_.solve(at, shift_, g, forcing, d)) return false;
   slope_ = dot(g.data(), d.data(), d.size());
   const double norms =
       std::sqrt(dot(g.data(), g.data(), g.size())) * std::sqrt(dot(d.data(), d.data(), d.size()));

@@ -13,10 +13,10 @@ class RegularisedSystem {
  public:
   RegularisedSystem(NewtonSystem& system, std::size_t n) : system_(system), shift_(n) {}
 
-  /// Direction d [n] at the point of the latest evaluation with second derivatives, where the
-  /// gradient is g [n], not zero, and max_gradient = max|g|. max|d| <= longest, which is > 0.
+  /// Direction d [n] at an evaluation of second order whose gradient is g [n], not zero, and
+  /// max_gradient = max|g|. max|d| <= longest, which is > 0.
   /// Returns the slope g . d < 0.
-  double compute(const Problem& problem, std::span<const double> g, double max_gradient,
+  double compute(const Evaluation& at, std::span<const double> g, double max_gradient,
                  double longest, double forcing, std::span<double> d);
 
   /// After a step: a good one forgets mu, a full one lowers it, a short one raises it.
@@ -25,8 +25,7 @@ class RegularisedSystem {
   long linear_iterations() const { return system_.linear_iterations(); }
 
  private:
-  bool solve(const Problem& problem, std::span<const double> g, double forcing,
-             std::span<double> d);
+  bool solve(const Evaluation& at, std::span<const double> g, double forcing, std::span<double> d);
 
   NewtonSystem& system_;
   std::vector<double> shift_;

@@ -46,8 +46,8 @@ struct SparseSystem::Cholmod {
   }
 };
 
-SparseSystem::SparseSystem(Problem& problem)
-    : cholmod_(std::make_unique<Cholmod>()), diagonal_(problem.dimension()) {
+SparseSystem::SparseSystem(const Problem& problem)
+    : cholmod_(std::make_unique<Cholmod>()), pins_(problem.pins()), diagonal_(problem.dimension()) {
   const SparsityPattern& pattern = problem.hessian_pattern();
   if (pattern.row.size() >= kMaxEntries) {
     throw InvalidInput("the Hessian has " + std::to_string(pattern.row.size()) +
@@ -82,16 +82,16 @@ SparseSystem::~SparseSystem() = default;
 
 bool SparseSystem::out_of_memory() const { return cholmod_->factor == nullptr; }
 
-std::span<const double> SparseSystem::load(const Problem& problem) {
+std::span<const double> SparseSystem::load(const Evaluation& at) {
   Cholmod& c = *cholmod_;
-  problem.hessian_values(c.values);
+  at.hessian_values(c.values);
   for (std::size_t j = 0; j < diagonal_.size(); ++j) {
     diagonal_[j] = c.values[static_cast<std::size_t>(c.column_start[j])];
   }
   return diagonal_;
 }
 
-bool SparseSystem::solve(const Problem& problem, std::span<const double> shift,
+bool SparseSystem::solve(const Evaluation&, std::span<const double> shift,
                          std::span<const double> g, double, std::span<double> d) {
   Cholmod& c = *cholmod_;
   if (c.factor == nullptr) return false;
@@ -100,7 +100,7 @@ bool SparseSystem::solve(const Problem& problem, std::span<const double> shift,
     c.shifted[static_cast<std::size_t>(c.column_start[j])] += shift[j];
     c.right_values[j] = -g[j];
   }
-  for (const std::uint32_t pin : problem.pins())
+  for (const std::uint32_t pin : pins_)
     c.shifted[static_cast<std::size_t>(c.column_start[pin])] += diagonal_[pin];
   cholmod_factorize(&c.matrix, c.factor, &c.common);
   if (c.common.status != CHOLMOD_OK || c.factor->minor < c.factor->n) {

@@ -12,7 +12,7 @@ using namespace detail;
 constexpr int kMaxIterations = 500;
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
-Summary minimise(Problem& problem, std::span<double> x, const Options& options) {
+Summary minimise(const Problem& problem, std::span<double> x, const Options& options) {
   Run run(problem, x, options, kMaxIterations);
   if (x.size() <= kDenseDimension) {
     DenseSystem system(problem);

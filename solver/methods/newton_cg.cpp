@@ -9,9 +9,9 @@ constexpr int kMaxIterations = 500;
 constexpr std::size_t kBlock = 8;
 
 template <std::size_t BlockSize>
-Summary minimise(Problem& problem, std::span<double> x, const Options& options) {
+Summary minimise(const Problem& problem, std::span<double> x, const Options& options) {
   Run run(problem, x, options, kMaxIterations);
-  detail::ConjugateGradients system(problem, BlockSize);
+  detail::ConjugateGradients system(problem.dimension(), BlockSize);
   return detail::newton_loop(run, system, x);
 }
 

@@ -20,10 +20,10 @@
 // these stay flat, and the iteration comes to rest where one of them is just about to be a true
 // one.
 //
-// With these tetrahedra held flat (CoVolume::hold_flat) the functional is smooth, and Newton's
-// method is quick. Then the lengths of the second kind are moved to where all of them are truly
-// flat. A minimiser of the functional with tetrahedra held where they are flat is one of H: theory
-// (55).
+// With these tetrahedra held flat (the second constructor of CoVolume) the functional is smooth,
+// and Newton's method is quick. Then the lengths of the second kind are moved to where all of them
+// are truly flat. A minimiser of the functional with tetrahedra held where they are flat is one of
+// H: theory (55).
 
 namespace tripus::structure::detail {
 namespace {
@@ -135,11 +135,9 @@ std::optional<Report> flat_minimiser(const Triangulation& triangulation,
                                      const SolveOptions& options, const Report& report) {
   Held held{triangulation, report, nearly_flat(triangulation, report), report.edge_lengths};
   if (held.tetrahedra.empty()) return std::nullopt;
-  energies::CoVolume energy(triangulation, options.cone_angles);
+  const energies::CoVolume plain(triangulation, options.cone_angles);
+  const energies::CoVolume energy(plain.at(held.x), held.tetrahedra);
   held.energy = &energy;
-  std::vector<double> curvature(held.x.size());
-  energy.evaluate(held.x, curvature, {});
-  energy.hold_flat(held.tetrahedra);
   solver::Options inner;
   inner.tolerance = options.tolerance;
   inner.max_iterations = kNewtonSteps;

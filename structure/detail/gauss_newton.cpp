@@ -31,7 +31,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 /// One solve, over all starts.
 class Search {
  public:
-  Search(const topology::Triangulation& triangulation, energies::CoVolume& energy,
+  Search(const topology::Triangulation& triangulation, const energies::CoVolume& energy,
          const SolveOptions& options)
       : energy_(energy),
         options_(options),
@@ -87,18 +87,17 @@ class Search {
   }
 
   /// |K|, and max|K|; infinite where some tetrahedron is not a true one.
-  double misfit(const Vector& x, bool second_derivatives) {
+  double misfit(const Vector& x) {
     ++evaluations_;
-    if (!energy_.evaluate({x.data(), std::size_t(n_)}, {gradient_.data(), std::size_t(n_)},
-                          {.second_derivatives = second_derivatives}))
-      return kNever;
+    if (!energy_.evaluate({x.data(), std::size_t(n_)}, solver::Order::kSecond, at_)) return kNever;
+    std::ranges::copy(at_->gradient(), gradient_.begin());
     return gradient_.norm();
   }
 
   /// The least step that makes the linearised K least.
   Vector step() {
     Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(n_, n_);
-    energy_.hessian_values(values_);
+    at_->hessian_values(values_);
     const solver::SparsityPattern& pattern = energy_.hessian_pattern();
     for (Eigen::Index column = 0; column < n_; ++column)
       for (auto k = pattern.column_start[std::size_t(column)];
@@ -115,7 +114,7 @@ class Search {
   }
 
   void descend(Vector x) {
-    double norm = misfit(x, true);
+    double norm = misfit(x);
     for (int k = 0; k < kSteps && norm < kNever && !stopped(); ++k) {
       remember(x);
       if (least_ <= options_.tolerance / 8) return;
@@ -124,7 +123,7 @@ class Search {
       bool better = false;
       for (int halving = 0; halving < kHalvings && !better; ++halving, t /= 2) {
         const Vector trial = moved(x, t * d);
-        const double found = misfit(trial, true);
+        const double found = misfit(trial);
         better = found < norm * (1 - 1e-4 * t);
         if (!better) continue;
         x = trial;
@@ -152,9 +151,10 @@ class Search {
     best_ = x;
   }
 
-  energies::CoVolume& energy_;
+  const energies::CoVolume& energy_;
   const SolveOptions& options_;
   Eigen::Index n_;
+  std::unique_ptr<solver::Evaluation> at_;  // where the misfit was asked for last
   Vector gradient_, best_;
   std::vector<double> values_;
   double least_ = kNever;
@@ -166,7 +166,7 @@ class Search {
 }  // namespace
 
 solver::Summary gauss_newton(const topology::Triangulation& triangulation,
-                             energies::CoVolume& energy, const SolveOptions& options,
+                             const energies::CoVolume& energy, const SolveOptions& options,
                              std::vector<double>& x) {
   if (triangulation.edge_count() > kMostEdges)
     throw Unsupported("with finite vertices a metric is looked for on triangulations of up to " +

@@ -14,7 +14,7 @@ namespace tripus::structure::detail {
 /// lengths that the options give, else from equal lengths, then from random ones.
 /// docs/theory.md 9.6. Writes the lengths with the least max|K| met into x [E].
 solver::Summary gauss_newton(const topology::Triangulation& triangulation,
-                             energies::CoVolume& energy, const SolveOptions& options,
+                             const energies::CoVolume& energy, const SolveOptions& options,
                              std::vector<double>& x);
 
 }  // namespace tripus::structure::detail

@@ -70,21 +70,21 @@ MethodRun run_method(const topology::Triangulation& triangulation, const std::st
     for (TracePoint& point : run.trace) functional->to_lengths(point.lengths);
     functional->to_lengths(x);
   }
-  energies::CoVolume energy(triangulation);
+  const energies::CoVolume energy(triangulation);
   run.report = structure::assess(triangulation, energy, x, options.tolerance, summary);
   run.report.method = method.name;
   return run;
 }
 
-Measures measure(energies::CoVolume& energy, std::span<const double> lengths) {
+Measures measure(const energies::CoVolume& energy, std::span<const double> lengths) {
   Measures result;
-  std::vector<double> gradient(lengths.size());
-  energy.evaluate(lengths, gradient, {.value = &result.energy});
-  for (const double g : gradient) {
+  const auto at = energy.at(lengths);
+  result.energy = at.value();
+  for (const double g : at.gradient()) {
     result.max_curvature = std::max(result.max_curvature, std::fabs(g));
     result.sum_squared_curvature += g * g;
   }
-  result.volume = energy.volume();
+  result.volume = at.volume();
   return result;
 }
 

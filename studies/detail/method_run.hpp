@@ -48,7 +48,7 @@ struct Measures {
   double energy = 0;
   double volume = 0;
 };
-Measures measure(energies::CoVolume& energy, std::span<const double> lengths);
+Measures measure(const energies::CoVolume& energy, std::span<const double> lengths);
 
 /// The metric's lengths by Newton's method from the default start.
 /// Throws InvalidInput, naming the input, if the triangulation cannot be solved or carries none.

@@ -47,8 +47,8 @@ class Flow {
 
   /// K [E] at x.
   Vector curvature(const Vector& x) {
-    Vector K(n_);
-    energy_.evaluate(x, K, {});
+    const auto at = energy_.at(x);
+    Vector K(at.gradient().begin(), at.gradient().end());
     for (double& k : K) k = -k;
     return K;
   }

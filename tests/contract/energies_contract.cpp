@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <memory>
 #include <random>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -49,7 +50,7 @@ std::vector<double> direction(std::mt19937_64& random, std::size_t n) {
   return d;
 }
 
-double dot(const std::vector<double>& a, const std::vector<double>& b) {
+double dot(std::span<const double> a, std::span<const double> b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
@@ -67,12 +68,11 @@ std::unique_ptr<Functional> at_lengths(const Energy& energy,
                                        const topology::Triangulation& triangulation,
                                        std::vector<double>& x) {
   const auto angles = [&]() -> std::optional<std::vector<double>> {
-    CoVolume co_volume(triangulation);
-    std::vector<double> gradient(triangulation.edge_count());
-    co_volume.evaluate(x, gradient, {});
+    const CoVolume co_volume(triangulation);
+    const CoVolumeAt at = co_volume.at(x);
     std::vector<double> all;
     for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t) {
-      const auto theta = co_volume.dihedral_angles(t);
+      const auto theta = at.dihedral_angles(t);
       all.insert(all.end(), theta.begin(), theta.end());
     }
     return all;
@@ -84,7 +84,7 @@ class EnergyContract : public ::testing::TestWithParam<Energy> {
  protected:
   /// The energy on the sample, and a point near the one of the sample's lengths: there all corners
   /// of an edge class have one length, which is critical for the volume in angles.
-  solver::Problem* make(const Sample& sample, std::vector<double>& x) {
+  const solver::Problem* make(const Sample& sample, std::vector<double>& x) {
     x = sample.lengths;
     functional_ = at_lengths(GetParam(), *sample.triangulation, x);
     x = moved(x, direction(random_, x.size()), 0.01);
@@ -100,19 +100,19 @@ TEST_P(EnergyContract, GradientIsTheDerivativeOfTheValueAndIsNotZero) {
     const Sample sample = random_sample(random_);
     std::vector<double> x;
     const auto energy = make(sample, x);
-    std::vector<double> gradient(x.size()), scratch(x.size());
-    ASSERT_TRUE(energy->evaluate(x, gradient, {}));
+    const auto at = energy->at(x);
+    ASSERT_TRUE(at);
     const auto d = direction(random_, x.size());
     const auto along = [&](double t) {
-      double value = 0;
-      EXPECT_TRUE(energy->evaluate(moved(x, d, t), scratch, {.value = &value}));
-      return value;
+      const auto there = energy->at(moved(x, d, t));
+      EXPECT_TRUE(there);
+      return there->value();
     };
     const testing::Derivative derivative = testing::ridders(along, 0.01);
-    EXPECT_NEAR(dot(gradient, d), derivative.value, 1e-9 + 10 * derivative.error);
+    EXPECT_NEAR(dot(at->gradient(), d), derivative.value, 1e-9 + 10 * derivative.error);
     EXPECT_LT(derivative.error, 1e-6);
     double largest = 0;
-    for (const double g : gradient) largest = std::max(largest, std::fabs(g));
+    for (const double g : at->gradient()) largest = std::max(largest, std::fabs(g));
     EXPECT_GT(largest, 1e-4);
   }
 }
@@ -122,19 +122,21 @@ TEST_P(EnergyContract, HessianIsTheDerivativeOfTheGradient) {
     const Sample sample = random_sample(random_);
     std::vector<double> x;
     const auto energy = make(sample, x);
-    std::vector<double> gradient(x.size()), product(x.size());
+    std::vector<double> product(x.size());
     const auto d = direction(random_, x.size());
     std::vector<testing::Derivative> derivative(x.size());
     for (std::size_t i = 0; i < x.size(); ++i) {
       derivative[i] = testing::ridders(
           [&](double t) {
-            EXPECT_TRUE(energy->evaluate(moved(x, d, t), gradient, {}));
-            return gradient[i];
+            const auto there = energy->at(moved(x, d, t));
+            EXPECT_TRUE(there);
+            return there->gradient()[i];
           },
           0.01);
     }
-    ASSERT_TRUE(energy->evaluate(x, gradient, {.second_derivatives = true}));
-    energy->hessian_times(d, product);
+    const auto at = energy->at(x, solver::Order::kSecond);
+    ASSERT_TRUE(at);
+    at->hessian_times(d, product);
     for (std::size_t i = 0; i < x.size(); ++i) {
       EXPECT_NEAR(product[i], derivative[i].value, 1e-8 + 10 * derivative[i].error);
       EXPECT_LT(derivative[i].error, 1e-6);
@@ -143,10 +145,11 @@ TEST_P(EnergyContract, HessianIsTheDerivativeOfTheGradient) {
 }
 
 /// The assembled Hessian as a full matrix.
-std::vector<std::vector<double>> assembled(solver::Problem& energy) {
+std::vector<std::vector<double>> assembled(const solver::Problem& energy,
+                                           const solver::Evaluation& at) {
   const auto& pattern = energy.hessian_pattern();
   std::vector<double> values(pattern.row.size());
-  energy.hessian_values(values);
+  at.hessian_values(values);
   const std::size_t n = energy.dimension();
   std::vector<std::vector<double>> full(n, std::vector<double>(n));
   for (std::size_t column = 0; column < n; ++column) {
@@ -169,19 +172,20 @@ TEST_P(EnergyContract, AssembledHessianProductAndBlocksAgreeAndThePatternCoversA
     std::vector<double> x;
     const auto energy = make(sample, x);
     const std::size_t size = x.size();
-    std::vector<double> gradient(size), product(size);
-    ASSERT_TRUE(energy->evaluate(x, gradient, {.second_derivatives = true}));
-    const auto full = assembled(*energy);
+    std::vector<double> product(size);
+    const auto at = energy->at(x, solver::Order::kSecond);
+    ASSERT_TRUE(at);
+    const auto full = assembled(*energy, *at);
     for (std::size_t j = 0; j < size; ++j) {
       std::vector<double> unit(size);
       unit[j] = 1;
-      energy->hessian_times(unit, product);
+      at->hessian_times(unit, product);
       for (std::size_t i = 0; i < size; ++i)
         EXPECT_NEAR(product[i], full[i][j], 1e-12 * (1 + std::fabs(full[i][j])));
     }
     for (const std::size_t width : {std::size_t{1}, std::size_t{3}, std::size_t{8}}) {
       std::vector<double> blocks((size + width - 1) / width * width * width, -1.0);
-      energy->hessian_diagonal_blocks(width, blocks);
+      at->hessian_diagonal_blocks(width, blocks);
       for (std::size_t i = 0; i < size; ++i) {
         for (std::size_t j = i / width * width; j < std::min(size, (i / width + 1) * width); ++j) {
           EXPECT_NEAR(blocks[(i / width * width + i % width) * width + j % width], full[i][j],
@@ -192,16 +196,53 @@ TEST_P(EnergyContract, AssembledHessianProductAndBlocksAgreeAndThePatternCoversA
   }
 }
 
+// An evaluation answers for its own point, whatever has been evaluated since, also into the same
+// memory: that gives the same bits as fresh memory does.
+TEST_P(EnergyContract, EvaluationsAreValues) {
+  for (int n = 0; n < kSamples; ++n) {
+    const Sample sample = random_sample(random_);
+    std::vector<double> x;
+    const auto energy = make(sample, x);
+    const std::vector<double> y = moved(x, direction(random_, x.size()), 0.01);
+    const auto numbers_of = [&](const solver::Evaluation& at) {
+      std::vector<double> all(at.gradient().begin(), at.gradient().end());
+      all.push_back(at.value());
+      const std::size_t nnz = energy->hessian_pattern().row.size();
+      all.resize(all.size() + nnz);
+      at.hessian_values(std::span(all).last(nnz));
+      return all;
+    };
+    const auto here = energy->at(x, solver::Order::kSecond);
+    ASSERT_TRUE(here);
+    const std::vector<double> before = numbers_of(*here);
+    auto there = energy->at(y, solver::Order::kSecond);
+    ASSERT_TRUE(there);
+    EXPECT_NE(numbers_of(*there), before);
+    EXPECT_EQ(numbers_of(*here), before);
+    const solver::Evaluation* memory = there.get();
+    ASSERT_TRUE(energy->evaluate(x, solver::Order::kFirst, there));
+    ASSERT_TRUE(energy->evaluate(x, solver::Order::kSecond, there));
+    EXPECT_EQ(there.get(), memory);
+    EXPECT_EQ(numbers_of(*there), before);
+    std::vector<double> other = sample.lengths;
+    const auto another = at_lengths(GetParam(), *sample.triangulation, other);
+    ASSERT_TRUE(another->problem().evaluate(x, solver::Order::kSecond, there));
+    EXPECT_NE(there.get(), memory) << "not an evaluation of this problem";
+    EXPECT_EQ(numbers_of(*there), before);
+  }
+}
+
 TEST_P(EnergyContract, IsStrictlyConvexWhereNothingIsFlat) {
   for (int n = 0; n < kSamples; ++n) {
     const Sample sample = random_sample(random_);
     std::vector<double> x;
     const auto energy = make(sample, x);
-    std::vector<double> gradient(x.size()), product(x.size());
-    ASSERT_TRUE(energy->evaluate(x, gradient, {.second_derivatives = true}));
+    std::vector<double> product(x.size());
+    const auto at = energy->at(x, solver::Order::kSecond);
+    ASSERT_TRUE(at);
     for (int k = 0; k < 20; ++k) {
       const auto d = direction(random_, x.size());
-      energy->hessian_times(d, product);
+      at->hessian_times(d, product);
       EXPECT_GT(dot(d, product), 0);
     }
   }
@@ -219,8 +260,9 @@ TEST_P(EnergyContract, RelabellingChangesNoValue) {
          {static_cast<const topology::Triangulation*>(sample.triangulation.get()), &shuffled}) {
       std::vector<double> x = uniform;
       const auto functional = at_lengths(GetParam(), *triangulation, x);
-      std::vector<double> gradient(x.size());
-      ASSERT_TRUE(functional->problem().evaluate(x, gradient, {.value = &value[k++]}));
+      const auto at = functional->problem().at(x);
+      ASSERT_TRUE(at);
+      value[k++] = at->value();
     }
     EXPECT_NEAR(value[0], value[1], 1e-12);
   }
@@ -241,18 +283,19 @@ TEST(CoVolume, IsConvexAndC1EverywhereOnRE) {
   std::uniform_real_distribution<double> far(-1, 6);
   for (int n = 0; n < 40; ++n) {
     const Sample sample = random_sample(random);
-    CoVolume energy(*sample.triangulation);
+    const CoVolume energy(*sample.triangulation);
     const std::size_t size = sample.lengths.size();
-    std::vector<double> a(size), b(size), gradient(size), d(size);
+    std::vector<double> a(size), b(size), d(size);
     for (double& x : a) x = far(random);
     for (double& x : b) x = far(random);
     for (std::size_t i = 0; i < size; ++i) d[i] = b[i] - a[i];
     const int steps = 2000;
     double first = 0, last = 0, integral = 0, previous = 0;
     for (int k = 0; k <= steps; ++k) {
-      double value = 0;
-      ASSERT_TRUE(energy.evaluate(moved(a, d, double(k) / steps), gradient, {.value = &value}));
-      const double slope = dot(gradient, d);
+      const CoVolumeAt at = energy.at(moved(a, d, double(k) / steps));
+      ASSERT_TRUE(at.is_defined());
+      const double value = at.value();
+      const double slope = dot(at.gradient(), d);
       if (k == 0) first = value;
       if (k > 0) {
         EXPECT_GE(slope, previous - 1e-11) << "the gradient is monotone along a line";
@@ -271,14 +314,14 @@ TEST(CoVolume, ConvexityBoundIsBelowTheRayleighQuotients) {
   std::mt19937_64 random(79);
   for (int n = 0; n < kSamples; ++n) {
     const Sample sample = random_sample(random);
-    CoVolume energy(*sample.triangulation);
-    std::vector<double> gradient(sample.lengths.size()), product(sample.lengths.size());
-    energy.evaluate(sample.lengths, gradient, {.second_derivatives = true});
-    const double bound = energy.convexity_bound();
+    const CoVolume energy(*sample.triangulation);
+    std::vector<double> product(sample.lengths.size());
+    const CoVolumeAt at = energy.at(sample.lengths, solver::Order::kSecond);
+    const double bound = at.convexity_bound();
     EXPECT_GT(bound, 0);
     for (int k = 0; k < 20; ++k) {
       const auto d = direction(random, sample.lengths.size());
-      energy.hessian_times(d, product);
+      at.hessian_times(d, product);
       EXPECT_GE(dot(d, product), bound * dot(d, d) * (1 - 1e-12));
     }
   }

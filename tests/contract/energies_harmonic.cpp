@@ -69,7 +69,7 @@ std::vector<double> moved(const std::vector<double>& x, const std::vector<double
   return y;
 }
 
-double dot(const std::vector<double>& a, const std::vector<double>& b) {
+double dot(std::span<const double> a, std::span<const double> b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
@@ -80,9 +80,9 @@ TEST_F(HarmonicContract, ValueIsTheSumOfTheSquaredDistances) {
     const Sample s = sample();
     HarmonicEnergy energy = s.energy();
     const std::vector<double> x = direction(energy.dimension(), 0.5);
-    std::vector<double> gradient(x.size());
-    double value = 0;
-    ASSERT_TRUE(energy.evaluate(x, gradient, {.value = &value}));
+    const auto at = energy.at(x);
+    ASSERT_TRUE(at);
+    const double value = at->value();
     const std::vector<Vector4> f = energy.points(x);
     double sum = 0;
     for (const HarmonicEdge& e : s.edges) {
@@ -100,28 +100,29 @@ TEST_F(HarmonicContract, GradientAndHessianAreTheDerivatives) {
   for (int n = 0; n < 12; ++n) {
     HarmonicEnergy energy = sample().energy();
     const std::vector<double> x = direction(energy.dimension(), n % 2 == 0 ? 0.0 : 0.5);
-    std::vector<double> gradient(x.size()), scratch(x.size()), product(x.size());
-    ASSERT_TRUE(energy.evaluate(x, gradient, {}));
+    std::vector<double> product(x.size());
+    const auto at = energy.at(x, solver::Order::kSecond);
+    ASSERT_TRUE(at);
     const auto d = direction(x.size());
     const testing::Derivative slope = testing::ridders(
         [&](double t) {
-          double value = 0;
-          EXPECT_TRUE(energy.evaluate(moved(x, d, t), scratch, {.value = &value}));
-          return value;
+          const auto there = energy.at(moved(x, d, t));
+          EXPECT_TRUE(there);
+          return there->value();
         },
         0.01);
-    EXPECT_NEAR(dot(gradient, d), slope.value, 1e-8 * (1 + std::abs(slope.value)));
+    EXPECT_NEAR(dot(at->gradient(), d), slope.value, 1e-8 * (1 + std::abs(slope.value)));
     EXPECT_GT(std::abs(slope.value), 1e-4);
     std::vector<testing::Derivative> second(x.size());
     for (std::size_t i = 0; i < x.size(); ++i)
       second[i] = testing::ridders(
           [&](double t) {
-            EXPECT_TRUE(energy.evaluate(moved(x, d, t), scratch, {}));
-            return scratch[i];
+            const auto there = energy.at(moved(x, d, t));
+            EXPECT_TRUE(there);
+            return there->gradient()[i];
           },
           0.01);
-    ASSERT_TRUE(energy.evaluate(x, gradient, {.second_derivatives = true}));
-    energy.hessian_times(d, product);
+    at->hessian_times(d, product);
     for (std::size_t i = 0; i < x.size(); ++i)
       EXPECT_NEAR(product[i], second[i].value, 1e-7 * (1 + std::abs(product[i])));
   }
@@ -132,11 +133,12 @@ TEST_F(HarmonicContract, AssembledHessianProductAndBlocksAgree) {
     HarmonicEnergy energy = sample().energy();
     const std::size_t size = energy.dimension();
     const std::vector<double> x = direction(size, 0.3);
-    std::vector<double> gradient(size), product(size);
-    ASSERT_TRUE(energy.evaluate(x, gradient, {.second_derivatives = true}));
+    std::vector<double> product(size);
+    const auto at = energy.at(x, solver::Order::kSecond);
+    ASSERT_TRUE(at);
     const solver::SparsityPattern& pattern = energy.hessian_pattern();
     std::vector<double> values(pattern.row.size());
-    energy.hessian_values(values);
+    at->hessian_values(values);
     std::vector<std::vector<double>> full(size, std::vector<double>(size));
     for (std::size_t column = 0; column < size; ++column)
       for (auto k = pattern.column_start[column]; k < pattern.column_start[column + 1]; ++k) {
@@ -146,13 +148,13 @@ TEST_F(HarmonicContract, AssembledHessianProductAndBlocksAgree) {
     for (std::size_t j = 0; j < size; ++j) {
       std::vector<double> unit(size);
       unit[j] = 1;
-      energy.hessian_times(unit, product);
+      at->hessian_times(unit, product);
       for (std::size_t i = 0; i < size; ++i)
         EXPECT_NEAR(product[i], full[i][j], 1e-12 * (1 + std::abs(full[i][j])));
     }
     for (const std::size_t width : {std::size_t{1}, std::size_t{3}, std::size_t{8}}) {
       std::vector<double> blocks((size + width - 1) / width * width * width, -1.0);
-      energy.hessian_diagonal_blocks(width, blocks);
+      at->hessian_diagonal_blocks(width, blocks);
       for (std::size_t i = 0; i < size; ++i)
         for (std::size_t j = i / width * width; j < std::min(size, (i / width + 1) * width); ++j)
           EXPECT_NEAR(blocks[(i / width * width + i % width) * width + j % width], full[i][j],
@@ -168,11 +170,12 @@ TEST_F(HarmonicContract, IsConvexAtTheBasePoints) {
     HarmonicEnergy energy = sample().energy();
     energy.recentre(direction(energy.dimension(), 1));
     const std::vector<double> x(energy.dimension(), 0.0);
-    std::vector<double> gradient(x.size()), product(x.size());
-    ASSERT_TRUE(energy.evaluate(x, gradient, {.second_derivatives = true}));
+    std::vector<double> product(x.size());
+    const auto at = energy.at(x, solver::Order::kSecond);
+    ASSERT_TRUE(at);
     for (int k = 0; k < 20; ++k) {
       const auto d = direction(x.size());
-      energy.hessian_times(d, product);
+      at->hessian_times(d, product);
       EXPECT_GT(dot(d, product), 0);
     }
   }
@@ -186,28 +189,27 @@ TEST_F(HarmonicContract, OneEdgeHasTheEigenvaluesOfTheSquareOfTheDistance) {
     const std::vector<Vector4> poles(2, Vector4::Zero());
     HarmonicEnergy energy({{0, 1, 0, 1}}, {Matrix4::Identity()}, points, poles);
     const std::vector<double> x(6, 0.0);
-    std::vector<double> gradient(6);
-    ASSERT_TRUE(energy.evaluate(x, gradient, {.second_derivatives = true}));
+    const auto at = energy.at(x, solver::Order::kSecond);
+    ASSERT_TRUE(at);
     std::vector<double> blocks(2 * 9);
-    energy.hessian_diagonal_blocks(3, blocks);
+    at->hessian_diagonal_blocks(3, blocks);
     const double across = d == 0 ? 1 : d / std::tanh(d);
     EXPECT_NEAR(blocks[0], 1, 1e-12);
     EXPECT_NEAR(blocks[4], across, 1e-12 * across);
     EXPECT_NEAR(blocks[8], across, 1e-12 * across);
-    EXPECT_NEAR(gradient[0], -d, 1e-12 * (1 + d));
+    EXPECT_NEAR(at->gradient()[0], -d, 1e-12 * (1 + d));
   }
 }
 
 TEST_F(HarmonicContract, RecentringChangesNoPointAndNoValue) {
   for (int n = 0; n < 20; ++n) {
     HarmonicEnergy energy = sample().energy();
-    std::vector<double> x = direction(energy.dimension(), 0.7), gradient(x.size());
-    double before = 0, after = 0;
-    energy.evaluate(x, gradient, {.value = &before});
+    std::vector<double> x = direction(energy.dimension(), 0.7);
+    const double before = energy.at(x)->value();
     const std::vector<Vector4> f = energy.points(x);
     energy.recentre(x);
     std::fill(x.begin(), x.end(), 0.0);
-    energy.evaluate(x, gradient, {.value = &after});
+    const double after = energy.at(x)->value();
     EXPECT_NEAR(before, after, 1e-11 * before);
     const std::vector<Vector4> same = energy.points(x);
     for (std::size_t v = 0; v < f.size(); ++v)

@@ -36,9 +36,8 @@ class SolverContract : public ::testing::TestWithParam<Method> {
       EXPECT_GE(iterate.seconds, 0);
       ++observed;
       last = iterate.max_gradient;
-      Vector at = Eigen::Map<const Vector>(iterate.x.data(), x.size()), g = at;
-      EXPECT_TRUE(c.problem->evaluate(as_span(at), as_span(g), {}));
-      EXPECT_NEAR(g.cwiseAbs().maxCoeff(), iterate.max_gradient, 1e-9 * (1 + last)) << c.name;
+      EXPECT_NEAR(max_gradient(*c.problem, iterate.x), iterate.max_gradient, 1e-9 * (1 + last))
+          << c.name;
       --c.problem->evaluations;
       return true;
     };
@@ -47,9 +46,7 @@ class SolverContract : public ::testing::TestWithParam<Method> {
     EXPECT_EQ(summary.evaluations, c.problem->evaluations) << c.name;
     EXPECT_EQ(summary.iterations + 1, observed) << c.name;
     EXPECT_TRUE(x.allFinite()) << c.name;
-    Vector g = x;
-    EXPECT_TRUE(c.problem->evaluate(as_span(x), as_span(g), {}));
-    EXPECT_EQ(g.cwiseAbs().maxCoeff(), summary.max_gradient) << c.name;
+    EXPECT_EQ(max_gradient(*c.problem, as_span(x)), summary.max_gradient) << c.name;
     if (summary.termination == Termination::kConverged) {
       EXPECT_LE(summary.max_gradient, options.tolerance) << c.name;
     }

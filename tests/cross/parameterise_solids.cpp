@@ -48,13 +48,11 @@ std::vector<double> edge_lengths(MarkedSolid& solid, const std::vector<Vector4>&
 }
 
 /// Of the Hessian at the base points: as many as it has negative eigenvalues (Sylvester).
-int negative_pivots(energies::HarmonicEnergy& energy) {
-  std::vector<double> x(energy.dimension(), 0.0), gradient(energy.dimension());
+int negative_pivots(const energies::HarmonicEnergy& energy) {
+  const auto at = energy.at(std::vector<double>(energy.dimension(), 0.0), solver::Order::kSecond);
   const solver::SparsityPattern& pattern = energy.hessian_pattern();
-  double value = 0;
-  energy.evaluate(x, gradient, {.value = &value, .second_derivatives = true});
   std::vector<double> entries(pattern.row.size());
-  energy.hessian_values(entries);
+  at->hessian_values(entries);
   std::vector<Eigen::Triplet<double>> triplets;
   for (std::size_t column = 0; column < energy.dimension(); ++column)
     for (auto k = static_cast<std::size_t>(pattern.column_start[column]);

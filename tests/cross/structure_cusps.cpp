@@ -137,32 +137,30 @@ TEST(Cusps, TheGradientIsThatOfTheValueAndHorospheresChangeNeither) {
     const Triangulation m = decoded(isosig);
     const Report report = solved(m);
     if (report.outcome != Outcome::kGeometric) continue;
-    energies::CoVolume energy(m);
-    std::vector<double> x = report.edge_lengths, g(x.size()), d(x.size()), Hd(x.size());
+    const energies::CoVolume energy(m);
+    std::vector<double> x = report.edge_lengths, d(x.size()), Hd(x.size());
     for (std::size_t e = 0; e < x.size(); ++e) {
       x[e] += 0.02 * (double(random() >> 11) * 0x1p-53 - 0.5);
       d[e] = double(random() >> 11) * 0x1p-52 - 1;
     }
-    double value = 0;
-    ASSERT_TRUE(energy.evaluate(x, g, {.value = &value, .second_derivatives = true}));
-    energy.hessian_times(d, Hd);
-    const auto along = [&](double step, std::vector<double>& gradient) {
+    const auto at = energy.at(x, solver::Order::kSecond);
+    ASSERT_TRUE(at.is_defined());
+    at.hessian_times(d, Hd);
+    const std::vector<double> g(at.gradient().begin(), at.gradient().end());
+    const auto along = [&](double step) {
       std::vector<double> moved = x;
       for (std::size_t e = 0; e < x.size(); ++e) moved[e] += step * d[e];
-      double result = 0;
-      energy.evaluate(moved, gradient, {.value = &result});
-      return result;
+      return energy.at(moved);
     };
-    std::vector<double> there(x.size());
-    const auto slope = testing::ridders([&](double s) { return along(s, there); }, 1e-2);
+    const auto slope = testing::ridders([&](double s) { return along(s).value(); }, 1e-2);
     double expected = 0;
     for (std::size_t e = 0; e < x.size(); ++e) expected += g[e] * d[e];
     EXPECT_NEAR(slope.value, expected, 1e-8 + 10 * slope.error);
     const auto bend = testing::ridders(
         [&](double s) {
-          along(s, there);
+          const auto there = along(s);
           double sum = 0;
-          for (std::size_t e = 0; e < x.size(); ++e) sum += there[e] * d[e];
+          for (std::size_t e = 0; e < x.size(); ++e) sum += there.gradient()[e] * d[e];
           return sum;
         },
         1e-2);

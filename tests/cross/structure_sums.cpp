@@ -19,14 +19,14 @@ struct Surfaces {
 };
 
 Surfaces surfaces_at(const topology::Triangulation& triangulation, const std::vector<double>& x) {
-  energies::CoVolume energy(triangulation);
+  const energies::CoVolume energy(triangulation);
+  const auto at = energy.at(x);
   Surfaces s;
-  s.curvature.resize(x.size());
-  energy.evaluate(x, s.curvature, {});
+  s.curvature.assign(at.gradient().begin(), at.gradient().end());
   for (double& k : s.curvature) k = -k;
   s.area.resize(triangulation.vertex_count());
   for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t) {
-    const auto theta = energy.dihedral_angles(t);
+    const auto theta = at.dihedral_angles(t);
     for (int v = 0; v < 4; ++v) {
       const auto& edges = geometry::kEdgesAtVertex[std::size_t(v)];
       s.area[triangulation.vertex_class(t, v)] += geometry::truncation_area(

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <random>
 #include <string>
@@ -12,6 +13,7 @@
 #include <Eigen/Dense>
 
 #include "solver/problem.hpp"
+#include "solver/run.hpp"
 
 /// Convex functions with known properties, to try minimisers and flows on.
 namespace tripus::testing {
@@ -34,6 +36,12 @@ inline solver::SparsityPattern full_pattern(std::size_t n) {
   return pattern;
 }
 
+/// max|g| at x; NaN outside the domain.
+inline double max_gradient(const solver::Problem& problem, std::span<const double> x) {
+  const auto at = problem.at(x);
+  return at ? solver::max_abs(at->gradient()) : std::numeric_limits<double>::quiet_NaN();
+}
+
 /// A function given by a lambda f(x, g, H): writes the gradient, H where not null, returns false
 /// outside its domain. The Hessian is kept as a full matrix; the pattern may be sparser.
 class DenseProblem : public solver::Problem {
@@ -41,60 +49,69 @@ class DenseProblem : public solver::Problem {
   using Function = std::function<bool(const Vector& x, double& f, Vector& g, Matrix* H)>;
 
   DenseProblem(std::size_t n, Function function)
-      : n_(n), function_(std::move(function)), pattern_(full_pattern(n)) {
-    g_ = Vector::Zero(static_cast<Eigen::Index>(n));
-    hessian_ = Matrix::Zero(g_.size(), g_.size());
-  }
+      : n_(n), function_(std::move(function)), pattern_(full_pattern(n)) {}
 
   std::size_t dimension() const override { return n_; }
 
-  bool evaluate(std::span<const double> x, std::span<double> gradient,
-                const Request& request) override {
+  bool evaluate(std::span<const double> x, solver::Order order,
+                std::unique_ptr<solver::Evaluation>& into) const override {
     ++evaluations;
-    const Eigen::Map<const Vector> at(x.data(), g_.size());
-    double value = 0;
-    if (!function_(at, value, g_, request.second_derivatives ? &hessian_ : nullptr)) return false;
-    std::copy(g_.begin(), g_.end(), gradient.begin());
-    if (request.value != nullptr) *request.value = value;
-    return true;
+    At& at = solver::reuse<At>(into, *this);
+    return function_(Eigen::Map<const Vector>(x.data(), at.g.size()), at.f, at.g,
+                     order == solver::Order::kSecond ? &at.H : nullptr);
   }
 
-  const solver::SparsityPattern& hessian_pattern() override { return pattern_; }
-
-  void hessian_values(std::span<double> values) const override {
-    for (std::size_t j = 0; j < n_; ++j) {
-      for (auto k = static_cast<std::size_t>(pattern_.column_start[j]);
-           k < static_cast<std::size_t>(pattern_.column_start[j + 1]); ++k) {
-        values[k] = hessian_(pattern_.row[k], static_cast<Eigen::Index>(j));
-      }
-    }
-  }
-
-  void hessian_times(std::span<const double> v, std::span<double> Hv) const override {
-    Eigen::Map<Vector>(Hv.data(), g_.size()).noalias() =
-        hessian_ * Eigen::Map<const Vector>(v.data(), g_.size());
-  }
-
-  void hessian_diagonal_blocks(std::size_t b, std::span<double> blocks) const override {
-    std::fill(blocks.begin(), blocks.end(), 0.0);
-    for (std::size_t i = 0; i < n_; ++i) {
-      for (std::size_t j = i / b * b; j < std::min(n_, i / b * b + b); ++j) {
-        blocks[i / b * b * b + i % b * b + j % b] =
-            hessian_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-      }
-    }
-  }
+  const solver::SparsityPattern& hessian_pattern() const override { return pattern_; }
 
   void set_pattern(solver::SparsityPattern pattern) { pattern_ = std::move(pattern); }
 
-  long evaluations = 0;
+  mutable long evaluations = 0;
 
  private:
+  struct At final : solver::Evaluation {
+    explicit At(const DenseProblem& problem)
+        : of(&problem),
+          g(Vector::Zero(static_cast<Eigen::Index>(problem.n_))),
+          H(Matrix::Zero(g.size(), g.size())) {}
+
+    bool is_of(const DenseProblem& problem) const { return of == &problem; }
+    std::span<const double> gradient() const override { return {g.data(), of->n_}; }
+    double value() const override { return f; }
+
+    void hessian_values(std::span<double> values) const override {
+      const solver::SparsityPattern& pattern = of->pattern_;
+      for (std::size_t j = 0; j < of->n_; ++j) {
+        for (auto k = static_cast<std::size_t>(pattern.column_start[j]);
+             k < static_cast<std::size_t>(pattern.column_start[j + 1]); ++k) {
+          values[k] = H(pattern.row[k], static_cast<Eigen::Index>(j));
+        }
+      }
+    }
+
+    void hessian_times(std::span<const double> v, std::span<double> Hv) const override {
+      Eigen::Map<Vector>(Hv.data(), g.size()).noalias() =
+          H * Eigen::Map<const Vector>(v.data(), g.size());
+    }
+
+    void hessian_diagonal_blocks(std::size_t b, std::span<double> blocks) const override {
+      std::fill(blocks.begin(), blocks.end(), 0.0);
+      for (std::size_t i = 0; i < of->n_; ++i) {
+        for (std::size_t j = i / b * b; j < std::min(of->n_, i / b * b + b); ++j) {
+          blocks[i / b * b * b + i % b * b + j % b] =
+              H(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+        }
+      }
+    }
+
+    const DenseProblem* of;
+    double f = 0;
+    Vector g;
+    Matrix H;
+  };
+
   std::size_t n_;
   Function function_;
   solver::SparsityPattern pattern_;
-  Vector g_;
-  Matrix hessian_;
 };
 
 /// psi(s) of one variable with its first two derivatives.

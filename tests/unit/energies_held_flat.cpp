@@ -19,30 +19,24 @@ const std::vector<double> kBoundary = {0.611602812689677,  9.739231867212784, 5.
 class HeldFlat : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::vector<double> gradient(kBoundary.size());
-    held_.evaluate(kBoundary, gradient, {});
-    ASSERT_EQ(held_.flat_tetrahedra(), (std::vector<std::size_t>{2, 5, 6}));
-    held_.hold_flat(held_.flat_tetrahedra());
+    ASSERT_EQ(free_.at(kBoundary).flat_tetrahedra(), (std::vector<std::size_t>{2, 5, 6}));
   }
 
-  topology::Triangulation triangulation_{topology::decode_isosig("jLLLzQQcdffhggihilvhhnkkawn")};
-  CoVolume free_{triangulation_}, held_{triangulation_};
+  const topology::Triangulation triangulation_{
+      topology::decode_isosig("jLLLzQQcdffhggihilvhhnkkawn")};
+  const CoVolume free_{triangulation_};
+  const CoVolume held_{free_.at(kBoundary), {2, 5, 6}};
   std::mt19937_64 random_{11};
 };
 
 TEST_F(HeldFlat, IsNowhereAboveTheCoVolumeAndEqualWhereTheyAreFlat) {
-  std::vector<double> gradient(kBoundary.size());
-  double free = 0, held = 0;
-  free_.evaluate(kBoundary, gradient, {.value = &free});
-  held_.evaluate(kBoundary, gradient, {.value = &held});
-  EXPECT_NEAR(held, free, 1e-12);
+  EXPECT_NEAR(held_.at(kBoundary).value(), free_.at(kBoundary).value(), 1e-12);
   std::uniform_real_distribution<double> length(-1, 15);
   bool strictly = false;
   for (int n = 0; n < 500; ++n) {
     std::vector<double> x(kBoundary.size());
     for (double& l : x) l = length(random_);
-    free_.evaluate(x, gradient, {.value = &free});
-    held_.evaluate(x, gradient, {.value = &held});
+    const double free = free_.at(x).value(), held = held_.at(x).value();
     EXPECT_LE(held, free + 1e-11);
     strictly = strictly || held < free - 1;
   }
@@ -52,25 +46,22 @@ TEST_F(HeldFlat, IsNowhereAboveTheCoVolumeAndEqualWhereTheyAreFlat) {
 TEST_F(HeldFlat, GradientAndHessianAreThoseOfItsValue) {
   std::uniform_real_distribution<double> length(0.5, 1.1), step(-1, 1);
   for (int n = 0; n < 20; ++n) {
-    std::vector<double> x(kBoundary.size()), d(x.size()), above = x, below = x, g(x.size());
+    std::vector<double> x(kBoundary.size()), d(x.size()), above = x, below = x, Hd(x.size());
     for (double& l : x) l = length(random_);
     for (double& v : d) v = step(random_);
     const double h = 1e-5;
     for (std::size_t i = 0; i < x.size(); ++i)
       above[i] = x[i] + h * d[i], below[i] = x[i] - h * d[i];
-    double high = 0, low = 0;
-    std::vector<double> g_high(x.size()), g_low(x.size()), Hd(x.size());
-    held_.evaluate(above, g_high, {.value = &high});
-    held_.evaluate(below, g_low, {.value = &low});
-    held_.evaluate(x, g, {.value = nullptr, .second_derivatives = true});
-    held_.hessian_times(d, Hd);
+    const CoVolumeAt high = held_.at(above), low = held_.at(below);
+    const CoVolumeAt at = held_.at(x, solver::Order::kSecond);
+    at.hessian_times(d, Hd);
     double slope = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
-      slope += g[i] * d[i];
-      EXPECT_NEAR(Hd[i], (g_high[i] - g_low[i]) / (2 * h), 1e-6);
+      slope += at.gradient()[i] * d[i];
+      EXPECT_NEAR(Hd[i], (high.gradient()[i] - low.gradient()[i]) / (2 * h), 1e-6);
     }
-    EXPECT_NEAR(slope, (high - low) / (2 * h), 1e-7);
-    EXPECT_GE(held_.flat_count(), 3u);
+    EXPECT_NEAR(slope, (high.value() - low.value()) / (2 * h), 1e-7);
+    EXPECT_GE(at.flat_count(), 3u);
   }
 }
 

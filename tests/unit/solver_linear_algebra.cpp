@@ -41,16 +41,15 @@ TEST(DenseCholesky, SolvesAndRecognisesIndefiniteMatrices) {
   }
 }
 
-/// The Hessian at x, dense, column by column from products with unit vectors.
-Matrix dense_hessian(solver::Problem& problem, std::vector<double> x) {
-  std::vector<double> gradient(x.size()), unit(x.size()), column(x.size());
-  problem.evaluate(x, gradient, {.value = nullptr, .second_derivatives = true});
-  const auto n = static_cast<Eigen::Index>(x.size());
+/// The Hessian, dense, column by column from products with unit vectors.
+Matrix dense_hessian(const solver::Evaluation& at) {
+  std::vector<double> unit(at.gradient().size()), column(unit.size());
+  const auto n = static_cast<Eigen::Index>(unit.size());
   Matrix H(n, n);
   for (Eigen::Index j = 0; j < n; ++j) {
     std::fill(unit.begin(), unit.end(), 0.0);
     unit[static_cast<std::size_t>(j)] = 1;
-    problem.hessian_times(unit, column);
+    at.hessian_times(unit, column);
     for (Eigen::Index i = 0; i < n; ++i) H(i, j) = column[static_cast<std::size_t>(i)];
   }
   return H;
@@ -66,12 +65,13 @@ TEST(ExtremeEigenvalues, AreThoseOfTheDenseSpectrum) {
       ASSERT_TRUE(shifts);
       const topology::Triangulation triangulation(
           topology::cyclic_cover(base.gluings(), *shifts, degree));
-      energies::CoVolume energy(triangulation);
+      const energies::CoVolume energy(triangulation);
       std::vector<double> x(triangulation.edge_count());
       for (double& l : x) l = length(random);
-      const Matrix H = dense_hessian(energy, x);
+      const auto at = energy.at(x, solver::Order::kSecond);
+      const Matrix H = dense_hessian(at);
       const Eigen::SelfAdjointEigenSolver<Matrix> dense(H);
-      const auto found = solver::extreme_eigenvalues(energy);
+      const auto found = solver::extreme_eigenvalues(at);
       const double largest = dense.eigenvalues().maxCoeff(), smallest = dense.eigenvalues()[0];
       EXPECT_NEAR(found.largest, largest, 1e-9 * largest);
       EXPECT_NEAR(found.smallest, smallest, 1e-8 * smallest + 1e-14 * largest);
@@ -85,10 +85,9 @@ TEST(ExtremeEigenvalues, AreThoseOfTheDenseSpectrum) {
 TEST(ExtremeEigenvalues, OfASingularHessianAreZeroBelow) {
   // All tetrahedra are flat or at length 0: nothing bends.
   const topology::Triangulation triangulation(topology::decode_isosig("cPcbbbihq"));
-  energies::CoVolume energy(triangulation);
-  std::vector<double> x(1, -1.0), gradient(1);
-  energy.evaluate(x, gradient, {.value = nullptr, .second_derivatives = true});
-  EXPECT_EQ(solver::extreme_eigenvalues(energy).smallest, 0);
+  const energies::CoVolume energy(triangulation);
+  const std::vector<double> x(1, -1.0);
+  EXPECT_EQ(solver::extreme_eigenvalues(energy.at(x, solver::Order::kSecond)).smallest, 0);
 }
 
 TEST(MaxAbs, IsInfiniteForNaN) {
@@ -104,10 +103,11 @@ TEST(NewtonDirection, IsThatOfNewton) {
   for (const Eigen::Index n : {3, 80}) {
     const Vector minimiser = random_vector(n, random);
     const auto problem = quadratic(minimiser, 50, random);
-    Vector x = random_vector(n, random), g = x, d = x;
-    ASSERT_TRUE(problem->evaluate(as_span(x), as_span(g), {nullptr, true}));
+    Vector x = random_vector(n, random), d = x;
+    const auto at = problem->at(as_span(x), solver::Order::kSecond);
+    ASSERT_TRUE(at);
     solver::NewtonDirection direction(*problem);
-    direction.compute(as_span(x), as_span(g), as_span(d));
+    direction.compute(as_span(x), *at, as_span(d));
     EXPECT_LT((x + d - minimiser).norm(), 1e-12);
   }
 }

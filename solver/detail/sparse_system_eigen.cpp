@@ -33,8 +33,8 @@ struct SparseSystem::Cholmod {
   }
 };
 
-SparseSystem::SparseSystem(Problem& problem)
-    : cholmod_(std::make_unique<Cholmod>()), diagonal_(problem.dimension()) {
+SparseSystem::SparseSystem(const Problem& problem)
+    : cholmod_(std::make_unique<Cholmod>()), pins_(problem.pins()), diagonal_(problem.dimension()) {
   const SparsityPattern& pattern = problem.hessian_pattern();
   if (pattern.row.size() >= kMaxEntries) {
     throw InvalidInput("the Hessian has " + std::to_string(pattern.row.size()) +
@@ -62,15 +62,15 @@ SparseSystem::~SparseSystem() = default;
 
 bool SparseSystem::out_of_memory() const { return cholmod_->out_of_memory; }
 
-std::span<const double> SparseSystem::load(const Problem& problem) {
+std::span<const double> SparseSystem::load(const Evaluation& at) {
   Cholmod& c = *cholmod_;
-  problem.hessian_values(c.values);
+  at.hessian_values(c.values);
   for (std::size_t j = 0; j < diagonal_.size(); ++j)
     diagonal_[j] = c.values[static_cast<std::size_t>(c.matrix.outerIndexPtr()[j])];
   return diagonal_;
 }
 
-bool SparseSystem::solve(const Problem& problem, std::span<const double> shift,
+bool SparseSystem::solve(const Evaluation&, std::span<const double> shift,
                          std::span<const double> g, double, std::span<double> d) {
   Cholmod& c = *cholmod_;
   if (c.out_of_memory) return false;
@@ -79,7 +79,7 @@ bool SparseSystem::solve(const Problem& problem, std::span<const double> shift,
     *c.start_of_column(j) += shift[j];
     c.right[static_cast<Eigen::Index>(j)] = -g[j];
   }
-  for (const std::uint32_t pin : problem.pins()) *c.start_of_column(pin) += diagonal_[pin];
+  for (const std::uint32_t pin : pins_) *c.start_of_column(pin) += diagonal_[pin];
   try {
     c.factor.factorize(c.matrix);
   } catch (const std::bad_alloc&) {

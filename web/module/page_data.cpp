@@ -32,12 +32,13 @@ struct PageDataCommand {
 
 Reply page_data_of(const PageDataCommand& command, const std::string& input) {
   const Solved solved =
-      find_metric(load_solvable_subject(input, interruptible(), require_boundary_with_remedy), {},
-                  command.search);
+      find_metric(load_ideal_subject(input, Balls::kRefused, interruptible(), require_with_remedy),
+                  {}, command.search);
   const Subject& subject = solved.subject;
   if (!solved.is_geometric())
     return {report_as_json(subject, solved.report, solved.search()), kNoAnswer};
-  const auto embedding = embedding::embed(subject.triangulation, solved.report.edge_lengths);
+  const auto embedding = embedding::embed(subject.triangulation, solved.report.edge_lengths,
+                                          {subject.cone_angles, 0});
   std::optional<viewer::WallDiscs> discs;
   if (command.discs || command.length > 0)
     discs = viewer::find_wall_discs(

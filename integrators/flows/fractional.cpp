@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "integrators/flow.hpp"
+#include "integrators/limited_velocity.hpp"
 
 // dx/dt = -H^s g: the curvature flow for s = 0, the Calabi flow for s = 1, Newton's for s = -1, and
 // what lies between. g decays like e^(-t l^(1+s)) for an eigenvalue l of H. It takes all
@@ -18,8 +20,9 @@ namespace {
 constexpr std::size_t kMostUnknowns = 500;
 
 /// Eigenvalues below this part of the largest count as 0, and nothing moves along them: rounding,
-/// and the directions in which horospheres move.
-constexpr double kNullEigenvalue = 1e-12;
+/// and the directions in which horospheres move. For s < 0 those below kSmallEigenvalue of the
+/// largest count as that; where all of H vanishes the flow is the curvature flow.
+constexpr double kNullEigenvalue = 1e-12, kSmallEigenvalue = 1e-6;
 
 class Fractional final : public Field {
  public:
@@ -49,10 +52,11 @@ class Fractional final : public Field {
     if (solver.info() != Eigen::Success) return false;
     vectors_ = solver.eigenvectors();
     powers_ = solver.eigenvalues();
-    const double least = kNullEigenvalue * powers_.cwiseAbs().maxCoeff();
-    for (double& value : powers_) value = value > least ? std::pow(value, power_) : 0;
+    const double largest = powers_.cwiseAbs().maxCoeff();
+    for (double& value : powers_) value = powered(value, largest);
     apply(gradient, velocity);
     for (double& v : velocity) v = -v;
+    if (power_ < 0) limit_velocity(x, velocity);
     return true;
   }
 
@@ -64,6 +68,12 @@ class Fractional final : public Field {
   }
 
  private:
+  /// An eigenvalue to the power s.
+  double powered(double value, double largest) const {
+    if (power_ > 0) return value > kNullEigenvalue * largest ? std::pow(value, power_) : 0;
+    return largest > 0 ? std::pow(std::max(value, kSmallEigenvalue * largest), power_) : 1;
+  }
+
   /// H^s of the latest evaluation, times v.
   void apply(std::span<const double> v, std::span<double> out) const {
     const auto n = static_cast<Eigen::Index>(v.size());
@@ -87,7 +97,8 @@ std::unique_ptr<Field> make(solver::Problem& problem) {
 
 std::span<const Flow> fractional() {
   static constexpr Flow kRows[] = {
-      {"fractional-0.5", "dx/dt = -H^(1/2) g, for up to 500 unknowns", make<1>, 7}};
+      {"fractional-0.5", "dx/dt = -H^(1/2) g, for up to 500 unknowns", make<1>, 7},
+      {"fractional-minus-0.5", "dx/dt = -H^(-1/2) g, for up to 500 unknowns", make<-1>, 8}};
   return kRows;
 }
 

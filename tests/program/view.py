@@ -76,6 +76,24 @@ class Pictures(ProgramTest):
                        ["--no-faces"], ["--cut-away", "0"], ["--camera", "120,-30,6"]):
             self.assertFalse(usual == self.picture(TRIPUS, "--model", "ball", *change), change)
 
+    def test_of_cusps_finite_vertices_and_singular_edges(self):
+        seen = []
+        for arguments in (["cPcbbbiht"], ["dLQacccjjkg"], ["bkaaid", "--model", "klein"],
+                          ["cPcbbbiht", "--cone-order", "0=2,1=2"],
+                          ["cPcbbbiht", "--cone-order", "0=3", "--cone-order", "1=3"],
+                          ["dLQacccjjkg", "--renderer", "opencsg", "--cells", "3"]):
+            rows = self.picture(*arguments)
+            self.assertGreater(self.drawn(rows), 40, arguments)
+            self.assertNotIn(rows, seen)
+            seen.append(rows)
+        # Singular edges are red.
+        usual, singular = (self.picture("cPcbbbihq", *more, size=(640, 480))
+                           for more in ([], ["--cone-order", "0=2"]))
+        red = [sum(p[0] > p[1] + p[2] + 40 and p[1] < 1.3 * p[2] for row in rows for p in row)
+               for rows in (usual, singular)]
+        self.assertEqual(red[0], 0)
+        self.assertGreater(red[1], 20)
+
     def test_names_are_written_where_there_is_room(self):
         pictures = [self.picture(TRIPUS, "--cells", "2", *labels, size=size)
                     for size in ((240, 180), (40, 30)) for labels in ([], ["--labels"])]
@@ -179,17 +197,24 @@ class RefusedViews(ProgramTest):
             self.assertIn("--cells", self.refused("--png", "a.png", "--cells", cells))
 
     def test_cameras_and_cuts(self):
-        for camera in ("1,2", "a,b,c", "0,90,4", "0,0,1", "nan,0,4", "0,inf,4", "0,0,1e9"):
+        for camera in ("1,2", "a,b,c", "0,90,4", "0,0,1", "nan,0,4", "0,inf,4", "0,0,1e9",
+                       "0,0,4,0,0,0", "0,0,4,1e9,0,0", "0,0,4,1e-9,0,0", "0,0,4,1,9,0",
+                       "0,0,4,1,0,-1e9", "0,0,4,1,nan,0", "0,0,4,1,0"):
             self.assertIn("camera", self.refused("--png", "a.png", "--camera", camera))
         for cut in ("x", "nan", "inf"):
             self.assertIn("cut", self.refused("--png", "a.png", "--cut-away", cut))
+
+    def test_options_of_pictures_alone(self):
+        for option in (["--labels"], ["--dark"], ["--camera", "1,2,4"], ["--transparent", "0"],
+                       ["--colour-by", "edge"], ["--moebius", "1,0,0.2,0,0,0,1,0"]):
+            self.assertIn(option[0], self.refused("-o", "a.html", *option))
 
     def test_moebius_maps(self):
         for numbers in ("1", "1,0,0,0,0,0,1", "1,0,0,0,0,0,1,x", "0,0,0,0,0,0,0,0",
                         "1,0,1,0,1,0,1,0", "nan,0,0,0,0,0,1,0", "1e9,0,0,0,0,0,1,0", "inf,0,0,0,0,0,1,0"):
             self.assertIn("moebius", self.refused("--png", "a.png", "--moebius", numbers))
         for options in (["--moebius", "2,0,0,0,0,0,1,0"], ["--transparent", "0"],
-                        ["--colour-by", "edge"]):
+                        ["--colour-by", "edge"], ["--no-lines"]):
             self.assertIn("opencsg", self.refused("--png", "a.png", "--renderer", "opencsg", *options))
 
     def test_tetrahedra(self):

@@ -21,7 +21,12 @@ struct Minors {
 /// Hadamard's bound asks for, so that numbers do not grow. Exact, whatever the pseudo-random
 /// numbers are; takes (k^2 n) times the number of digits of the largest minor for k rows and n
 /// columns. Polls `stop_requested` (may be null); throws Stopped.
-Minors minors(const std::vector<SparseRow<std::int64_t>>& rows, std::size_t column_count,
+template <class Integer>
+Minors minors(const std::vector<SparseRow<Integer>>& rows, std::size_t column_count,
               const std::atomic<bool>* stop_requested);
+extern template Minors minors(const std::vector<SparseRow<std::int64_t>>&, std::size_t,
+                              const std::atomic<bool>*);
+extern template Minors minors(const std::vector<SparseRow<BigInteger>>&, std::size_t,
+                              const std::atomic<bool>*);
 
 }  // namespace tripus::topology::detail

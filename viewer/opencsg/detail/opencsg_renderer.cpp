@@ -20,7 +20,7 @@ namespace {
 constexpr double kMeshError = 0.2;
 /// Cells whose ball is of smaller radius on the picture, in pixels, are not drawn.
 constexpr double kSmallestCell = 0.4;
-/// Material that can be stopped waits for the graphics after so many cells.
+/// Drawing that can be stopped waits for the graphics after so many cells.
 constexpr std::size_t kCellsBetweenWaits = 8;
 
 Eigen::Matrix4f as_floats(const Eigen::Matrix4d& matrix) { return matrix.cast<float>(); }
@@ -60,10 +60,11 @@ OpenCsgRenderer::Implementation::Implementation()
 
 void OpenCsgRenderer::Implementation::set_scene(const Scene& scene, Model model) {
   // Cells that stay keep their meshes.
-  const bool grows =
-      model == model_ && scene.cells.size() >= scene_.cells.size() &&
-      std::equal(scene_.cells.begin(), scene_.cells.end(), scene.cells.begin(),
-                 [](const SceneCell& a, const SceneCell& b) { return a.walls == b.walls; });
+  const bool grows = model == model_ && scene.cells.size() >= scene_.cells.size() &&
+                     std::equal(scene_.cells.begin(), scene_.cells.end(), scene.cells.begin(),
+                                [](const SceneCell& a, const SceneCell& b) {
+                                  return a.walls == b.walls && a.diagonal == b.diagonal;
+                                });
   if (!grows) products_.clear();
   scene_ = scene;
   model_ = model;

@@ -11,8 +11,10 @@
 
 namespace tripus::parameterise {
 
+using embedding::LongMatrix4;
 using embedding::Matrix4;
 using embedding::Vector4;
+using LongVector4 = Eigen::Matrix<long double, 4, 1>;
 
 /// A plane of the universal cover's boundary: an element times the pole of a truncation in the
 /// fundamental domain.
@@ -35,7 +37,8 @@ class DeckGroup final : public topology::NumberedGroup {
   DeckGroup(const embedding::Embedding& embedding, const topology::Triangulation& triangulation,
             const embedding::Holonomy& holonomy, const std::vector<Matrix4>& places);
 
-  /// Throws Unsupported if the product takes the centre so far away that doubles do not tell where.
+  /// Throws Unsupported if the product takes the centre so far away, some 18, that long doubles do
+  /// not tell where.
   std::uint32_t product(std::uint32_t first, std::uint32_t second) override;
   std::uint32_t inverse(std::uint32_t element) override;
   /// The distance by which the centre of tetrahedron 0 is moved.
@@ -47,7 +50,9 @@ class DeckGroup final : public topology::NumberedGroup {
   std::vector<std::uint32_t> better_frames(std::span<const Link> links,
                                            std::size_t frames) override;
   std::uint32_t of_letter(topology::Letter letter);
-  /// The element that takes the fundamental domain to its copy in which this point lies.
+  /// The element that takes the fundamental domain to its copy in which this point lies, or, where
+  /// steps to copies that share an edge with it lead there, to one whose centre is nearer to the
+  /// point: an approximation to Dirichlet's domain, whose copies are as near as can be.
   std::uint32_t of_place(const Vector4& point);
 
   /// The truncation plane that this pole is, up to rounding; nothing if it is none.
@@ -56,24 +61,24 @@ class DeckGroup final : public topology::NumberedGroup {
   std::size_t size() const { return matrices_.size(); }  ///< elements known so far
   const Matrix4& matrix(std::uint32_t element) const { return matrices_[element]; }
   /// The same, to all digits of a long double.
-  const embedding::LongMatrix4& long_matrix(std::uint32_t element) const {
-    return long_matrices_[element];
-  }
+  const LongMatrix4& long_matrix(std::uint32_t element) const { return long_matrices_[element]; }
   /// [size] all of them; the first is the identity.
   const std::vector<Matrix4>& matrices() const { return matrices_; }
   const topology::Word& word(std::uint32_t element) const { return words_[element]; }
 
  private:
-  std::uint32_t of_matrix(const Matrix4& near);
+  std::uint32_t of_near(const LongVector4& near);
+  /// Elements that take the domain to a copy which has an edge with it in common.
+  const std::vector<std::uint32_t>& around_edges();
   std::uint32_t of_word(const topology::Word& word);
-  std::uint32_t find(const Vector4& place) const;
+  std::uint32_t find(const LongVector4& place) const;
   /// The letters on the way, and where it ends: the tetrahedron, and the place in its frame.
   struct Way {
     topology::Word word;
     std::size_t tetrahedron;
-    Vector4 place;
+    LongVector4 place;
   };
-  Way walk(const Vector4& place) const;
+  Way walk(const LongVector4& place) const;
 
   const embedding::Embedding& embedding_;
   const topology::Triangulation& triangulation_;
@@ -81,9 +86,10 @@ class DeckGroup final : public topology::NumberedGroup {
   const std::vector<Matrix4>& places_;
   embedding::WideHolonomy generators_;
   std::vector<Matrix4> matrices_;
-  std::vector<embedding::LongMatrix4> long_matrices_;
+  std::vector<LongMatrix4> long_matrices_;
   std::vector<topology::Word> words_;
   std::unordered_multimap<std::int64_t, std::uint32_t> by_height_;
+  std::vector<std::uint32_t> around_edges_;  ///< found when they are needed
   std::unordered_map<std::uint64_t, std::uint32_t> products_;
   std::unordered_map<std::uint32_t, std::uint32_t> inverses_;
 };

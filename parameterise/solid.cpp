@@ -307,7 +307,7 @@ double relator_defect(const MarkedSolid& solid) {
       if (seen[6 * t + static_cast<std::size_t>(e)]) continue;
       const auto start = topology::EdgeWalk::start(t, e);
       topology::EdgeWalk walk = start;
-      embedding::LongMatrix4 product = embedding::LongMatrix4::Identity();
+      LongMatrix4 product = LongMatrix4::Identity();
       bool is_closed = true;
       do {
         seen[6 * walk.t + static_cast<std::size_t>(walk.edge())] = true;
@@ -318,9 +318,8 @@ double relator_defect(const MarkedSolid& solid) {
         walk.step(solid.gluings);
       } while (walk.t != start.t || walk.a != start.a || walk.b != start.b);
       if (is_closed)
-        largest = std::max(
-            largest, static_cast<double>(
-                         (product - embedding::LongMatrix4::Identity()).cwiseAbs().maxCoeff()));
+        largest = std::max(largest, static_cast<double>(
+                                        (product - LongMatrix4::Identity()).cwiseAbs().maxCoeff()));
     }
   return largest;
 }

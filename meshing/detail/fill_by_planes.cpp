@@ -12,7 +12,7 @@
 #include <random>
 
 #include "base/error.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "meshing/detail/child_process.hpp"
 #include "meshing/detail/convex_cells.hpp"
 #include "meshing/detail/triangle_tree.hpp"
@@ -45,14 +45,13 @@ Box bounds_with_margin(const SurfaceMesh& surface) {
 
 class PlaneFiller {
  public:
-  PlaneFiller(const Region& region, std::uint64_t memory_limit, double deadline,
-              const std::atomic<bool>* stop_requested)
+  PlaneFiller(const Region& region, std::uint64_t memory_limit, double deadline, const Stop& stop)
       : region_(region),
         box_(bounds_with_margin(region.surface)),
         cells_(box_.low, box_.high),
         most_cells_(memory_limit / kBytesPerCell),
         deadline_(deadline),
-        stop_requested_(stop_requested) {}
+        stop_(stop) {}
 
   TetrahedralMesh make() {
     name_planes();
@@ -71,7 +70,7 @@ class PlaneFiller {
   using Polygon = std::vector<RationalPoint>;
 
   void tick() const {
-    throw_if_stopped(stop_requested_);
+    throw_if_stopped(stop_);
     if (now_in_seconds() > deadline_ || cells_.cells().size() > most_cells_) throw OutOfBudget{};
   }
 
@@ -332,7 +331,7 @@ class PlaneFiller {
   ConvexCells cells_;
   std::uint64_t most_cells_;
   double deadline_;
-  const std::atomic<bool>* stop_requested_;
+  Stop stop_;
   std::vector<RationalPlane> planes_;
   std::vector<std::uint32_t> plane_of_;                   // [triangles]
   std::vector<std::vector<std::uint32_t>> triangles_on_;  // [planes]
@@ -344,10 +343,9 @@ class PlaneFiller {
 }  // namespace
 
 std::optional<TetrahedralMesh> fill_by_planes(const Region& region, std::uint64_t memory_limit,
-                                              double deadline,
-                                              const std::atomic<bool>* stop_requested) {
+                                              double deadline, const Stop& stop) {
   try {
-    return PlaneFiller(region, memory_limit, deadline, stop_requested).make();
+    return PlaneFiller(region, memory_limit, deadline, stop).make();
   } catch (const OutOfBudget&) {
     return std::nullopt;
   }

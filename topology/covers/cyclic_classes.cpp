@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/stop.hpp"
 #include "topology/covers/detail/abelianization.hpp"
 
 namespace tripus::topology {
@@ -45,15 +46,14 @@ class ClassSearch {
     }
   }
 
-  SearchEnd run(const CyclicClasses::Visit& visit, const std::atomic<bool>* stop_requested) {
-    const bool all = best_[0] != modulus_ || choose(0, 1, visit, stop_requested);
+  SearchEnd run(const CyclicClasses::Visit& visit, const Stop& stop) {
+    const bool all = best_[0] != modulus_ || choose(0, 1, visit, stop);
     return all ? SearchEnd::kComplete : SearchEnd::kStopped;
   }
 
  private:
-  bool choose(std::size_t i, std::int64_t m, const CyclicClasses::Visit& visit,
-              const std::atomic<bool>* stop_requested) {
-    if (stop_requested != nullptr && stop_requested->load(std::memory_order_relaxed)) return false;
+  bool choose(std::size_t i, std::int64_t m, const CyclicClasses::Visit& visit, const Stop& stop) {
+    if (stop.requested()) return false;
     if (i == values_.size()) return visit(values_);
     for (const std::int64_t factor : factors_[i]) {
       const std::int64_t order = modulus_ / factor;
@@ -65,7 +65,7 @@ class ClassSearch {
         std::int64_t unit = residue;
         while (std::gcd(unit, order) != 1) unit += period;
         values_[i] = remainder(factor * unit, modulus_);
-        if (!choose(i + 1, now, visit, stop_requested)) return false;
+        if (!choose(i + 1, now, visit, stop)) return false;
       }
     }
     return true;
@@ -132,9 +132,8 @@ std::int64_t CyclicClasses::common_divisor(std::span<const std::int64_t> values)
   return divisor;
 }
 
-SearchEnd CyclicClasses::for_each(const Visit& visit,
-                                  const std::atomic<bool>* stop_requested) const {
-  return ClassSearch(modulus_, orders_).run(visit, stop_requested);
+SearchEnd CyclicClasses::for_each(const Visit& visit, const Stop& stop) const {
+  return ClassSearch(modulus_, orders_).run(visit, stop);
 }
 
 }  // namespace tripus::topology

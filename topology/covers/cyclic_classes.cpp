@@ -89,15 +89,14 @@ CyclicClasses::CyclicClasses(const Triangulation& triangulation, std::size_t mod
   homology_.rank = abelian.rank;
   orders_.assign(abelian.rank, modulus_);
   for (const auto& factor : abelian.factors) {
-    homology_.invariant_factors.push_back(factor.str());
-    orders_.push_back(gcd(factor, detail::BigInteger(modulus_)).convert_to<std::int64_t>());
+    homology_.invariant_factors.push_back(to_text(factor));
+    orders_.push_back(to_int64(gcd(factor, BigInteger(modulus_))));
   }
   coordinates_.reserve(abelian.coordinates.size());
   for (const auto& row : abelian.coordinates) {
     coordinates_.emplace_back();
-    for (const detail::BigInteger& x : row)
-      coordinates_.back().push_back(
-          remainder(detail::BigInteger(x % modulus_).convert_to<std::int64_t>(), modulus_));
+    for (const BigInteger& x : row)
+      coordinates_.back().push_back(remainder(to_int64(x % modulus_), modulus_));
   }
   face_letters_ = std::move(group.face_letters);
 }

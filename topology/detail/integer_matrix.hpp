@@ -4,13 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
+#include "base/big_number.hpp"
 #include "base/stop.hpp"
 
 namespace tripus::topology::detail {
-
-using BigInteger = boost::multiprecision::cpp_int;
 
 template <class Integer>
 struct Entry {

@@ -196,7 +196,8 @@ BigInteger least_absolute_value(const std::vector<Residue>& residues_of_x,
   BigInteger x = 0, modulus = 1;
   for (std::size_t i = 0; i < primes.size(); ++i) {
     const std::uint32_t p = primes[i];
-    const auto at = static_cast<Residue>(x % p), step = static_cast<Residue>(modulus % p);
+    const auto at = static_cast<Residue>(to_int64(x % p));
+    const auto step = static_cast<Residue>(to_int64(modulus % p));
     const Residue times = (residues_of_x[i] + p - at) % p * inverse(step, p) % p;
     x += modulus * times;
     modulus *= p;

@@ -116,9 +116,7 @@ class Walker {
     return !faces_.has_concave();
   }
 
-  bool stopped() const {
-    return options_.stop_requested != nullptr && options_.stop_requested->load();
-  }
+  bool stopped() const { return options_.stop.requested(); }
 
   /// Makes one move at a concave face. False if there is no such face, or no such move.
   bool improve() {
@@ -353,7 +351,7 @@ class Walker {
       if (state.triangulation.valence(e) < 3 && is_full(state, e)) return;
     structure::SolveOptions solve;
     solve.evidence = false;
-    solve.stop_requested = options_.stop_requested;
+    solve.stop = options_.stop;
     solve.cone_angles = state.cone_angles;
     solve.initial_lengths = next.lengths;
     state.report = structure::solve(state.triangulation, solve);

@@ -21,7 +21,7 @@ void add_canonize_options(CLI::App& verb, canonical::CanonizeOptions& options) {
 }
 
 void limit_work(canonical::CanonizeOptions& options) {
-  options.solve.stop_requested = &stop_flag();
+  options.solve.stop = &stop_flag();
   options.solve.time_limit = seconds_left();
 }
 

@@ -153,7 +153,7 @@ class Search {
     SolveOptions result;
     result.tolerance = options.tolerance;
     result.max_iterations = options.max_iterations;
-    result.stop_requested = options.stop_requested;
+    result.stop = options.stop;
     result.evidence = false;
     return result;
   }
@@ -164,7 +164,7 @@ class Search {
 
   /// Whether a limit has been reached, and which.
   bool ended() {
-    if (solve_options_.stop_requested != nullptr && *solve_options_.stop_requested) {
+    if (solve_options_.stop.requested()) {
       end_ = SearchEnd::kInterrupted;
     } else if (!(time_left() > 0)) {
       end_ = SearchEnd::kTimeLimit;
@@ -213,8 +213,8 @@ class Search {
   }
 
   bool try_simplified(std::size_t seeds, double effort) {
-    auto small = topology::small_triangulations(nodes_.front().gluings, seeds,
-                                                solve_options_.stop_requested, effort);
+    auto small =
+        topology::small_triangulations(nodes_.front().gluings, seeds, solve_options_.stop, effort);
     for (Gluings& gluings : small) {
       limit_ = std::min(limit_, gluings.tetrahedron_count() + options_.extra);
       if (ended()) return false;

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/interrupt.hpp"

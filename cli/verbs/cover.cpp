@@ -281,7 +281,7 @@ int write_covers(const CoverCommand& command, const std::string& input, CoverSin
     if (progress.due()) progress.show(fmt::format("{} covers", sink.count()));
     return written != static_cast<std::size_t>(command.limit) && !stop_flag();
   };
-  const std::atomic<bool>* stop = &stop_flag();
+  const Stop stop = &stop_flag();
   if (command.orientable) {
     visit(topology::orientable_double_cover(base));
   } else if (command.cyclic_class) {

@@ -78,7 +78,7 @@ embedding::UniversalCover cells_of(const EmbedCommand& command, const Subject& s
   if (command.cells > 0) options.max_cells = command.cells;
   if (command.depth >= 0) options.max_depth = static_cast<std::uint32_t>(command.depth);
   if (command.radius > 0) options.max_radius = command.radius;
-  options.stop_requested = &stop_flag();
+  options.stop = &stop_flag();
   embedding::UniversalCover cover =
       embedding::grow_universal_cover(embedded, subject.triangulation, options);
   // All the cells that were asked for are there: nothing ended early.

@@ -1,6 +1,7 @@
 // tripus enumerate: all triangulations with so many tetrahedra, as a stream of signatures.
 #include "topology/enumerate.hpp"
 
+#include <atomic>
 #include <cstdint>
 #include <limits>
 #include <memory>

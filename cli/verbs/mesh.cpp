@@ -165,7 +165,7 @@ Reply mesh_one(const MeshCommand& command, const std::string& input) {
   const std::string source = input == "-" ? "standard input" : tripus::quoted(input);
   Progress progress(!command.common.quiet && command.common.batch.empty());
   meshing::ManifoldOptions options = command.options;
-  options.stop_requested = &stop_flag();
+  options.stop = &stop_flag();
   // A limit of the user's is the only one; the flag comes first, with its words.
   if (const double left = seconds_left(); std::isfinite(left))
     options.tetrahedralize.time_limit = left + 1;

@@ -94,7 +94,7 @@ Reply spectrum_one(const OrthospectrumCommand& command, const std::string& input
   const Subject subject =
       load_solvable_subject(input, interruptible(), require_boundary_beside_cusps_with_remedy);
   structure::SolveOptions solve;
-  solve.stop_requested = &stop_flag();
+  solve.stop = &stop_flag();
   solve.time_limit = seconds_left();
   const structure::Report report = structure::solve(subject.triangulation, solve);
   if (report.outcome != structure::Outcome::kGeometric) {

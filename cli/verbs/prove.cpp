@@ -43,7 +43,7 @@ Reply prove_one(const ProveCommandOptions& command, const std::string& input) {
       load_ideal_subject(input, Balls::kRefused, interruptible(), require_with_remedy);
   structure::SolveOptions solve;
   solve.cone_angles = subject.cone_angles;
-  solve.stop_requested = &stop_flag();
+  solve.stop = &stop_flag();
   solve.time_limit = seconds_left();
   structure::Report report = structure::solve(subject.triangulation, solve);
   Context context = interruptible();

@@ -149,7 +149,7 @@ Reply simplify_one(const SimplifyCommand& command, const std::string& input) {
 
   Progress progress(!command.common.quiet && command.common.batch.empty());
   topology::SimplifyOptions options = command.options;
-  options.stop_requested = &stop_flag();
+  options.stop = &stop_flag();
   options.progress = [&](std::string_view stage, std::size_t tetrahedra) {
     if (progress.due()) progress.show(fmt::format("{}: {} tetrahedra", stage, tetrahedra));
   };

@@ -109,7 +109,7 @@ int run(StudyCommandOptions command) {
   studies::RunOptions options;
   options.folder = command.folder;
   options.threads = thread_count(command.threads);
-  options.stop_requested = &interrupt_requested();
+  options.stop = &interrupt_requested();
   const auto rest = [](std::size_t done, std::size_t total) {
     return fmt::format(
         ": {}; the same command goes on from there",

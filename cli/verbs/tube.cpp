@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "base/output_file.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/interrupt.hpp"
@@ -64,7 +64,7 @@ meshing::TubeOptions options_of(const TubeCommand& command, Progress& progress) 
   if (command.radius > 0) options.radius = command.radius;
   if (command.triangles > 0) options.triangles = std::size_t(command.triangles);
   if (command.around > 0) options.edges_around = command.around;
-  options.stop_requested = &stop_flag();
+  options.stop = &stop_flag();
   options.progress = [&](std::string_view activity) {
     if (progress.due()) progress.show(std::string(activity));
   };

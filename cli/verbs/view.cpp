@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/output_file.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/describe.hpp"
@@ -171,7 +171,7 @@ struct Developed {
   viewer::Scene scene(std::size_t cells, viewer::Model model) const {
     embedding::UniversalCoverOptions options;
     options.max_cells = cells;
-    options.stop_requested = &stop_flag();
+    options.stop = &stop_flag();
     const auto cover = embedding::universal_cover(embedding, subject.triangulation, options);
     viewer::Scene scene =
         viewer::make_scene(printable(subject.name.empty() ? subject.input : subject.name),
@@ -288,7 +288,7 @@ int run(ViewCommand& command) {
   command.picture.cut_away = command.cut_away;
   command.picture.faces = !command.no_faces;
   command.picture.truncations = !command.no_truncations;
-  command.picture.stop_requested = &stop_flag();
+  command.picture.stop = &stop_flag();
   return answer_inputs(command.common,
                        [&](const std::string& input) { return view_one(command, input); });
 }

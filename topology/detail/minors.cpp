@@ -6,7 +6,7 @@
 #include <random>
 #include <utility>
 
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 
 namespace tripus::topology::detail {
 namespace {
@@ -95,11 +95,11 @@ struct Regular {
 
 /// The same modulo p: columns are brought to echelon form one by one, until there are enough.
 Regular regular_modulo(const Columns& columns, std::size_t height, std::uint32_t p,
-                       const std::atomic<bool>* stop_requested) {
+                       const Stop& stop) {
   Regular found;
   ResidueMatrix basis(height);  // by first place, where it is 1
   for (std::size_t j = 0; j < columns.index.size() && found.rows.size() < height; ++j) {
-    throw_if_stopped(stop_requested);
+    throw_if_stopped(stop);
     std::vector<Residue> vector(height, 0);
     for (const auto& entry : columns.entries[j]) vector[entry.column] = residue(entry.value, p);
     for (std::size_t first = 0; first < height; ++first) {
@@ -178,14 +178,13 @@ Residue determinant_of_product(const Rows& rows, const Signs& signs, std::uint32
 /// A minor of the size of the rank. Were it smaller modulo each of the primes, whose product is
 /// above every minor, then all the larger minors would be 0.
 Regular regular_part(const Rows& rows, std::size_t column_count,
-                     const std::vector<std::uint32_t>& primes,
-                     const std::atomic<bool>* stop_requested) {
+                     const std::vector<std::uint32_t>& primes, const Stop& stop) {
   const Columns columns = columns_of(rows, column_count);
   const std::size_t most = std::min(rows.size(), columns.index.size());
   Regular best;
   for (const std::uint32_t p : primes) {
     if (best.rows.size() == most) break;
-    Regular found = regular_modulo(columns, rows.size(), p, stop_requested);
+    Regular found = regular_modulo(columns, rows.size(), p, stop);
     if (found.rows.size() > best.rows.size()) best = std::move(found);
   }
   return best;
@@ -197,7 +196,8 @@ BigInteger least_absolute_value(const std::vector<Residue>& residues_of_x,
   BigInteger x = 0, modulus = 1;
   for (std::size_t i = 0; i < primes.size(); ++i) {
     const std::uint32_t p = primes[i];
-    const auto at = static_cast<Residue>(x % p), step = static_cast<Residue>(modulus % p);
+    const auto at = static_cast<Residue>(to_int64(x % p));
+    const auto step = static_cast<Residue>(to_int64(modulus % p));
     const Residue times = (residues_of_x[i] + p - at) % p * inverse(step, p) % p;
     x += modulus * times;
     modulus *= p;
@@ -208,14 +208,14 @@ BigInteger least_absolute_value(const std::vector<Residue>& residues_of_x,
 
 }  // namespace
 
-Minors minors(const Rows& rows, std::size_t column_count, const std::atomic<bool>* stop_requested) {
+Minors minors(const Rows& rows, std::size_t column_count, const Stop& stop) {
   constexpr int kMost = 8;
   Minors result;
   if (rows.empty()) return result;
   // In rows * signs the sum of a row's absolute values is at most three times what it was.
   const auto primes =
       primes_for(bits_of_minors(rows) + static_cast<double>(rows.size()) * std::log2(3));
-  const Regular regular = regular_part(rows, column_count, primes, stop_requested);
+  const Regular regular = regular_part(rows, column_count, primes, stop);
   result.rank = regular.rows.size();
   if (result.rank == 0) return result;
   Rows independent;
@@ -229,7 +229,7 @@ Minors minors(const Rows& rows, std::size_t column_count, const std::atomic<bool
     if (tried > 0) signs.scatter(random);
     std::vector<Residue> determinants;
     for (const std::uint32_t p : primes) {
-      throw_if_stopped(stop_requested);
+      throw_if_stopped(stop);
       determinants.push_back(determinant_of_product(independent, signs, p));
     }
     result.multiple = gcd(result.multiple, least_absolute_value(determinants, primes));

@@ -91,7 +91,7 @@ std::optional<CommonTriangulation> common_triangulation(const Gluings& first, co
   for (bool growing = true; growing && !found;) {
     growing = false;
     for (std::size_t k = 0; k < 2 && !found; ++k) {
-      if (options.stop_requested != nullptr && *options.stop_requested) return std::nullopt;
+      if (options.stop.requested()) return std::nullopt;
       if (sides[k].size() >= options.budget) continue;
       growing |= sides[k].grow([&](const Isosig& here) {
         const Isosig* there = sides[1 - k].find(here.isosig);

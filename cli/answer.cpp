@@ -135,7 +135,11 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
 
 int answer_lines(const CommonOptions& options,
                  const std::function<Reply(const topology::BatchLine&)>& answer,
-                 const BatchOutput::Earlier& earlier) {
+                 const BatchOutput::Earlier& earlier, const FailedText& failed) {
+  const auto without_end = [](std::string text) {
+    if (text.ends_with('\n')) text.pop_back();
+    return text;
+  };
   return run_batch(
       {options.batch, options.resume, asked(options), options.threads, options.quiet, earlier},
       [&](const topology::BatchLine& line) -> Answer {
@@ -144,22 +148,26 @@ int answer_lines(const CommonOptions& options,
         try {
           require_not_written(line.text);
           Reply outcome = answer(line);
-          std::string& answered = outcome.text;
-          if (!answered.empty() && answered.back() == '\n') answered.pop_back();
-          return {std::move(answered), stop_message(outcome), kSuccess};
+          return {without_end(std::move(outcome.text)), stop_message(outcome), kSuccess};
         } catch (const std::exception& error) {
-          return error_answer(line.text, options.json, error);
+          Answer failure = error_answer(line.text, options.json, error);
+          if (failed) failure.text = without_end(failed(line.text, error));
+          return failure;
         }
       });
 }
 
 int answer_inputs(const CommonOptions& options,
-                  const std::function<Reply(const std::string&)>& answer) {
+                  const std::function<Reply(const std::string&)>& answer,
+                  const FailedText& failed) {
   if (options.batch.empty()) return answer_one(options, answer);
-  return answer_lines(options, [&](const topology::BatchLine& line) {
-    if (line.text == "-") throw InvalidInput(kNoStandardInput);
-    return answer(line.text);
-  });
+  return answer_lines(
+      options,
+      [&](const topology::BatchLine& line) {
+        if (line.text == "-") throw InvalidInput(kNoStandardInput);
+        return answer(line.text);
+      },
+      {}, failed);
 }
 
 }  // namespace tripus::cli

@@ -151,11 +151,13 @@ std::string record(const std::vector<const RecordField*>& fields, const Solved& 
   return record_line(fields, [&](const RecordField& field) { return field.text(solved); });
 }
 
-std::string refused_record(const std::vector<const RecordField*>& fields,
-                           const std::string& input) {
+std::string failed_record(const std::vector<const RecordField*>& fields, const std::string& input,
+                          const std::exception& error) {
+  const bool refused = dynamic_cast<const InvalidInput*>(&error) != nullptr;
   return record_line(fields, [&](const RecordField& field) -> std::string {
     if (field.name == "input") return printable(input);
-    return field.name == "outcome" ? "refused" : "";
+    if (field.name != "outcome") return {};
+    return refused ? "refused" : std::string(structure::to_string(structure::Outcome::kUnresolved));
   });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,8 +27,10 @@ std::string record_header(const std::vector<const RecordField*>& fields);
 /// The answer, separated by tabs, with a line end.
 std::string record(const std::vector<const RecordField*>& fields, const Solved& solved);
 
-/// The record of an INPUT that was refused: its name, and "refused" for the outcome.
-std::string refused_record(const std::vector<const RecordField*>& fields, const std::string& input);
+/// The record of an INPUT whose answer has failed: its name, and for the outcome "refused", or
+/// "unresolved" where the INPUT was not the reason (time, memory, the system).
+std::string failed_record(const std::vector<const RecordField*>& fields, const std::string& input,
+                          const std::exception& error);
 
 /// Names and meanings for a help text.
 std::string fields_help();

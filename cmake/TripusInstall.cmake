@@ -7,6 +7,9 @@ if(TARGET tripus)  # the program, cli/
   install(FILES "${PROJECT_SOURCE_DIR}/data/census.tsv"
                 "${PROJECT_BINARY_DIR}/share/tripus/census.sqlite"
           DESTINATION "${CMAKE_INSTALL_DATADIR}/tripus")
+  # For `tripus page`, if scripts/page has made it.
+  install(FILES "${PROJECT_SOURCE_DIR}/build/page/tripus.html"
+          DESTINATION "${CMAKE_INSTALL_DATADIR}/tripus" OPTIONAL)
 endif()
 install(EXPORT tripusTargets NAMESPACE tripus:: DESTINATION "${TRIPUS_CMAKE_DIR}")
 configure_package_config_file(

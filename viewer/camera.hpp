@@ -15,13 +15,15 @@ struct Camera {
   double azimuth = 30;    ///< degrees around z, from x towards y
   double elevation = 20;  ///< degrees above the horizon, in [-89, 89]
   double distance = 4.2;  ///< of the eye, in radii of the scene; >= kClosestDistance
-  double zoom = 1;        ///< magnification without moving, > 0
+  double zoom = 1;        ///< magnification without moving, in [kLeastZoom, kMostZoom]
   Eigen::Vector2d shift = Eigen::Vector2d::Zero();  ///< of the picture, in halves of its height
 };
 
 /// The eye stays outside the scene: image-based CSG needs to see where a primitive begins.
 inline constexpr double kClosestDistance = 2.3;
 inline constexpr double kFarthestDistance = 100;
+inline constexpr double kLeastZoom = 0.2;
+inline constexpr double kMostZoom = 200;
 
 /// A camera in a scene: column-major matrices as OpenGL has them, eye space looking along -z.
 struct View {

@@ -118,6 +118,12 @@ void paint(Image& image, std::span<const LegendRectangle> rectangles) {
   for (const LegendRectangle& rectangle : rectangles) paint_one(image, rectangle);
 }
 
+void add_labels(const Scene& scene, const PictureOptions& options, const Image& identities,
+                Image& image) {
+  const int scale = image.height < 900 ? 1 : image.height / 450;
+  paint(image, rectangles_of(labels_of(scene, options, identities), scale));
+}
+
 void add_legend(const Scene& scene, const PictureOptions& options, Image& image) {
   if (scene.discs == nullptr || !options.discs) return;
   paint(image, legend_of(*scene.discs, image.width, image.height));

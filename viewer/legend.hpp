@@ -20,15 +20,17 @@ struct LegendRectangle {
 /// it, one thing drawn over the other. Nothing where the picture is too small to read it.
 std::vector<LegendRectangle> legend_of(const WallDiscs& discs, int width, int height);
 
-/// Of letters in a picture so high.
-constexpr int label_scale(int height) { return height < 900 ? 1 : height / 450; }
-
 /// Labels on paper, their middles at their places.
 ///   scale  of the letters, 1: about 10 pixels high
 std::vector<LegendRectangle> rectangles_of(std::span<const SceneLabel> labels, int scale);
 
 /// Paints rectangles over a picture, one after the other.
 void paint(Image& image, std::span<const LegendRectangle> rectangles);
+
+/// Paints names of tetrahedra and edges over a picture.
+///   identities  the same, drawn by Pixels::kIdentities with one sample
+void add_labels(const Scene& scene, const PictureOptions& options, const Image& identities,
+                Image& image);
 
 /// Paints the legend of the scene's discs over a picture of it, if it shows them.
 void add_legend(const Scene& scene, const PictureOptions& options, Image& image);

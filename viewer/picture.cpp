@@ -1,5 +1,6 @@
 #include "viewer/picture.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -16,6 +17,22 @@ std::string in_words(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%g", value);
   return text.data();
+}
+
+/// Whether the ball around the cells reaches into the picture.
+bool is_in_picture(const Scene& scene, const PictureOptions& options, int width, int height) {
+  const Camera& camera = options.camera;
+  const BoundingBall focus = focus_of(options.model, scene);
+  const double away = camera.distance * focus.radius;
+  const double around = std::max(focus.radius, reach_of(options.model, scene, focus));
+  if (away <= around) return true;
+  const View view = view_of(camera, options.model, scene, width, height);
+  // In halves of the picture's height.
+  const double radius =
+      2 * around / std::sqrt((away - around) * (away + around)) / view.height_at_one;
+  const double aside = std::abs(camera.shift.x()) - static_cast<double>(width) / height;
+  const double above = std::abs(camera.shift.y()) - 1;
+  return std::hypot(std::max(aside, 0.0), std::max(above, 0.0)) < radius;
 }
 
 }  // namespace
@@ -36,14 +53,19 @@ void require_drawable(const Scene& scene, const PictureOptions& options, int wid
           "the camera's distance is " + in_words(camera.distance) + ": it goes from " +
               in_words(kClosestDistance) + " to " + in_words(kFarthestDistance) +
               " radii of the scene");
-  require(std::isfinite(camera.zoom) && camera.zoom > 0 && camera.shift.allFinite(),
-          "the camera's zoom is not positive, or its shift no number");
+  require(camera.zoom >= kLeastZoom && camera.zoom <= kMostZoom,
+          "the camera's zoom is " + in_words(camera.zoom) + ": it goes from " +
+              in_words(kLeastZoom) + " to " + in_words(kMostZoom));
+  require(camera.shift.allFinite() && is_in_picture(scene, options, width, height),
+          "the camera's shift leaves no cell in the picture: it is in halves of the picture's "
+          "height");
   require(!options.cut_away || std::isfinite(*options.cut_away), "the cut-away is no number");
   require(
       options.renderer == RendererKind::kFaces ||
-          (!options.transparent && options.colour_by != ColourBy::kEdge && !scene.focus),
-      "the renderer opencsg knows no transparent tetrahedra, no colours of edges and no Moebius "
-      "moves; the renderer faces does");
+          (!options.transparent && options.colour_by != ColourBy::kEdge && options.lines &&
+           !scene.focus),
+      "the renderer opencsg knows no transparent tetrahedra, no colours of edges, no cells without "
+      "lines and no Moebius moves; the renderer faces does");
   require(!options.transparent || *options.transparent < scene.tetrahedron_count,
           "there is no tetrahedron " + std::to_string(options.transparent.value_or(0)) +
               " to be transparent: they go from 0 to " +

@@ -38,7 +38,7 @@ struct PictureOptions {
   Material drawing = Material::kSolid;
   RendererKind renderer = RendererKind::kFaces;
   bool occlusion = true;  ///< whether nooks are darkened; costs some
-  bool lines = true;      ///< along edges and borders of walls; OpenCSG always draws them
+  bool lines = true;      ///< along edges and borders of walls; by OpenCSG always
   bool dark = false;      ///< the background
   bool labels = false;    ///< names of tetrahedra and edges; of pictures and windows
   /// One can look through the cells of this tetrahedron; hollow cells are left out instead. Not by

@@ -58,12 +58,8 @@ struct Seen {
 
 /// Which cell a picture of identities shows, from 1, or 0.
 std::size_t cell_at(const Image& image, int x, int y) {
-  if (x < 0 || y < 0 || x >= image.width || y >= image.height) return 0;
-  const std::uint8_t* const p =
-      image.pixels.data() +
-      4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-           static_cast<std::size_t>(x));
-  return p[0] + 256U * p[1];
+  const auto seen = seen_at(image, x, y);
+  return seen ? seen->cell + 1 : 0;
 }
 
 bool is_near(const Image& image, int x, int y, std::size_t cell) {
@@ -112,6 +108,17 @@ std::string describe(const Scene& scene, std::size_t cell_number, std::size_t wa
   return text;
 }
 
+std::optional<SeenWall> seen_at(const Image& identities, int x, int y) {
+  if (x < 0 || y < 0 || x >= identities.width || y >= identities.height) return std::nullopt;
+  const std::uint8_t* const pixel =
+      identities.pixels.data() +
+      4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(identities.width) +
+           static_cast<std::size_t>(x));
+  const std::size_t cell = pixel[0] + 256U * pixel[1];
+  if (cell == 0) return std::nullopt;
+  return SeenWall{cell - 1, (pixel[2] & 15U) - 1};
+}
+
 std::vector<SceneLabel> labels_of(const Scene& scene, const PictureOptions& options,
                                   const Image& identities) {
   std::map<std::size_t, Seen> seen;
@@ -152,8 +159,8 @@ std::vector<SceneLabel> labels_of(const Scene& scene, const PictureOptions& opti
         const double py = (1 - clip[1] / clip[3]) / 2 * identities.height;
         if (!(clip[3] > 0 && px >= 0 && py >= 0 && px < identities.width && py < identities.height))
           continue;
-        // The eye is so far away that an edge on the far side has another cell, or none of this
-        // cell's own walls, in front.
+        // An edge is seen where its cell is seen around its middle, and one of its faces turns
+        // towards the eye.
         if (!is_near(identities, static_cast<int>(px), static_cast<int>(py), number)) continue;
         bool towards = false;
         for (std::size_t f = 0; f < 4; ++f) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -18,6 +19,16 @@ void add_classes(Scene& scene, const topology::Triangulation& triangulation,
 /// its edges with classes, lengths and dihedral angles in degrees. No angle is given for a wall
 /// beyond 7, a cut.
 std::string describe(const Scene& scene, std::size_t cell, std::size_t wall);
+
+/// A wall, or beyond 7 a cut, of a cell of a scene.
+struct SeenWall {
+  std::size_t cell = 0;
+  std::size_t wall = 0;
+};
+
+/// What a pixel shows; nothing where no cell is, or outside the picture.
+///   identities  a picture drawn by Pixels::kIdentities
+std::optional<SeenWall> seen_at(const Image& identities, int x, int y);
 
 /// A word beside its place in a picture, pixels from the upper left corner.
 struct SceneLabel {

@@ -87,7 +87,7 @@ void add_methods(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> methods() {
-  static constexpr Verb kRows[] = {{"methods", add_methods, 22}};
+  static constexpr Verb kRows[] = {{"methods", add_methods, 23}};
   return kRows;
 }
 

@@ -50,24 +50,10 @@ struct ParameteriseCommand {
   double cut_away = 0.5;
 };
 
-void require_known_outputs(const ParameteriseCommand& command) {
-  if (!command.output.empty()) {
-    if (!command.output.ends_with(".vtu"))
-      throw InvalidInput("-o " + tripus::quoted(command.output) + ": the name must end with .vtu");
-    declare_output("-o", command.output);
-  }
-  if (!command.report.empty()) {
-    if (!command.report.ends_with(".html"))
-      throw InvalidInput("--report " + tripus::quoted(command.report) +
-                         ": the name must end with .html");
-    declare_output("--report", command.report);
-  }
-  if (!command.picture.empty()) {
-    if (!command.picture.ends_with(".svg"))
-      throw InvalidInput("--picture " + tripus::quoted(command.picture) +
-                         ": the name must end with .svg");
-    declare_output("--picture", command.picture);
-  }
+void declare_outputs(const ParameteriseCommand& command) {
+  if (!command.output.empty()) declare_output("-o", command.output);
+  if (!command.report.empty()) declare_output("--report", command.report);
+  if (!command.picture.empty()) declare_output("--picture", command.picture);
 }
 
 std::string as_text(const std::string& input, const Parameterisation& found) {
@@ -115,7 +101,7 @@ Reply parameterise_one(const ParameteriseCommand& command, const std::string& in
 }
 
 int run(ParameteriseCommand& command) {
-  require_known_outputs(command);
+  declare_outputs(command);
   command.options.weights = parameterise::weights_of(command.weights);
   command.options.map.minimiser = command.method == "ceres"     ? parameterise::Minimiser::kCeres
                                   : command.method == "descent" ? parameterise::Minimiser::kDescent
@@ -132,17 +118,17 @@ void add_parameterise(CLI::App& program, Command& chosen) {
   CLI::Option* batch = verb->get_option("--batch");
   verb->add_option("-o,--output", command->output, "write the map: x.vtu (VTK)")
       ->option_text("FILE")
-      ->check(problem_of_name)
+      ->check(file_name({".vtu"}))
       ->excludes(batch);
   verb->add_option("--report", command->report, "write a page with pictures: x.html")
       ->option_text("FILE")
-      ->check(problem_of_name)
+      ->check(file_name({".html"}))
       ->excludes(batch);
   CLI::Option* picture =
       verb->add_option("--picture", command->picture,
                        "draw the solid, in the colours of the manifold's\ntetrahedra: x.svg")
           ->option_text("FILE")
-          ->check(problem_of_name)
+          ->check(file_name({".svg"}))
           ->excludes(batch);
   verb->add_option("--cut-away", command->cut_away,
                    "cut away this part of the solid in the picture, 0 to 1\n(default: 0.5)")

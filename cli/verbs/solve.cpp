@@ -220,21 +220,20 @@ int run(SolveCommandOptions& command) {
   }
   structure::find_solve_method(command.solve.method, 1);  // a wrong name is wrong for all inputs
   if (command.format == "tsv") command.fields = parse_fields(command.fields_list);
+  FailedText failed;
   if (!command.fields.empty() && !command.common.batch.empty()) {
     write_output(record_header(command.fields));
-    return answer_inputs(command.common, [&](const std::string& input) -> Reply {
-      try {
-        return solve_subject(command, load_subject_with(command, input));
-      } catch (const InvalidInput& error) {
-        write_message(fmt::format("tripus: {}\n", failure_text(error)));
-        return {refused_record(command.fields, input), kNoAnswer};
-      }
-    });
+    failed = [&](const std::string& input, const std::exception& error) {
+      return failed_record(command.fields, input, error);
+    };
   }
-  return answer_inputs(command.common, [&](const std::string& input) {
-    return command.components ? solve_components(command, input)
-                              : solve_subject(command, load_subject_with(command, input));
-  });
+  return answer_inputs(
+      command.common,
+      [&](const std::string& input) {
+        return command.components ? solve_components(command, input)
+                                  : solve_subject(command, load_subject_with(command, input));
+      },
+      failed);
 }
 
 void add_solve(CLI::App& program, Command& chosen) {
@@ -303,7 +302,8 @@ void add_solve(CLI::App& program, Command& chosen) {
                      ->option_text("FORMAT")
                      ->check(CLI::IsMember({"tsv"}).description(""))
                      ->excludes(verb->get_option("--json")->option_text(" "))
-                     ->excludes(verb->get_option("--prove"));
+                     ->excludes(verb->get_option("--prove"))
+                     ->excludes(verb->get_option("--angle-structure"));
   verb->add_option("--fields", command->fields_list,
                    "what is in the record (default: input,outcome,volume); see below")
       ->option_text("NAME,...")

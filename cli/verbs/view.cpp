@@ -246,6 +246,11 @@ Reply view_one(const ViewCommand& command, const std::string& input) {
     window.cells = command.cells;
     window.motion = command.motion;
     window.command = "tripus view " + shell_word(input);
+    if (const MetricSearch& search = command.search; search.retriangulate)
+      window.command += fmt::format(" --retriangulate --budget {} --seed {}", search.options.budget,
+                                    search.options.seed);
+    if (const auto& length = command.disc_request.length)
+      window.discs += fmt::format(" {}", *length);
     viewer::show_window(
         [&](std::size_t cells, viewer::Model model) { return developed.scene(cells, model); },
         window);
@@ -294,6 +299,9 @@ int run(ViewCommand& command) {
 }
 
 void add_picture_options(CLI::App& verb, ViewCommand& command) {
+  const auto flag = [&](const char* name, bool& wanted, const char* what) {
+    verb.add_flag(name, wanted, what)->option_text(" ");
+  };
   verb.add_option("--cells", command.cells, "cells of the universal cover (default: 20)")
       ->option_text("N")
       ->check(CLI::Range(std::size_t{1}, viewer::kMostDrawnCells));
@@ -311,21 +319,17 @@ void add_picture_options(CLI::App& verb, ViewCommand& command) {
   verb.add_option("--transparent", command.transparent,
                   "look through the cells of this tetrahedron")
       ->option_text("T");
-  verb.add_flag("--labels", command.labels, "write the names of tetrahedra and edges")
-      ->option_text(" ");
-  verb.add_flag("--no-lines", command.no_lines, "no lines along edges")->option_text(" ");
-  verb.add_flag("--hollow", command.hollow, "walls alone: hollow where they are cut")
-      ->option_text(" ");
-  verb.add_flag("--dark", command.dark, "a dark background")->option_text(" ");
+  flag("--labels", command.labels, "write the names of tetrahedra and edges");
+  flag("--no-lines", command.no_lines, "no lines along edges");
+  flag("--hollow", command.hollow, "walls alone: hollow where they are cut");
+  flag("--dark", command.dark, "a dark background");
   verb.add_option("--moebius", command.moebius,
                   "move all cells by w -> (aw + b)/(cw + d): real and imaginary parts\n"
                   "of a, b, c, d, eight numbers")
       ->option_text("NUMBERS");
-  verb.add_flag("--no-truncations", command.no_truncations,
-                "faces alone, so that one can look into the cells")
-      ->option_text(" ");
-  verb.add_flag("--no-faces", command.no_faces, "truncations alone: the geodesic boundary")
-      ->option_text(" ");
+  flag("--no-truncations", command.no_truncations,
+       "faces alone, so that one can look into the cells");
+  flag("--no-faces", command.no_faces, "truncations alone: the geodesic boundary");
   verb.add_option("--discs", command.discs,
                   "draw on the boundary the discs of the arcs up to LENGTH that are\n"
                   "orthogonal to it (default: some hundred), coloured by length")
@@ -388,6 +392,11 @@ void add_view(CLI::App& program, Command& chosen) {
   png->excludes(page)->excludes(gallery);
   input->excludes(gallery);
   add_picture_options(*verb, *command);
+  // A page has controls for these.
+  for (const char* name :
+       {"--size", "--colour-by", "--transparent", "--labels", "--no-lines", "--hollow", "--dark",
+        "--moebius", "--no-truncations", "--no-faces", "--cut-away", "--renderer", "--camera"})
+    page->excludes(verb->get_option(name));
   add_metric_search(*verb, command->search);
   verb->add_flag("--json", command->common.json, "one JSON object");
   verb->add_option("--threads", command->common.threads,

@@ -4,7 +4,7 @@ from support import ProgramTest
 
 VERBS = ["info", "solve", "simplify", "mesh", "cover", "canonize", "compare", "identify", "enumerate",
          "census", "prove", "hyperbolic", "check", "study", "embed", "orthospectrum", "view", "tube", "draw",
-         "table", "methods"]
+         "table", "page", "methods"]
 
 
 class Help(ProgramTest):

@@ -81,7 +81,8 @@ class Parameterise(ProgramTest):
     def test_uniform_weights_and_text(self):
         run = self.run_program("parameterise", str(SURFACE), "--weights", "uniform", timeout=300)
         self.assertEqual(run.status, 0, run.err)
-        self.assertRegex(run.text, r"image +volume 6\.4519902708")
+        # 6.451990270835: the twelfth digit is rounded either way.
+        self.assertRegex(run.text, r"image +volume 6\.4519902708[34]\b")
         self.assertIn("converged", run.text)
 
     def test_says_what_is_no_solid_for_it(self):

@@ -49,6 +49,7 @@ class Record(ProgramTest):
         self.write("list", "cPcbbbihq\nbanana\ncPcbbbiht\n")
         result = self.run_program("solve", "--batch", "list", "--format", "tsv")
         self.assertEqual(result.text.split("\n")[2], "banana\trefused\t")
+        self.assertIn("line 2:", result.err)
         self.assertIn("banana", result.err)
         records = self.records("--batch", "list", "--fields", "outcome,links,condition")
         self.assertEqual([list(each.values())[:2] for each in records],
@@ -56,6 +57,13 @@ class Record(ProgramTest):
         self.assertEqual(records[2]["condition"], "")  # with a cusp the Hessian has a kernel
         self.assertEqual(self.records("cPcbbbihq")[0]["outcome"], "geometric")
         self.assertEqual(self.run_program("solve", "banana", "--format", "tsv").status, 2)
+
+    def test_has_a_record_for_every_line(self):
+        self.write("list", "cPcbbbihq\n-\n# a comment\n\nnowhere/file\ncPcbbbiht\n")
+        records = self.records("--batch", "list")
+        self.assertEqual([(each["input"], each["outcome"]) for each in records],
+                         [("cPcbbbihq", "geometric"), ("-", "refused"), ("nowhere/file", "refused"),
+                          ("cPcbbbiht", "geometric")])
 
     def test_wants_fields_that_there_are(self):
         for arguments, says in (
@@ -65,6 +73,7 @@ class Record(ProgramTest):
                 (("--format", "tsv", "--fields", "volume,volume"), "twice"),
                 (("--fields", "volume"), "--format"), (("--format", "tsv", "--json"), "--json"),
                 (("--format", "tsv", "--prove"), "--prove"),
+                (("--format", "tsv", "--angle-structure"), "--angle-structure"),
                 (("--format", "tsv", "--components"), "--components")):
             result = self.run_program("solve", "cPcbbbihq", *arguments)
             self.assertEqual(result.status, 2, arguments)

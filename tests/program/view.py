@@ -179,17 +179,24 @@ class RefusedViews(ProgramTest):
             self.assertIn("--cells", self.refused("--png", "a.png", "--cells", cells))
 
     def test_cameras_and_cuts(self):
-        for camera in ("1,2", "a,b,c", "0,90,4", "0,0,1", "nan,0,4", "0,inf,4", "0,0,1e9"):
+        for camera in ("1,2", "a,b,c", "0,90,4", "0,0,1", "nan,0,4", "0,inf,4", "0,0,1e9",
+                       "0,0,4,0,0,0", "0,0,4,1e9,0,0", "0,0,4,1e-9,0,0", "0,0,4,1,9,0",
+                       "0,0,4,1,0,-1e9", "0,0,4,1,nan,0", "0,0,4,1,0"):
             self.assertIn("camera", self.refused("--png", "a.png", "--camera", camera))
         for cut in ("x", "nan", "inf"):
             self.assertIn("cut", self.refused("--png", "a.png", "--cut-away", cut))
+
+    def test_options_of_pictures_alone(self):
+        for option in (["--labels"], ["--dark"], ["--camera", "1,2,4"], ["--transparent", "0"],
+                       ["--colour-by", "edge"], ["--moebius", "1,0,0.2,0,0,0,1,0"]):
+            self.assertIn(option[0], self.refused("-o", "a.html", *option))
 
     def test_moebius_maps(self):
         for numbers in ("1", "1,0,0,0,0,0,1", "1,0,0,0,0,0,1,x", "0,0,0,0,0,0,0,0",
                         "1,0,1,0,1,0,1,0", "nan,0,0,0,0,0,1,0", "1e9,0,0,0,0,0,1,0", "inf,0,0,0,0,0,1,0"):
             self.assertIn("moebius", self.refused("--png", "a.png", "--moebius", numbers))
         for options in (["--moebius", "2,0,0,0,0,0,1,0"], ["--transparent", "0"],
-                        ["--colour-by", "edge"]):
+                        ["--colour-by", "edge"], ["--no-lines"]):
             self.assertIn("opencsg", self.refused("--png", "a.png", "--renderer", "opencsg", *options))
 
     def test_tetrahedra(self):

@@ -229,7 +229,12 @@ TEST(ViewerPicture, RefusesWhatCannotBeDrawn) {
   refuses([](auto& o) { o.camera.elevation = NAN; });
   refuses([](auto& o) { o.camera.distance = 1; });
   refuses([](auto& o) { o.camera.distance = INFINITY; });
-  refuses([](auto& o) { o.camera.zoom = 0; });
+  for (const double zoom : {0.0, -1.0, 1e-9, 1e9, double{NAN}})
+    refuses([&](auto& o) { o.camera.zoom = zoom; });
+  for (const double shift : {10.0, -10.0, 1e300, double{NAN}}) {
+    refuses([&](auto& o) { o.camera.shift.x() = shift; });
+    refuses([&](auto& o) { o.camera.shift.y() = shift; });
+  }
   refuses([](auto& o) { o.cut_away = NAN; });
   refuses([](auto& o) { o.samples = 5; });
   refuses([](auto& o) { o.faces = o.truncations = false; });

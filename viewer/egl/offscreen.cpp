@@ -97,8 +97,7 @@ class OffscreenRenderer::Implementation {
         frame.identities = true;
         frame.samples = 1;
         renderer_.draw(options, frame);
-        paint(image, rectangles_of(labels_of(scene, options, read_pixels(width, height)),
-                                   label_scale(height)));
+        add_labels(scene, options, read_pixels(width, height), image);
       }
     }
     image.cells_left = left;

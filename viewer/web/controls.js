@@ -33,9 +33,12 @@ class Controls {
     listen('keydown', (e) => this.key(e));
     listen('keyup', (e) => this.held.delete(e.key.toLowerCase()));
     listen('blur', () => this.held.clear());
-    window.addEventListener('blur', () => this.held.clear());
+    this.release = () => this.held.clear();
+    window.addEventListener('blur', this.release);
     for (const button of document.querySelectorAll('[data-hold]')) this.hold(button);
   }
+
+  stop() { window.removeEventListener('blur', this.release); }
 
   get inside() { return this.page.state.view === 'inside'; }
 

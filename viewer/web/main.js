@@ -1,4 +1,4 @@
-// The page: its state, what draws it, and when.
+// The picture of a manifold and its controls: their state, what draws them, and when.
 
 /// While things move, frames are drawn so coarsely that they take about so long, in milliseconds, but
 /// not with fewer than this share of the pixels across.
@@ -60,9 +60,12 @@ const kActs = {
 };
 
 class Page {
-  /// `fragment`: what the address of the page wishes for, such as view=inside&place=wall.
-  constructor(fragment) {
-    this.data = JSON.parse(element('manifold-data').textContent);
+  ///   data      of page_data.hpp
+  ///   fragment  what the address of the page wishes for, such as view=inside&place=wall
+  ///   address   for the key L: from the fragment of this view to that of the address
+  constructor(data, fragment, address = (view) => view) {
+    this.data = data;
+    this.address = address;
     setPalette(this.data.colours);
     this.canvas = element('picture');
     this.wishes = new URLSearchParams(fragment);
@@ -112,7 +115,6 @@ class Page {
   }
 
   start() {
-    showFacts(this.data);
     showKeys(this.data);
     showDiscScale(this.data.discs);
     this.manifold = new Manifold(this.data);
@@ -126,15 +128,27 @@ class Page {
     this.controls = new Controls(this.canvas, this);
     this.hover = new Hover(this);
     this.canvas.addEventListener('webglcontextlost', (e) => {
+      if (!this.graphics) return;  // stopped
       e.preventDefault();
       this.graphics = null;
       this.fail('The graphics card has given up on this page. It will be drawn again when the ' +
                 'browser gives the graphics back; otherwise reload the page.');
     });
     this.canvas.addEventListener('webglcontextrestored', () => this.connect());
-    new ResizeObserver(() => this.redraw()).observe(element('stage'));
+    this.resized = new ResizeObserver(() => this.redraw());
+    this.resized.observe(element('stage'));
     this.connect();
-    this.canvas.focus({preventScroll: true});  // so that keys are heard at once
+  }
+
+  /// Gives the graphics card back, and draws no more; the elements can go then.
+  stop() {
+    clearTimeout(this.fineTimer);
+    this.resized.disconnect();
+    this.controls.stop();
+    this.hover.clear();
+    const gl = this.graphics?.gl;
+    this.graphics = null;
+    gl?.getExtension('WEBGL_lose_context')?.loseContext();
   }
 
   /// Makes everything that lives on the graphics card.
@@ -235,7 +249,7 @@ class Page {
 
   /// Makes the address of the page that of this view, and copies it where the browser lets us.
   link() {
-    history.replaceState(null, '', '#' + this.fragment());
+    history.replaceState(null, '', '#' + this.address(this.fragment()));
     navigator.clipboard?.writeText(location.href).catch(() => {});
     this.hover.show('the address of this page is now that of this view');
   }
@@ -397,18 +411,3 @@ class Page {
                            Math.max(0, height - 1 - Math.floor(y * height)));
   }
 }
-
-function main() {
-  try {
-    const pages = location.hash.slice(1).split('|').map((fragment) => {
-      const page = new Page(fragment);
-      page.start();
-      return page.wishes.has('dump') ? dump(page) : null;
-    });
-    if (pages.some((page) => page)) writeDump(pages);
-  } catch (error) {
-    showNotice(`This page has failed: ${error.message}`);
-    throw error;
-  }
-}
-main();

@@ -8,7 +8,9 @@ const kDepthStops = ['#0b3c6f', '#0072b2', '#56b4e9', '#bfe3d0', '#f0e442', '#e6
 /// The colours of tetrahedra, which come with the data, in linear light.
 const linearPalette = [];
 
-function setPalette(colours) { linearPalette.push(...colours.map(linearColour)); }
+function setPalette(colours) {
+  linearPalette.splice(0, linearPalette.length, ...colours.map(linearColour));
+}
 
 /// Twelve colours along the stops.
 const kDepthPalette = Array.from({length: 12}, (_, i) => {

@@ -9,8 +9,9 @@ set(TRIPUS_WEB_SHADERS
 set(TRIPUS_WEB_DESKTOPS ../faces/desktop.glsl ../faces/desktop.frag.glsl)
 set(TRIPUS_WEB_SCRIPTS
   lorentz.js manifold.js palette.js gl.js discs.js outside.js faces.js cameras.js inside.js panel.js
-  controls.js hover.js labels.js dump.js main.js)
-set(TRIPUS_WEB_TEXTS page.html style.css gallery.html gallery.css)
+  controls.js hover.js labels.js dump.js main.js start.js)
+set(TRIPUS_WEB_TEXTS
+  page.html stage.html controls.html help.html theme.css view.css style.css gallery.html gallery.css)
 
 set(TRIPUS_WEB_ENTRIES "")
 foreach(kind Shader Desktop Script Text)

@@ -10,7 +10,6 @@
 namespace tripus::viewer {
 namespace {
 
-constexpr double kLeastZoom = 0.2, kMostZoom = 200;
 /// Farther from where they were cells are lost at the boundary of the model: the hyperbolic cosine.
 constexpr double kFarthestMove = 1000;
 
@@ -69,6 +68,7 @@ Change ViewState::act(KeyAction action, const ViewState& first, const BoundingBa
       shown.discs = !shown.discs;
       break;
     case KeyAction::kLines:
+      if (shown.renderer == RendererKind::kOpenCsg) return Change::kNothing;
       shown.lines = !shown.lines;
       break;
     case KeyAction::kHollow:

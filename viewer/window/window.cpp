@@ -6,7 +6,6 @@
 #include <cmath>
 #include <exception>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,19 +14,18 @@
 
 #include <fmt/format.h>
 
-#include "viewer/detail/gl.hpp"
-#include "viewer/detail/renderer.hpp"
 #include "viewer/keys.hpp"
 #include "viewer/legend.hpp"
 #include "viewer/scene_words.hpp"
-
-// After GLEW.
-#include <GLFW/glfw3.h>
-
-#include "viewer/window/detail/text.hpp"
+#include "viewer/window/detail/canvas.hpp"
+#include "viewer/window/detail/glfw_window.hpp"
+#include "viewer/window/detail/overlay.hpp"
 #include "viewer/window/pace.hpp"
 #include "viewer/window/slider.hpp"
 #include "viewer/window/view_state.hpp"
+
+// After GLEW.
+#include <GLFW/glfw3.h>
 
 namespace tripus::viewer {
 namespace {
@@ -36,45 +34,6 @@ namespace {
 constexpr double kFineWithin = 250;
 /// A key's step of a Moebius move, hyperbolic length.
 constexpr double kStep = 0.06;
-
-/// GLFW and its window, closed in the right order whatever happens.
-class Glfw {
- public:
-  Glfw(int width, int height) {
-    glfwSetErrorCallback([](int, const char* text) { last_error() = text; });
-    if (glfwInit() == GLFW_FALSE) fail("no display here");
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 2);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
-    window_ = glfwCreateWindow(width, height, "Tripus", nullptr, nullptr);
-    if (window_ == nullptr) fail("no window with OpenGL here");
-    glfwMakeContextCurrent(window_);
-    glfwSwapInterval(1);
-  }
-  ~Glfw() { close(); }
-  Glfw(const Glfw&) = delete;
-  Glfw& operator=(const Glfw&) = delete;
-  GLFWwindow* window() const { return window_; }
-
- private:
-  static std::string& last_error() {
-    static std::string text;
-    return text;
-  }
-  [[noreturn]] void fail(const std::string& what) {
-    const std::string reason = last_error().empty() ? "" : " (" + last_error() + ")";
-    close();
-    throw NoOpenGl(what + reason +
-                   "; draw a picture with --png out.png, or write a page for a browser with "
-                   "-o page.html");
-  }
-  void close() {
-    if (window_ != nullptr) glfwDestroyWindow(window_);
-    window_ = nullptr;
-    glfwTerminate();
-  }
-
-  GLFWwindow* window_ = nullptr;
-};
 
 /// What the user sees and does.
 class Viewer {
@@ -130,7 +89,7 @@ class Viewer {
         } else if (!asked_) {
           asked_ = true;
           if (const auto found = under_pointer()) {
-            said_ = describe(scene_, (*found)[0], (*found)[1]);
+            said_ = describe(scene_, found->cell, found->wall);
             stale_ = true;
           }
         }
@@ -168,20 +127,8 @@ class Viewer {
   /// Puts the cells where the moves want them.
   void place() {
     scene_ = moved(state_.shown.model, source_, state_.motion);
-    renderer_.set_scene(scene_, state_.shown.model);
+    canvas_.set_scene(scene_, state_.shown.model);
     stale_ = true;
-  }
-
-  /// Breaks a text at blanks, where it can.
-  static std::string in_lines(std::string text, std::size_t letters) {
-    for (std::size_t begin = 0; begin + letters < text.size();) {
-      std::size_t blank = text.rfind(' ', begin + letters);
-      if (blank == std::string::npos || blank <= begin) blank = text.find(' ', begin + letters);
-      if (blank == std::string::npos) break;
-      text[blank] = '\n';
-      begin = blank + 1;
-    }
-    return text;
   }
 
   void take(Change change) {
@@ -207,7 +154,7 @@ class Viewer {
     if (action == KeyAction::kPicture) save();
     if (action == KeyAction::kLink) link();
     if (action == KeyAction::kTransparent) make_transparent();
-    take(state_.act(action, first_, renderer_.scene_ball()));
+    take(state_.act(action, first_, canvas_.scene_ball()));
   }
 
   /// Keys without a character.
@@ -222,9 +169,8 @@ class Viewer {
 
   /// Of the pointer, in halves of the window's height from its middle.
   Eigen::Vector2d pointer() const {
-    int width = 1, height = 1;
-    glfwGetWindowSize(window_, &width, &height);
-    return Eigen::Vector2d(2 * mouse_.x() - width, height - 2 * mouse_.y()) / std::max(height, 1);
+    const auto [width, height] = window_size(window_);
+    return Eigen::Vector2d(2 * mouse_.x() - width, height - 2 * mouse_.y()) / height;
   }
 
   void scroll(double up) {
@@ -237,13 +183,13 @@ class Viewer {
 
   void click(int button, int action) {
     if (button != GLFW_MOUSE_BUTTON_LEFT) return;
-    const auto [width, height] = window_size();
+    const auto [width, height] = window_size(window_);
     sliding_ = action == GLFW_PRESS && is_on_slider(mouse_.x(), mouse_.y(), width, height);
     if (sliding_) slide();
   }
 
   void slide() {
-    const auto [width, height] = window_size();
+    const auto [width, height] = window_size(window_);
     const std::size_t wanted = slider_value(mouse_.x(), width, height);
     if (wanted == state_.cells) return;
     state_.cells = wanted;
@@ -267,15 +213,9 @@ class Viewer {
     if (left && !shifted) {
       take(state_.turn(-0.35 * step.x(), 0.35 * step.y()));
     } else {
-      const double height = window_size()[1];
+      const double height = window_size(window_)[1];
       take(state_.shift(2 * step.x() / height, -2 * step.y() / height));
     }
-  }
-
-  std::array<int, 2> window_size() const {
-    std::array<int, 2> size{1, 1};
-    glfwGetWindowSize(window_, size.data(), &size[1]);
-    return {std::max(size[0], 1), std::max(size[1], 1)};
   }
 
   void forget_pointer() {
@@ -285,36 +225,20 @@ class Viewer {
     stale_ = true;
   }
 
-  /// What the pointer rests on: the cell and the wall, or nothing.
-  std::optional<std::array<std::size_t, 2>> under_pointer() {
-    const auto [width, height] = window_size();
+  /// What the pointer rests on, or nothing.
+  std::optional<SeenWall> under_pointer() {
+    const auto [width, height] = window_size(window_);
     const Image image = identities();
-    const int x = static_cast<int>(mouse_.x() * image.width / width);
-    const int y = static_cast<int>(mouse_.y() * image.height / height);
-    if (x < 0 || y < 0 || x >= image.width || y >= image.height) return std::nullopt;
-    const std::uint8_t* const pixel =
-        image.pixels.data() +
-        4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-             static_cast<std::size_t>(x));
-    const std::size_t cell = pixel[0] + 256U * pixel[1];
-    if (cell == 0 || cell > scene_.cells.size()) return std::nullopt;
-    return {{cell - 1, (pixel[2] & 15U) - 1}};
+    const auto seen = seen_at(image, static_cast<int>(mouse_.x() * image.width / width),
+                              static_cast<int>(mouse_.y() * image.height / height));
+    if (!seen || seen->cell >= scene_.cells.size()) return std::nullopt;
+    return seen;
   }
 
   /// Which cells and walls the pixels of the window show.
   Image identities() {
-    int width = 0, height = 0;
-    glfwGetFramebufferSize(window_, &width, &height);
-    Frame frame;
-    frame.width = std::max(width, 1);
-    frame.height = std::max(height, 1);
-    frame.identities = true;
-    const RenderTarget target = make_render_target(frame.width, frame.height);
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
-    renderer_.draw(state_.shown, frame);
-    Image image = read_pixels(frame.width, frame.height);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    return image;
+    const auto [width, height] = picture_size(window_);
+    return canvas_.identities(state_.shown, width, height);
   }
 
   void make_transparent() {
@@ -322,21 +246,21 @@ class Viewer {
     if (state_.shown.transparent) {
       state_.shown.transparent.reset();
     } else if (const auto found = under_pointer()) {
-      state_.shown.transparent = scene_.cells[(*found)[0]].tetrahedron;
+      state_.shown.transparent = scene_.cells[found->cell].tetrahedron;
     }
     take(Change::kPicture);
   }
 
   void link() {
-    const std::string command = options_.command + " " + state_.as_options();
+    std::string command = options_.command + " " + state_.as_options();
+    if (scene_.discs != nullptr && state_.shown.discs) command += " " + options_.discs;
     glfwSetClipboardString(window_, command.c_str());
     say("copied: " + command);
   }
 
   /// `quality`: the share of the pixels across.
   void draw(double quality) {
-    int width = 0, height = 0;
-    glfwGetFramebufferSize(window_, &width, &height);
+    const auto [width, height] = picture_size(window_);
     if (width < 1 || height < 1) return;  // minimised
     const auto start = std::chrono::steady_clock::now();
     draw_scene(width, height, quality);
@@ -344,33 +268,14 @@ class Viewer {
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
     last_took_ = took.count();
     if (moving_) quality_ = next_quality(quality, last_took_);
-    const int scale = std::max(1, height / 500);
-    draw_text(status(), 10, 10, scale, width, height);
-    const float line = 18.0F * static_cast<float>(scale);
-    const std::string& said = message_.empty() ? said_ : message_;
-    if (!said.empty()) {
-      // Letters are some 6 wide; the slider is beside them.
-      const auto letters = static_cast<std::size_t>(std::max(20, (width / scale - 250) / 6));
-      const std::string lines = in_lines(said, letters);
-      const auto count = 1 + std::ranges::count(lines, '\n');
-      draw_text(lines, 10, static_cast<float>(height) - static_cast<float>(count) * line, scale,
-                width, height);
-    }
-    const auto [window_width, window_height] = window_size();
-    draw_legend(slider(state_.cells, window_width, window_height,
-                       static_cast<float>(height) / static_cast<float>(window_height)),
-                width, height);
-    if (state_.shown.labels && !moving_)
-      draw_legend(rectangles_of(labels_of(scene_, state_.shown, identities()), scale), width,
-                  height);
-    if (scene_.discs != nullptr && state_.shown.discs)
-      draw_legend(legend_of(*scene_.discs, width, height), width, height);
-    if (state_.help) {
-      const auto columns = window_help();
-      draw_text(columns[0], 10, 10 + line, scale, width, height);
-      draw_text(columns[1], 10 + 130.0F * static_cast<float>(scale), 10 + line, scale, width,
-                height);
-    }
+    std::vector<SceneLabel> labels;
+    if (state_.shown.labels && !moving_) labels = labels_of(scene_, state_.shown, identities());
+    draw_overlay(scene_, state_,
+                 {.status = status(),
+                  .said = message_.empty() ? said_ : message_,
+                  .labels = labels,
+                  .picture = {width, height},
+                  .window = window_size(window_)});
     glfwSwapBuffers(window_);
   }
 
@@ -385,41 +290,18 @@ class Viewer {
   }
 
   void draw_scene(int width, int height, double quality) {
-    // In steps of 8 pixels, so that textures last for some frames.
-    const auto coarse = [&](int side) {
-      return quality < 1 ? std::clamp(8 * static_cast<int>(quality * side / 8), 8, side) : side;
-    };
-    Frame frame;
-    frame.width = coarse(width);
-    frame.height = coarse(height);
-    frame.samples = state_.shown.samples > 0 ? state_.shown.samples : fine_ ? 2 : 1;
-    if (quality >= 1) {
-      renderer_.draw(state_.shown, frame);
-      return;
-    }
-    if (coarse_.width != frame.width || coarse_.height != frame.height)
-      coarse_ = make_render_target(frame.width, frame.height);
-    glBindFramebuffer(GL_FRAMEBUFFER, coarse_.framebuffer.name());
-    renderer_.draw(state_.shown, frame);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, coarse_.framebuffer.name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    glBlitFramebuffer(0, 0, frame.width, frame.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
-                      GL_LINEAR);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, width, height);
+    const int samples = state_.shown.samples > 0 ? state_.shown.samples : fine_ ? 2 : 1;
+    canvas_.draw(state_.shown, width, height, quality, samples);
   }
 
   /// What the window shows, without the text.
   void save() {
-    int width = 0, height = 0;
-    glfwGetFramebufferSize(window_, &width, &height);
+    const auto [width, height] = picture_size(window_);
     if (width < 1 || height < 1) return;
     draw_scene(width, height, 1);
     Image image = read_pixels(width, height);
     add_legend(scene_, state_.shown, image);
-    if (state_.shown.labels)
-      paint(image,
-            rectangles_of(labels_of(scene_, state_.shown, identities()), label_scale(height)));
+    if (state_.shown.labels) add_labels(scene_, state_.shown, identities(), image);
     namespace fs = std::filesystem;
     for (int number = 1;; ++number) {
       const fs::path path =
@@ -441,12 +323,11 @@ class Viewer {
   WindowOptions options_;
   ViewState first_;
   ViewState state_;
-  Renderer renderer_;
+  Canvas canvas_;
   Scene source_;  // before moves
   Scene scene_;
   Eigen::Vector2d mouse_ = Eigen::Vector2d::Zero();
-  RenderTarget coarse_;  // what is drawn into while things move
-  double quality_ = 1;   // of the next frame then
+  double quality_ = 1;  // of the next frame while things move
   bool moving_ = false;
   bool fine_ = false;     // four samples a pixel, while nothing changes
   double last_took_ = 0;  // milliseconds
@@ -461,9 +342,10 @@ class Viewer {
 }  // namespace
 
 void show_window(const SceneSource& scene_of, const WindowOptions& options) {
-  require_drawable(scene_of(options.cells, options.picture.model), options.picture, options.width,
-                   options.height);
-  const Glfw glfw(options.width, options.height);
+  const Model model = options.picture.model;
+  require_drawable(moved(model, scene_of(options.cells, model), options.motion), options.picture,
+                   options.width, options.height);
+  const GlfwWindow glfw(options.width, options.height);
   Viewer(glfw.window(), scene_of, options).run();
 }
 

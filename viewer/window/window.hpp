@@ -14,9 +14,10 @@ struct WindowOptions {
   std::size_t cells = 1;       ///< to begin with
   std::string picture_folder;  ///< where the key for it saves pictures; empty: the current one
   geometry::Matrix4 motion = geometry::Matrix4::Identity();  ///< moves all cells, to begin with
-  /// What a shell runs for this window, without options: the key L adds those of the view.
+  /// What a shell runs for this scene: the key L adds the options of the view.
   std::string command = "tripus view";
-  int most_frames = 0;  ///< closes the window after so many; 0: when the user does
+  std::string discs = "--discs";  ///< the option for those of the scene, while they are shown
+  int most_frames = 0;            ///< closes the window after so many; 0: when the user does
 };
 
 /// The scene with so many cells, in a model: called when the user asks for more or another model.

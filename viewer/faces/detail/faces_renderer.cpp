@@ -16,7 +16,7 @@ namespace {
 constexpr double kSmallestCell = 0.4;
 /// Polygons around smaller faces, in pixels, are squares around their balls.
 constexpr double kSmallFace = 1;
-/// Material that can be stopped waits for the graphics after so many cells.
+/// Drawing that can be stopped waits for the graphics after so many cells.
 constexpr std::size_t kCellsBetweenWaits = 2000;
 /// Of faces.vert.glsl, and of the places of cells in desktop.frag.glsl.
 constexpr std::size_t kTexelsPerRow = 2048;

@@ -20,7 +20,7 @@ namespace {
 constexpr double kMeshError = 0.2;
 /// Cells whose ball is of smaller radius on the picture, in pixels, are not drawn.
 constexpr double kSmallestCell = 0.4;
-/// Material that can be stopped waits for the graphics after so many cells.
+/// Drawing that can be stopped waits for the graphics after so many cells.
 constexpr std::size_t kCellsBetweenWaits = 8;
 
 Eigen::Matrix4f as_floats(const Eigen::Matrix4d& matrix) { return matrix.cast<float>(); }

@@ -1,0 +1,84 @@
+// Makes the page from its parts: one file, that needs nothing else.
+//
+//   node build.mjs --module FOLDER --output FILE.html [--version X]
+//
+// FOLDER holds the module for browsers: tripus.js with load(), and tripus.wasm.
+import * as esbuild from 'esbuild';
+import {readFileSync, writeFileSync, mkdirSync} from 'node:fs';
+import {dirname, join} from 'node:path';
+import {fileURLToPath} from 'node:url';
+import {parseArgs} from 'node:util';
+import {gzipSync, constants} from 'node:zlib';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const viewer = join(here, '..', 'viewer', 'web');
+
+const {values: options} = parseArgs({options: {
+  module: {type: 'string'}, output: {type: 'string'}, version: {type: 'string', default: ''}}});
+if (!options.module || !options.output) {
+  console.error('usage: node build.mjs --module FOLDER --output FILE.html [--version X]');
+  process.exit(2);
+}
+
+const text = (...path) => readFileSync(join(...path), 'utf8');
+const viewerList = (name) => {
+  const found = text(viewer, 'web_assets.cmake').match(new RegExp(`set\\(TRIPUS_WEB_${name}\\s([^)]*)\\)`));
+  if (!found) throw new Error(`web_assets.cmake has no list ${name}`);
+  return found[1].trim().split(/\s+/);
+};
+
+/** The scripts of the viewer are not modules: those of its own pages are one after the other. */
+const viewerPlugin = {
+  name: 'viewer',
+  setup(build) {
+    build.onResolve({filter: /^viewer$/}, () => ({path: 'viewer', namespace: 'viewer'}));
+    build.onLoad({filter: /.*/, namespace: 'viewer'}, () => {
+      const names = viewerList('SCRIPTS').filter((name) => !['dump.js', 'start.js'].includes(name));
+      return {contents: names.map((name) => text(viewer, name)).join('\n') + '\nexport {Page, fold, shown};\n',
+              loader: 'js'};
+    });
+  },
+};
+
+async function bundle(entry, alias = {}) {
+  const {outputFiles} = await esbuild.build({
+    entryPoints: [join(here, 'page', entry)], bundle: true, write: false, format: 'iife', target: 'es2022',
+    minify: true, legalComments: 'none', charset: 'utf8', plugins: [viewerPlugin], alias, logLevel: 'warning',
+  });
+  return outputFiles[0].text;
+}
+
+const minified = async (source, loader) => (await esbuild.transform(source, {loader, minify: true, charset: 'utf8'})).code;
+/** A script that may stand in a script element. */
+const inScript = (source) => source.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
+
+const shaders = viewerList('SHADERS').map((path) => {
+  const name = path.split('/').at(-1);
+  return `<script type="x-shader/glsl" id="shader-${name}">${text(viewer, path)}</script>`;
+}).join('\n');
+
+const mark = text(here, 'page', 'mark.svg').trim();
+const picture = (name) => `data:image/webp;base64,${readFileSync(join(here, 'page', name)).toString('base64')}`;
+const styles = text(viewer, 'theme.css') + text(viewer, 'view.css') + text(here, 'page', 'page.css');
+const values = {
+  version: options.version,
+  icon: encodeURIComponent(mark),
+  mark,
+  hero: picture('hero.webp'),
+  'hero-dark': picture('hero-dark.webp'),
+  style: await minified(styles, 'css'),
+  stage: text(viewer, 'stage.html'),
+  controls: text(viewer, 'controls.html'),
+  help: text(viewer, 'help.html'),
+  shaders,
+  worker: inScript(await bundle('worker.ts', {tripus: join(options.module, 'tripus.js')})),
+  script: inScript(await bundle('main.ts')),
+  module: gzipSync(readFileSync(join(options.module, 'tripus.wasm')), {level: constants.Z_BEST_COMPRESSION}).toString('base64'),
+};
+const page = text(here, 'page', 'page.html').replaceAll(/\{\{([\w-]+)\}\}/g, (_, key) => {
+  if (!(key in values)) throw new Error(`page.html asks for ${key}`);
+  return values[key];
+});
+mkdirSync(dirname(options.output), {recursive: true});
+writeFileSync(options.output, page);
+console.log(`${options.output}: ${(page.length / 1e6).toFixed(2)} MB, ${(values.module.length / 1e6).toFixed(2)} MB of it the module`);

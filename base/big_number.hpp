@@ -20,7 +20,7 @@ namespace tripus {
 using BigInteger = boost::multiprecision::cpp_int;
 using BigRational = boost::multiprecision::cpp_rational;
 
-inline std::string to_text(const BigInteger& x) { return x.str(); }
+inline std::string to_decimal(const BigInteger& x) { return x.str(); }
 /// Of decimal digits, perhaps with a minus sign.
 inline BigInteger big_integer(const std::string& text) {
   const std::size_t first = text.find_first_of("123456789");  // after a 0 Boost reads octal digits
@@ -40,7 +40,7 @@ inline std::int64_t to_int64(const BigInteger& x) { return x.convert_to<std::int
 using BigInteger = mpz_class;
 using BigRational = mpq_class;
 
-inline std::string to_text(const BigInteger& x) { return x.get_str(); }
+inline std::string to_decimal(const BigInteger& x) { return x.get_str(); }
 /// Of decimal digits, perhaps with a minus sign.
 inline BigInteger big_integer(const std::string& text) { return BigInteger(text, 10); }
 inline BigInteger numerator_of(const BigRational& x) { return x.get_num(); }

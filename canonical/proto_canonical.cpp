@@ -9,7 +9,6 @@
 #include <deque>
 #include <numbers>
 #include <optional>
-#include <queue>
 #include <unordered_set>
 
 #include <fmt/format.h>
@@ -20,6 +19,7 @@
 #include "energies/co_volume.hpp"
 #include "structure/solve.hpp"
 #include "topology/labelled_isosig.hpp"
+#include "topology/moves/best_first.hpp"
 #include "topology/moves/edge_images.hpp"
 
 namespace tripus::canonical {
@@ -172,23 +172,18 @@ class Walker {
   /// A best-first search from where the moves got stuck, fewest tetrahedra first; from every new
   /// triangulation with the metric the moves go on.
   void search() {
-    using Entry = std::pair<std::size_t, std::size_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-    std::vector<State> nodes;
-    std::unordered_set<std::string> known;
+    topology::BestFirst<State> book;
     const State stuck = state_;
     const std::size_t limit = stuck.triangulation.tetrahedron_count() + kExtra;
     const auto add = [&](State state) {
-      open.emplace(state.triangulation.tetrahedron_count(), nodes.size());
-      nodes.push_back(std::move(state));
+      book.add(state.triangulation.tetrahedron_count(), std::move(state));
     };
-    known.insert(key(stuck));
+    book.learn(key(stuck));
     add(stuck);
     constexpr std::array kKinds{MoveKind::kThreeTwo, MoveKind::kFourFour, MoveKind::kTwoThree};
-    while (!open.empty() && solves_ < kCheap * options_.budget && !stopped()) {
-      const auto [size, number] = open.top();
-      const State here = nodes[number];
-      open.pop();
+    while (book.has_open() && solves_ < kCheap * options_.budget && !stopped()) {
+      const State here = book[book.next()];
+      const std::size_t size = here.triangulation.tetrahedron_count();
       const std::vector<bool> trouble = trouble_of(here);
       for (const Move& move : topology::all_moves(here.triangulation, kKinds)) {
         const bool grows = move.kind == MoveKind::kTwoThree;
@@ -196,13 +191,13 @@ class Walker {
         if (!trouble.empty() && !trouble[move.tetrahedron]) continue;
         if (solves_ >= kCheap * options_.budget || stopped()) break;
         auto next = moved(here, move);
-        if (!next || !known.insert(key(next->state)).second) continue;
+        if (!next || !book.learn(key(next->state))) continue;
         const bool was_geometric = here.report.outcome == structure::Outcome::kGeometric;
         if (!was_geometric || keeps_metric(*next)) solve(*next);
         if (next->state.report.outcome == structure::Outcome::kGeometric) {
           state_ = std::move(next->state);
           if (descend()) return;
-          if (!known.insert(key(state_)).second) continue;
+          if (!book.learn(key(state_))) continue;
           next->state = state_;
         }
         add(std::move(next->state));

@@ -16,7 +16,7 @@ CheckResult fails(std::string reason) { return {false, std::move(reason)}; }
 
 /// What follows in the message of a sum: its number, shortened where nobody would read it.
 std::string shown(const Integer& value) {
-  std::string digits = to_text(value);
+  std::string digits = to_decimal(value);
   if (digits.size() > 40)
     digits = fmt::format("{}...{} ({} digits)", digits.substr(0, 12),
                          digits.substr(digits.size() - 6), digits.size());

@@ -112,7 +112,7 @@ class GroupReader {
     AbelianGroup result;
     result.rank = rank_;
     for (const BigInteger& factor : torsion_)
-      if (factor > 1) result.invariant_factors.push_back(to_text(factor));
+      if (factor > 1) result.invariant_factors.push_back(to_decimal(factor));
     return result;
   }
 

@@ -64,7 +64,7 @@ AbelianGroup first_homology(const Triangulation& triangulation, const Stop& stop
   const detail::SmithForm form = detail::smith_form(std::move(rows), generators.count(), stop);
   AbelianGroup group;
   group.rank = generators.count() - form.rank;
-  for (const auto& factor : form.factors) group.invariant_factors.push_back(to_text(factor));
+  for (const auto& factor : form.factors) group.invariant_factors.push_back(to_decimal(factor));
   return group;
 }
 

@@ -198,9 +198,7 @@ void add_cell_options(CLI::App& verb, EmbedCommand& command) {
   depth->excludes(cells);
 }
 
-void add_embed(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand(
-      "embed", "tetrahedra in hyperbolic space, their gluings, the universal cover");
+void add_embed(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<EmbedCommand>();
   verb->add_option("INPUT", command->common.input,
                    "an isomorphism signature, a file, or - for standard input")
@@ -249,7 +247,9 @@ void add_embed(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> embed() {
-  static constexpr Verb kRows[] = {{"embed", add_embed, 15}};
+  static constexpr Verb kRows[] = {
+      {"embed", "tetrahedra in hyperbolic space, their gluings, the universal cover", add_embed,
+       15}};
   return kRows;
 }
 

@@ -161,8 +161,7 @@ int run(const TubeCommand& command) {
   return kSuccess;
 }
 
-void add_tube(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand("tube", "surface of the tube around a graph in space");
+void add_tube(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<TubeCommand>();
   verb->add_option("GRAPH", command->graph, "file with a graph in space, or -")
       ->option_text(" ")
@@ -196,7 +195,8 @@ void add_tube(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> tube() {
-  static constexpr Verb kRows[] = {{"tube", add_tube, 19}};
+  static constexpr Verb kRows[] = {
+      {"tube", "surface of the tube around a graph in space", add_tube, 19}};
   return kRows;
 }
 

@@ -365,9 +365,7 @@ void read_discs(const CLI::Option& discs, CLI::Option& input, ViewCommand& comma
   command.common.input = command.discs;
 }
 
-void add_view(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand(
-      "view", "see the universal cover: window, picture or page for a browser");
+void add_view(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<ViewCommand>();
   auto* input = verb->add_option("INPUT", command->common.input,
                                  "an isomorphism signature, a file, or - for standard input")
@@ -419,7 +417,8 @@ void add_view(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> view() {
-  static constexpr Verb kRows[] = {{"view", add_view, 17}};
+  static constexpr Verb kRows[] = {
+      {"view", "see the universal cover: window, picture or page for a browser", add_view, 17}};
   return kRows;
 }
 

@@ -89,7 +89,7 @@ CyclicClasses::CyclicClasses(const Triangulation& triangulation, std::size_t mod
   homology_.rank = abelian.rank;
   orders_.assign(abelian.rank, modulus_);
   for (const auto& factor : abelian.factors) {
-    homology_.invariant_factors.push_back(to_text(factor));
+    homology_.invariant_factors.push_back(to_decimal(factor));
     orders_.push_back(to_int64(gcd(factor, BigInteger(modulus_))));
   }
   coordinates_.reserve(abelian.coordinates.size());

@@ -34,6 +34,10 @@ inline double to_double(const BigRational& x) { return x.convert_to<double>(); }
 inline int sign_of(const BigRational& x) { return x.sign(); }
 /// A number that fits.
 inline std::int64_t to_int64(const BigInteger& x) { return x.convert_to<std::int64_t>(); }
+/// Of |x|; 0 for 0.
+inline std::size_t binary_digits(const BigInteger& x) {
+  return x == 0 ? 0 : static_cast<std::size_t>(msb(BigInteger(abs(x)))) + 1;
+}
 
 #else
 
@@ -49,6 +53,10 @@ inline double to_double(const BigRational& x) { return x.get_d(); }
 inline int sign_of(const BigRational& x) { return sgn(x); }
 /// A number that fits.
 inline std::int64_t to_int64(const BigInteger& x) { return x.get_si(); }
+/// Of |x|; 0 for 0.
+inline std::size_t binary_digits(const BigInteger& x) {
+  return x == 0 ? 0 : mpz_sizeinbase(x.get_mpz_t(), 2);
+}
 
 #endif
 

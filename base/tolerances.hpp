@@ -26,6 +26,11 @@ inline constexpr double kNearlyFlat = 1e-3;
 /// 1e-11; where lengths run off to infinity it is of order 1 however small max|K| becomes.
 inline constexpr double kMaxDistanceToMetric = 1e-2;
 
+/// Where there are cusps, a tetrahedron with an angle below this (radians) may be on its way to
+/// infinity, with curvatures that vanish faster than its angles: below kMaxCurvature at angles of
+/// 1e-7. An exact decision then says whether there is a minimum.
+inline constexpr double kThinAngle = 1e-4;
+
 /// Where a vertex is finite, edges longer than this are not believed: at a vertex that runs off to
 /// infinity angles are those of an ideal one to within e^(-2l), 4e-11 at this length, so that
 /// max|K| comes below its tolerance without a metric a little farther out.

@@ -21,28 +21,50 @@ namespace {
 
 using namespace tripus;
 
-/// The triangulations of triangulations-4.txt that carry a metric.
+/// Triangulations that carry a metric.
 struct Census {
   std::vector<std::string> signatures;
   std::vector<topology::Triangulation> triangulations;
 };
 
+Census geometric_ones(const std::vector<std::string>& signatures) {
+  Census census;
+  for (const auto& signature : signatures) {
+    topology::Triangulation triangulation(topology::decode_isosig(signature));
+    if (triangulation.tetrahedron_count() != 4) continue;
+    if (structure::solve(triangulation).outcome != structure::Outcome::kGeometric) continue;
+    census.signatures.push_back(signature);
+    census.triangulations.push_back(std::move(triangulation));
+  }
+  return census;
+}
+
+/// Of four tetrahedra, with compact geodesic boundary.
 const Census& geometric_census() {
+  static const Census kCensus = geometric_ones(testing::data_lines("triangulations-4.txt"));
+  return kCensus;
+}
+
+/// Of four tetrahedra, with cusps and no other boundary: SnapPy's.
+const Census& cusped_census() {
   static const Census kCensus = [] {
-    Census census;
-    for (const auto& signature : testing::data_lines("triangulations-4.txt")) {
-      topology::Triangulation triangulation(topology::decode_isosig(signature));
-      if (structure::solve(triangulation).outcome != structure::Outcome::kGeometric) continue;
-      census.signatures.push_back(signature);
-      census.triangulations.push_back(std::move(triangulation));
-    }
-    return census;
+    std::vector<std::string> signatures;
+    for (const auto& row : testing::data_table("cusped-census-5.tsv"))
+      signatures.push_back(row.at("isosig"));
+    return geometric_ones(signatures);
   }();
   return kCensus;
 }
 
-void run_census(benchmark::State& state, const std::string& method) {
-  const Census& census = geometric_census();
+/// Of four tetrahedra, with cusps beside geodesic boundary.
+const Census& mixed_census() {
+  static const Census kCensus = geometric_ones(testing::data_lines("triangulations-cusped.txt"));
+  return kCensus;
+}
+
+void run_census(benchmark::State& state, const std::string& method,
+                const Census& (*list)() = geometric_census) {
+  const Census& census = list();
   structure::SolveOptions options;
   options.method = method;
   long iterations = 0, solved = 0;
@@ -88,13 +110,21 @@ void run_program(benchmark::State& state) {
   std::remove(list.c_str());
 }
 
-/// The cyclic cover of the tripus with the given number of tetrahedra, from random lengths.
-void run_cover(benchmark::State& state, const std::string& method) {
+/// A manifold with two tetrahedra and its volume.
+struct Base {
+  const char* signature;
+  double volume;
+};
+constexpr Base kTripus{"cPcbbbihq", 6.4519902708350328653};
+constexpr Base kFigureEight{"cPcbbbiht", 2.0298832128193072500};  // a cusp
+
+/// The cyclic cover with the given number of tetrahedra, from random lengths.
+void run_cover(benchmark::State& state, const std::string& method, const Base& base) {
   const auto tetrahedra = static_cast<std::size_t>(state.range(0));
-  const topology::Triangulation tripus(topology::decode_isosig("cPcbbbihq"));
-  const auto shifts = topology::primitive_class(tripus);
+  const topology::Triangulation below(topology::decode_isosig(base.signature));
+  const auto shifts = topology::primitive_class(below);
   const topology::Triangulation cover(
-      topology::cyclic_cover(tripus.gluings(), *shifts, tetrahedra / 2));
+      topology::cyclic_cover(below.gluings(), *shifts, tetrahedra / 2));
   structure::SolveOptions options;
   options.method = method;
   std::mt19937_64 random(42);
@@ -103,7 +133,7 @@ void run_cover(benchmark::State& state, const std::string& method) {
   for (double& l : options.initial_lengths) l = sample(random);
   structure::Report report;
   for (auto _ : state) report = structure::solve(cover, options);
-  const double expected = 6.4519902708350328653 * static_cast<double>(tetrahedra) / 2;
+  const double expected = base.volume * static_cast<double>(tetrahedra) / 2;
   if (report.outcome != structure::Outcome::kGeometric ||
       std::fabs(report.volume / expected - 1) > 1e-12)
     state.SkipWithError("not the metric of the cover");
@@ -124,13 +154,17 @@ int main(int argc, char** argv) {
   using benchmark::RegisterBenchmark;
   for (const std::int64_t size : {1000, 10000, 100000, 1000000}) {
     RegisterBenchmark("cover of the tripus/newton-cg",
-                      [](benchmark::State& s) { run_cover(s, "newton-cg"); })
+                      [](benchmark::State& s) { run_cover(s, "newton-cg", kTripus); })
+        ->Arg(size)
+        ->Unit(benchmark::kMillisecond);
+    RegisterBenchmark("cover of the figure-eight knot's complement/newton-cg",
+                      [](benchmark::State& s) { run_cover(s, "newton-cg", kFigureEight); })
         ->Arg(size)
         ->Unit(benchmark::kMillisecond);
   }
   for (const std::int64_t size : {1000, 10000}) {
     RegisterBenchmark("cover of the tripus/newton (baseline)",
-                      [](benchmark::State& s) { run_cover(s, "newton"); })
+                      [](benchmark::State& s) { run_cover(s, "newton", kTripus); })
         ->Arg(size)
         ->Unit(benchmark::kMillisecond);
   }
@@ -142,6 +176,12 @@ int main(int argc, char** argv) {
         [method](benchmark::State& s) { run_census(s, method); })
         ->Unit(benchmark::kMillisecond);
   }
+  RegisterBenchmark("census of four tetrahedra/newton, cusps", [](benchmark::State& s) {
+    run_census(s, "newton", cusped_census);
+  })->Unit(benchmark::kMillisecond);
+  RegisterBenchmark("census of four tetrahedra/newton, cusps beside geodesic boundary",
+                    [](benchmark::State& s) { run_census(s, "newton", mixed_census); })
+      ->Unit(benchmark::kMillisecond);
   RegisterBenchmark("census of four tetrahedra/eight at a time", run_census_at_once)
       ->Unit(benchmark::kMillisecond);
   RegisterBenchmark("census of four tetrahedra/program, JSON", run_program)

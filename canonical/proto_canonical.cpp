@@ -15,12 +15,11 @@
 
 #include "base/error.hpp"
 #include "base/tolerances.hpp"
-#include "canonical/detail/precise.hpp"
-#include "energies/co_volume.hpp"
+#include "canonical/detail/carried_metric.hpp"
+#include "canonical/detail/flat_passage.hpp"
 #include "structure/solve.hpp"
 #include "topology/labelled_isosig.hpp"
 #include "topology/moves/best_first.hpp"
-#include "topology/moves/edge_images.hpp"
 
 namespace tripus::canonical {
 namespace {
@@ -32,9 +31,6 @@ using topology::Triangulation;
 
 /// Up to so many tetrahedra the search makes moves everywhere, beyond only around the trouble.
 constexpr std::size_t kSmall = 12;
-/// A tetrahedron with an angle so close to pi is not made on the way: where four vertices lie in
-/// one plane, rounding can make one of volume 0 look true.
-constexpr double kNearlyFlat = 1e-4;
 /// Tetrahedra that the search through triangulations with the metric may add.
 constexpr std::size_t kSpread = 4;
 /// Where there is a metric and its lengths are known, a solution takes a step or none.
@@ -42,47 +38,16 @@ constexpr std::size_t kCheap = 4;
 /// Moves at concave faces, and as many more for each tetrahedron, after which they are taken to go
 /// in circles.
 constexpr std::size_t kMoves = 100, kMovesPerTetrahedron = 20;
+/// Times that the way may lead through flat tetrahedra, and as many more as there are tetrahedra.
+constexpr std::size_t kPassages = 10;
 /// Tetrahedra that the other search may add.
 constexpr std::size_t kExtra = 2;
 
-/// A triangulation on the way, with the metric or without.
-struct State {
-  Triangulation triangulation;
-  Report report;
-  std::vector<Move> path;
-  std::vector<topology::ConeAngle> cone_angles;  ///< [E]; empty if there are no labels
-};
+using detail::CarriedMetric;
+using State = detail::MetricState;
 
 FaceKinds faces_of(const State& state) {
   return face_kinds(state.triangulation, state.report.edge_lengths, state.cone_angles);
-}
-
-/// The length of an edge of one tetrahedron from the others and the dihedral angle opposite it;
-/// nothing if there is none. That angle's cosine is a linear function of the Gram entry:
-/// docs/theory.md (10).
-std::optional<double> length_across(const std::array<double, 6>& l, const detail::Diagonal& d,
-                                    int edge, double angle) {
-  const auto [a, b] = topology::kEdgeEnds[static_cast<std::size_t>(edge)];
-  const auto& ends = topology::kEdgeEnds[static_cast<std::size_t>(5 - edge)];
-  const int i = ends[0], j = ends[1];
-  const auto kind = [&](int v) { return d[static_cast<std::size_t>(v)]; };
-  const auto gram = [&](int v, int w) {
-    const int e = topology::kEdgeNumber[static_cast<std::size_t>(v)][static_cast<std::size_t>(w)];
-    return detail::minus_gram(l[static_cast<std::size_t>(e)], kind(v), kind(w));
-  };
-  const double slope2 = detail::squared_slope(gram(i, j), kind(i), kind(j));
-  // Of the face ij and one more vertex, p of docs/theory.md (7).
-  const auto face = [&](int v) {
-    return kind(v) * slope2 + kind(j) * gram(i, v) * gram(i, v) +
-           kind(i) * gram(j, v) * gram(j, v) + 2 * gram(i, j) * gram(i, v) * gram(j, v);
-  };
-  const double product = kind(j) * gram(i, a) * gram(i, b) + kind(i) * gram(j, a) * gram(j, b) +
-                         gram(i, j) * (gram(i, a) * gram(j, b) + gram(i, b) * gram(j, a));
-  const double entry = (product - std::cos(angle) * std::sqrt(face(a) * face(b))) / slope2;
-  const bool hyperideal = kind(a) != 0 && kind(b) != 0;
-  if (!(entry > (hyperideal ? 1 : 0))) return std::nullopt;
-  if (hyperideal) return std::acosh(entry);
-  return std::log(kind(a) == kind(b) ? entry / 2 : entry);
 }
 
 class Walker {
@@ -91,10 +56,10 @@ class Walker {
          const ProtoCanonicalOptions& options)
       : options_(options),
         volume_(report.volume),
-        state_{triangulation, report, {}, options.cone_angles} {}
+        state_{triangulation, report, {}, options.cone_angles, true} {}
 
   ProtoCanonical run() {
-    if (!descend() && !spread()) search();
+    if (!descend() && !through_planes() && !spread()) search();
     const bool found = !faces_.has_concave();
     return {std::move(state_.triangulation), std::move(state_.report),      std::move(faces_),
             std::move(state_.path),          std::move(state_.cone_angles), found};
@@ -123,13 +88,37 @@ class Walker {
     faces_ = faces_of(state_);
     if (!faces_.has_concave()) return false;
     for (const Move& move : moves_at_concave_faces()) {
-      auto next = moved(state_, move);
-      if (!next || !keeps_metric(*next)) continue;
+      auto next = detail::carried_metric(state_, move);
+      if (!next || !detail::has_true_tetrahedra(*next)) continue;
       solve(*next);
       if (next->state.report.outcome != structure::Outcome::kGeometric) continue;
       state_ = std::move(next->state);
       return true;
     }
+    return false;
+  }
+
+  /// From where the moves got stuck through triangulations with flat tetrahedra, and from each that
+  /// has none again moves at concave faces.
+  bool through_planes() {
+    const State stuck = state_;
+    std::unordered_set<std::string> seen{key(stuck)};
+    const auto go_on = [&](CarriedMetric& next) {
+      if (stopped()) return true;
+      solve(next);
+      if (next.state.report.outcome != structure::Outcome::kGeometric) return false;
+      state_ = std::move(next.state);
+      return descend() || seen.insert(key(state_)).second;
+    };
+    const std::size_t most = kPassages + state_.triangulation.tetrahedron_count();
+    for (std::size_t k = 0; k < most && !stopped(); ++k) {
+      const State here = state_;
+      const FaceKinds faces = faces_;
+      if (!detail::pass_through_planes(here, faces, go_on)) break;
+      if (!faces_.has_concave()) return true;
+    }
+    state_ = stuck;
+    faces_ = faces_of(state_);
     return false;
   }
 
@@ -151,8 +140,8 @@ class Walker {
         if (solves_ >= kCheap * options_.budget) break;
         const bool grows = move.kind == MoveKind::kTwoThree;
         if (here.triangulation.tetrahedron_count() + grows > limit) continue;
-        auto next = moved(here, move);
-        if (!next || !keeps_metric(*next)) continue;
+        auto next = detail::carried_metric(here, move);
+        if (!next || !detail::has_true_tetrahedra(*next)) continue;
         if (!known_.insert(key(next->state)).second) continue;
         solve(*next);
         if (next->state.report.outcome != structure::Outcome::kGeometric) continue;
@@ -190,10 +179,10 @@ class Walker {
         if (size + grows > limit) continue;
         if (!trouble.empty() && !trouble[move.tetrahedron]) continue;
         if (solves_ >= kCheap * options_.budget || stopped()) break;
-        auto next = moved(here, move);
+        auto next = detail::carried_metric(here, move);
         if (!next || !book.learn(key(next->state))) continue;
         const bool was_geometric = here.report.outcome == structure::Outcome::kGeometric;
-        if (!was_geometric || keeps_metric(*next)) solve(*next);
+        if (!was_geometric || detail::has_true_tetrahedra(*next)) solve(*next);
         if (next->state.report.outcome == structure::Outcome::kGeometric) {
           state_ = std::move(next->state);
           if (descend()) return;
@@ -290,57 +279,9 @@ class Walker {
     return true;
   }
 
-  /// The state after a move, and where the metric before it was known: the lengths [E] that the
-  /// edges have in it, the new one included. Empty if it has none.
-  struct Moved {
-    State state;
-    std::vector<double> lengths;
-  };
-
-  /// Not solved; nothing if the move is not legal, or takes a labelled edge away.
-  static std::optional<Moved> moved(const State& from, const Move& move) {
-    topology::Gluings gluings = from.triangulation.gluings();
-    if (!topology::can_apply(gluings, move)) return std::nullopt;
-    const topology::MoveChange change = topology::apply(gluings, move);
-    Moved next{{Triangulation(std::move(gluings)), {}, from.path, {}}, {}};
-    State& state = next.state;
-    state.path.push_back(move);
-    const std::vector<std::uint32_t> images =
-        topology::edge_images(from.triangulation, move, change, state.triangulation);
-    auto labels =
-        topology::carried_labels(from.cone_angles, images, state.triangulation.edge_count());
-    if (!labels) return std::nullopt;
-    state.cone_angles = std::move(*labels);
-    if (from.report.outcome == structure::Outcome::kGeometric) {
-      next.lengths.resize(state.triangulation.edge_count());
-      for (std::size_t e = 0; e < images.size(); ++e)
-        if (images[e] != topology::kNoEdge) next.lengths[images[e]] = from.report.edge_lengths[e];
-      const auto diagonal = topology::new_diagonal(from.triangulation, move, change);
-      if (diagonal && !measure(from, *diagonal, next)) next.lengths.clear();
-    }
-    return next;
-  }
-
-  /// Sets the length of the new edge; false if it has none, as its ends are on the wrong sides.
-  static bool measure(const State& from, const topology::NewDiagonal& diagonal, Moved& next) {
-    const State& state = next.state;
-    const std::size_t t = diagonal.tetrahedron;
-    double angle = 0;
-    for (const auto& [tetrahedron, edge] : diagonal.corners)
-      angle += from.report.dihedral_angles[tetrahedron][static_cast<std::size_t>(edge)];
-    std::array<double, 6> l;
-    for (int e = 0; e < 6; ++e)
-      l[static_cast<std::size_t>(e)] = next.lengths[state.triangulation.edge_class(t, e)];
-    const auto diagonals = detail::diagonals(state.triangulation, state.cone_angles);
-    const auto length = length_across(l, diagonals[t], diagonal.edge, angle);
-    if (!length) return false;
-    next.lengths[state.triangulation.edge_class(t, diagonal.edge)] = *length;
-    return true;
-  }
-
   /// Looks for the metric. Edges of valence 1 and 2 without a label, which no metric has, are not
   /// solved on.
-  void solve(Moved& next) {
+  void solve(CarriedMetric& next) {
     State& state = next.state;
     for (std::size_t e = 0; e < state.triangulation.edge_count(); ++e)
       if (state.triangulation.valence(e) < 3 && is_full(state, e)) return;
@@ -350,6 +291,7 @@ class Walker {
     solve.cone_angles = state.cone_angles;
     solve.initial_lengths = next.lengths;
     state.report = structure::solve(state.triangulation, solve);
+    state.has_metric = state.report.outcome == structure::Outcome::kGeometric;
     ++solves_;
     if (state.report.outcome == structure::Outcome::kGeometric &&
         !(std::fabs(state.report.volume - volume_) <= tolerance::kVolumeAgreement * volume_)) {
@@ -357,18 +299,6 @@ class Walker {
                                       topology::to_string(state.path.back()), volume_,
                                       state.report.volume));
     }
-  }
-
-  /// Whether the metric, which was known before the move, is one after it: true tetrahedra.
-  static bool keeps_metric(const Moved& next) {
-    if (next.lengths.empty()) return false;
-    const energies::CoVolume energy(next.state.triangulation, next.state.cone_angles);
-    const auto at = energy.at(next.lengths);
-    if (!at.is_defined() || at.flat_count() > 0) return false;
-    for (std::size_t t = 0; t < next.state.triangulation.tetrahedron_count(); ++t)
-      if (std::ranges::max(at.dihedral_angles(t)) > std::numbers::pi - kNearlyFlat) return false;
-    return std::ranges::all_of(at.gradient(),
-                               [](double K) { return std::fabs(K) < tolerance::kFlatAngleMargin; });
   }
 
   static bool is_full(const State& state, std::size_t edge) {

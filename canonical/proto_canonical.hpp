@@ -29,8 +29,9 @@ struct ProtoCanonical {
 
 /// Moves at concave faces until there are none: 3-2 at an edge of the face, else 2-3 at the face,
 /// else 4-4 at an edge of it; what is reached must carry the metric with the same volume. Where no
-/// such move is possible (points in one plane can make that happen), a search through neighbouring
-/// triangulations, with the metric or without, finds the next one with the metric to go on from.
+/// such move is possible (points in one plane can make that happen), moves at flat tetrahedra in
+/// such a plane, or else a search through neighbouring triangulations, with the metric or without,
+/// find the next one with the metric to go on from.
 ///   report  of `triangulation`, geometric, without finite vertices
 /// Deterministic. Throws InternalError if moves change the volume, which must not happen.
 ProtoCanonical proto_canonical(const topology::Triangulation& triangulation,

@@ -47,8 +47,13 @@ std::string page_of(const Subject& subject, const structure::Report& report,
 
 std::string boundary_of(const structure::Report& report) {
   std::string text;
-  for (const structure::VertexReport& vertex : report.vertices)
-    text += fmt::format("{}genus {}", text.empty() ? "" : ", ", vertex.genus);
+  for (const structure::VertexReport& vertex : report.vertices) {
+    if (vertex.kind == topology::VertexKind::kFinite) continue;
+    const std::string one = vertex.kind == topology::VertexKind::kIdeal
+                                ? "cusp"
+                                : fmt::format("genus {}", vertex.genus);
+    text += (text.empty() ? "" : ", ") + one;
+  }
   return text;
 }
 
@@ -149,9 +154,9 @@ class Gallery {
 
   Reply make(const topology::BatchLine& line, viewer::GalleryEntry& entry) {
     if (line.text == "-") throw InvalidInput(kNoStandardInput);
-    const Solved solved =
-        find_metric(load_solvable_subject(line.text, interruptible(), require_boundary_with_remedy),
-                    {}, request_.search);
+    const Solved solved = find_metric(
+        load_ideal_subject(line.text, Balls::kRefused, interruptible(), require_with_remedy), {},
+        request_.search);
     const Subject& subject = solved.subject;
     const structure::Report& report = solved.report;
     if (!solved.is_geometric()) {
@@ -160,7 +165,8 @@ class Gallery {
                             : report_as_text(subject, report, solved.search()),
               kNoAnswer};
     }
-    const auto embedding = embedding::embed(subject.triangulation, report.edge_lengths);
+    const auto embedding =
+        embedding::embed(subject.triangulation, report.edge_lengths, {subject.cone_angles, 0});
     entry.name = name_of(subject);
     set_files(line, entry);
     entry.tetrahedron_count = subject.triangulation.tetrahedron_count();
@@ -222,6 +228,10 @@ std::shared_ptr<const viewer::WallDiscs> discs_for(const DiscRequest& request,
                                                    const structure::Report& report,
                                                    const embedding::Embedding& embedding) {
   if (!request.wanted) return nullptr;
+  if (std::ranges::none_of(report.vertices, [](const structure::VertexReport& vertex) {
+        return vertex.kind == topology::VertexKind::kHyperideal;
+      }))
+    throw InvalidInput("--discs: there is no geodesic boundary to draw them on");
   try {
     return std::make_shared<const viewer::WallDiscs>(viewer::find_wall_discs(
         embedding, subject.triangulation, report.edge_lengths, request.length, interruptible()));

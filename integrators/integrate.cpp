@@ -262,6 +262,11 @@ bool Integration::advance() {
   };
   dt_ = choose_step();
   for (rejections_ = 0;; ++rejections_) {
+    // A step that does not show in the time is none.
+    if (!(time_ + dt_ > time_)) {
+      run_.termination = Termination::kStalled;
+      return false;
+    }
     failed_ = false;
     method_->step(rhs, remainder_, v_, dt_, displacement_, new_v_, error_);
     switch (judge()) {

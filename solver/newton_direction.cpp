@@ -37,14 +37,15 @@ void NewtonDirection::compute(std::span<const double> x, const Evaluation& at,
   i.regularised.compute(at, g, max_gradient, longest, 1, d);
 }
 
-double newton_distance(const Evaluation& at, std::span<const double> g) {
+double newton_distance(const Evaluation& at, std::span<const double> g, double least_curvature) {
   constexpr double kDigits = 1e-3;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   detail::ConjugateGradients system(g.size(), 1);
   const std::span<const double> diagonal = system.load(at);
   std::vector<double> shift(g.size()), d(g.size());
   for (std::size_t i = 0; i < g.size(); ++i) {
-    if (diagonal[i] > 0) continue;
+    shift[i] = least_curvature;
+    if (diagonal[i] > 0 || least_curvature > 0) continue;
     if (g[i] != 0) return kInfinity;
     shift[i] = 1;
   }

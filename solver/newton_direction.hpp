@@ -28,6 +28,8 @@ class NewtonDirection {
 /// the minimiser is. `at` is of second order. g must be orthogonal to the constant directions of
 /// `Problem::pins`. The step is 0 at variables that neither g nor H
 /// sees, and infinite where H does not bend along g.
-double newton_distance(const Evaluation& at, std::span<const double> g);
+///   least_curvature  added to the diagonal of H: where the function may be constant along more
+///                    directions than those of the pins, and g is rounding along them
+double newton_distance(const Evaluation& at, std::span<const double> g, double least_curvature = 0);
 
 }  // namespace tripus::solver

@@ -94,10 +94,14 @@ std::string distance_objection(const topology::Triangulation& triangulation,
     if (gradient[e] != 0 && std::fabs(gradient[e]) < tolerance::kCurvatureRounding)
       gradient[e] = std::copysign(tolerance::kCurvatureRounding, gradient[e]);
   }
-  remove_horosphere_shifts(triangulation, energy, gradient);
+  // Without the flat tetrahedra the rest may come apart, into more cusps than there were, whose
+  // horospheres move one by one.
+  constexpr double kLeastCurvature = 1e-9;
+  const bool flat = at.flat_count() > 0;
+  if (!flat) remove_horosphere_shifts(triangulation, energy, gradient);
   for (double& g : gradient)
     if (std::fabs(g) < kNothing) g = 0;
-  const double distance = solver::newton_distance(at, gradient);
+  const double distance = solver::newton_distance(at, gradient, flat ? kLeastCurvature : 0);
   if (distance <= tolerance::kMaxDistanceToMetric * scale) return {};
   return fmt::format(
       "the curvature is small but a metric is not near (the longest edge has length {:.3g}), as "

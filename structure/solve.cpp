@@ -21,6 +21,7 @@
 #include "structure/detail/precise_minimiser.hpp"
 #include "structure/detail/small_decision.hpp"
 #include "structure/detail/small_programme.hpp"
+#include "structure/detail/thin_tetrahedra.hpp"
 #include "structure/existence.hpp"
 #include "structure/method.hpp"
 #include "structure/starting_lengths.hpp"
@@ -196,7 +197,7 @@ Report judged_run(const topology::Triangulation& triangulation, const SolveOptio
   if (energy == nullptr) energy = &other.emplace(triangulation, options.cone_angles);
   Report report = assess(triangulation, *energy, run.lengths, options.tolerance, run.summary);
   report.method = method.name;
-  return report;
+  return detail::settled_if_thin(triangulation, options, std::move(report));
 }
 
 /// Whether a limit that the user set, or the user, ended the run.
@@ -261,6 +262,10 @@ Report settle(const topology::Triangulation& triangulation, const SolveOptions& 
   }
   Existence found = *std::move(decided);
   if (auto* certificate = std::get_if<Certificate>(&found)) {
+    if (certificate->kind == Certificate::Kind::kSemi && report.outcome == Outcome::kUnresolved)
+      report = detail::settled_if_thin(
+          triangulation, options,
+          detail::flat_minimiser(triangulation, options, report).value_or(report));
     // A flat minimiser is more than a certificate says; it contradicts one of kind "none".
     if (certificate->kind == Certificate::Kind::kNone || report.outcome != Outcome::kDegenerate) {
       report.outcome = Outcome::kInfeasible;

@@ -11,9 +11,10 @@
 #include "topology/detail/minors.hpp"
 
 // First, pivots +-1 are eliminated on sparse rows of 64-bit integers, with every product checked: a
-// pivot whose elimination would overflow is put aside. Numbers that are longer never arise: minors
-// of the few rows left give their rank and a multiple of all invariant factors, and modulo that
-// they go through the textbook algorithm.
+// pivot whose elimination would overflow is put aside. Then the same with long integers, as long as
+// the digits of all entries together stay what they were: so the strips of rows that large covers
+// leave merge in pairs. Minors of the few rows left give their rank and a multiple of all invariant
+// factors, and modulo that they go through the textbook algorithm.
 
 namespace tripus::topology::detail {
 namespace {
@@ -29,35 +30,57 @@ bool subtract_product(std::int64_t& x, std::int64_t factor, std::int64_t y) {
   return true;
 }
 
-bool is_unit(std::int64_t x) { return x == 1 || x == -1; }
+bool subtract_product(BigInteger& x, const BigInteger& factor, const BigInteger& y) {
+  x -= factor * y;
+  return true;
+}
 
-using IntegerRow = SparseRow<std::int64_t>;
+template <class Integer>
+bool is_unit(const Integer& x) {
+  return x == 1 || x == -1;
+}
+
+std::int64_t divisor_of(std::int64_t x, std::int64_t y) { return std::gcd(x, y); }
+BigInteger divisor_of(const BigInteger& x, const BigInteger& y) { return gcd(x, y); }
+
+/// Digits, in bits, of all entries.
+std::size_t digits_of(const SparseRow<BigInteger>& row) {
+  std::size_t sum = 0;
+  for (const auto& entry : row) sum += binary_digits(entry.value);
+  return sum;
+}
+std::size_t digits_of(const SparseRow<std::int64_t>&) { return 0; }  // bounded by themselves
 
 /// old - factor * row, or nothing on overflow.
-std::optional<IntegerRow> difference(const IntegerRow& old, std::int64_t factor,
-                                     const IntegerRow& row) {
-  IntegerRow merged;
+template <class Integer>
+std::optional<SparseRow<Integer>> difference(const SparseRow<Integer>& old, const Integer& factor,
+                                             const SparseRow<Integer>& row) {
+  SparseRow<Integer> merged;
   merged.reserve(old.size() + row.size());
   auto x = old.begin();
   for (const auto& y : row) {
     while (x != old.end() && x->column < y.column) merged.push_back(*x++);
-    Entry<std::int64_t> sum{y.column, 0};
+    Entry<Integer> sum{y.column, 0};
     if (x != old.end() && x->column == y.column) sum.value = (x++)->value;
     if (!subtract_product(sum.value, factor, y.value)) return std::nullopt;
-    if (sum.value != 0) merged.push_back(sum);
+    if (sum.value != 0) merged.push_back(std::move(sum));
   }
   merged.insert(merged.end(), x, old.end());
   return merged;
 }
 
+template <class Integer>
 class UnitEliminator {
  public:
-  UnitEliminator(std::vector<IntegerRow> rows, std::size_t column_count, const Stop& stop)
+  UnitEliminator(std::vector<SparseRow<Integer>> rows, std::size_t column_count, const Stop& stop)
       : stop_(stop), rows_(std::move(rows)), rows_of_(column_count), count_(column_count, 0) {
     for (std::uint32_t r = 0; r < rows_.size(); ++r) {
       for (const auto& entry : rows_[r]) add_to_column(entry.column, r);
     }
     for (std::uint32_t r = 0; r < rows_.size(); ++r) queue_row(r);
+    for (const auto& row : rows_) digits_ += digits_of(row);
+    // Two rows and columns that go one after the other make more on the way.
+    most_digits_ = 2 * digits_;
   }
 
   /// Eliminates unit pivots until there is none, and returns their number.
@@ -83,7 +106,7 @@ class UnitEliminator {
     return pivots;
   }
 
-  std::vector<IntegerRow> take_rows() {
+  std::vector<SparseRow<Integer>> take_rows() {
     std::erase_if(rows_, [](const auto& row) { return row.empty(); });
     return std::move(rows_);
   }
@@ -114,12 +137,12 @@ class UnitEliminator {
 
   /// True if the divisor is a unit.
   bool merge_private_columns(std::uint32_t r) {
-    IntegerRow& row = rows_[r];
-    std::int64_t divisor = 0;
+    SparseRow<Integer>& row = rows_[r];
+    Integer divisor = 0;
     std::uint32_t kept = 0;
     for (const auto& entry : row)
       if (count_[entry.column] == 1) {
-        divisor = std::gcd(divisor, entry.value);
+        divisor = divisor_of(divisor, entry.value);
         kept = entry.column;
       }
     const std::size_t old_size = row.size();
@@ -128,7 +151,7 @@ class UnitEliminator {
       if (gone) count_[entry.column] = 0;
       return gone;
     });
-    std::ranges::lower_bound(row, kept, {}, &Entry<std::int64_t>::column)->value = divisor;
+    std::ranges::lower_bound(row, kept, {}, &Entry<Integer>::column)->value = divisor;
     if (is_unit(divisor)) return true;
     if (row.size() != old_size) queue_row(r);
     return false;
@@ -139,13 +162,14 @@ class UnitEliminator {
   }
 
   void drop_row(std::uint32_t r) {
+    digits_ -= digits_of(rows_[r]);
     for (const auto& entry : rows_[r]) leave_column(entry.column);
-    IntegerRow().swap(rows_[r]);
+    SparseRow<Integer>().swap(rows_[r]);
   }
 
   /// The unit entry in the emptiest column, which makes the least fill.
-  const Entry<std::int64_t>* cheapest_unit(const IntegerRow& row) const {
-    const Entry<std::int64_t>* best = nullptr;
+  const Entry<Integer>* cheapest_unit(const SparseRow<Integer>& row) const {
+    const Entry<Integer>* best = nullptr;
     for (const auto& entry : row)
       if (is_unit(entry.value) && (!best || count_[entry.column] < count_[best->column]))
         best = &entry;
@@ -153,7 +177,7 @@ class UnitEliminator {
   }
 
   /// Markowitz's bound on the entries that the pivot makes.
-  std::size_t fill(std::uint32_t r, const Entry<std::int64_t>& pivot) const {
+  std::size_t fill(std::uint32_t r, const Entry<Integer>& pivot) const {
     return (rows_[r].size() - 1) * (count_[pivot.column] - 1);
   }
   void queue_row(std::uint32_t r) {
@@ -161,34 +185,38 @@ class UnitEliminator {
       waiting_.emplace(fill(r, *pivot), shuffled(r), r);
   }
 
-  static const Entry<std::int64_t>* find(const IntegerRow& row, std::uint32_t column) {
-    const auto place = std::ranges::lower_bound(row, column, {}, &Entry<std::int64_t>::column);
+  static const Entry<Integer>* find(const SparseRow<Integer>& row, std::uint32_t column) {
+    const auto place = std::ranges::lower_bound(row, column, {}, &Entry<Integer>::column);
     return place != row.end() && place->column == column ? &*place : nullptr;
   }
 
-  /// False on overflow: then rows were changed by multiples of row r only, which is harmless.
+  /// False on overflow, or where there would be too many digits: then rows were changed by
+  /// multiples of row r only, which is harmless.
   bool eliminate(std::uint32_t r, std::uint32_t column) {
-    const IntegerRow pivot_row = rows_[r];
-    const std::int64_t pivot = find(pivot_row, column)->value;
+    const SparseRow<Integer> pivot_row = rows_[r];
+    const Integer pivot = find(pivot_row, column)->value;
     const auto members = rows_of_[column];  // may hold rows that have lost the column
     for (const std::uint32_t other : members) {
       const auto* entry = other == r ? nullptr : find(rows_[other], column);
-      if (entry && !subtract(other, entry->value * pivot, pivot_row)) return false;
+      if (entry && !subtract(other, Integer(entry->value * pivot), pivot_row)) return false;
     }
     drop_row(r);
     std::vector<std::uint32_t>().swap(rows_of_[column]);
     return true;
   }
 
-  bool subtract(std::uint32_t target, std::int64_t factor, const IntegerRow& row) {
+  bool subtract(std::uint32_t target, const Integer& factor, const SparseRow<Integer>& row) {
     auto merged = difference(rows_[target], factor, row);
     if (!merged) return false;
+    const std::size_t digits = digits_ - digits_of(rows_[target]) + digits_of(*merged);
+    if (digits > most_digits_) return false;
+    digits_ = digits;
     replace(target, std::move(*merged));
     return true;
   }
 
-  void replace(std::uint32_t target, IntegerRow merged) {
-    const IntegerRow& old = rows_[target];
+  void replace(std::uint32_t target, SparseRow<Integer> merged) {
+    const SparseRow<Integer>& old = rows_[target];
     for (const auto& entry : old)
       if (!find(merged, entry.column)) leave_column(entry.column);
     for (const auto& entry : merged)
@@ -201,10 +229,11 @@ class UnitEliminator {
   /// a single long one, where scattered ones merge in pairs.
   static std::uint32_t shuffled(std::uint32_t r) { return r * 2654435761u; }
 
+  std::size_t digits_ = 0, most_digits_ = 0;  // of all rows: now, and at most
   // Fill when queued, tie breaker, row.
   using Waiting = std::tuple<std::size_t, std::uint32_t, std::uint32_t>;
   Stop stop_;
-  std::vector<IntegerRow> rows_;
+  std::vector<SparseRow<Integer>> rows_;
   std::vector<std::vector<std::uint32_t>> rows_of_;  // per column, possibly stale
   std::vector<std::uint32_t> count_;                 // per column, exact
   std::vector<std::uint32_t> single_;                // columns that may have one row only
@@ -225,14 +254,15 @@ void subtract(Vector& x, const BigInteger& factor, const Vector& y, std::size_t 
 
 /// At most k vectors that generate, modulo m, what the columns of k rows generate. Brought to
 /// echelon form one by one, as there may be many more columns than rows.
-std::vector<Vector> generating_columns(const std::vector<IntegerRow>& rows,
+template <class Integer>
+std::vector<Vector> generating_columns(const std::vector<SparseRow<Integer>>& rows,
                                        std::size_t column_count, const BigInteger& m,
                                        const Stop& stop) {
-  std::vector<IntegerRow> columns(column_count);
+  std::vector<SparseRow<Integer>> columns(column_count);
   for (std::uint32_t r = 0; r < rows.size(); ++r)
     for (const auto& entry : rows[r]) columns[entry.column].push_back({r, entry.value});
   std::vector<Vector> basis(rows.size());  // by first place
-  for (const IntegerRow& column : columns) {
+  for (const SparseRow<Integer>& column : columns) {
     throw_if_stopped(stop);
     Vector vector(rows.size());
     for (const auto& entry : column) vector[entry.column] = ((entry.value % m) + m) % m;
@@ -378,12 +408,12 @@ SparseRow<std::int64_t> collected(SparseRow<std::int64_t> summands) {
   return summands;
 }
 
-SmithForm smith_form(std::vector<SparseRow<std::int64_t>> rows, std::size_t column_count,
-                     const Stop& stop) {
-  SmithForm form;
-  UnitEliminator eliminator(std::move(rows), column_count, stop);
-  form.rank = eliminator.run();
-  const auto left = eliminator.take_rows();
+namespace {
+
+/// Of what has no pivots left, added to what is known.
+template <class Integer>
+SmithForm completed(SmithForm form, const std::vector<SparseRow<Integer>>& left,
+                    std::size_t column_count, const Stop& stop) {
   const auto [rank, multiple] = minors(left, column_count, stop);
   form.rank += rank;
   if (multiple == 1) return form;
@@ -393,6 +423,34 @@ SmithForm smith_form(std::vector<SparseRow<std::int64_t>> rows, std::size_t colu
   for (BigInteger& factor : factors)
     if (factor != 1) form.factors.push_back(std::move(factor));
   return form;
+}
+
+std::vector<SparseRow<BigInteger>> as_long_integers(
+    const std::vector<SparseRow<std::int64_t>>& rows) {
+  std::vector<SparseRow<BigInteger>> result(rows.size());
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (const auto& entry : rows[r]) result[r].push_back({entry.column, entry.value});
+  return result;
+}
+
+bool has_unit(const std::vector<SparseRow<std::int64_t>>& rows) {
+  return std::ranges::any_of(rows, [](const auto& row) {
+    return std::ranges::any_of(row, [](const auto& entry) { return is_unit(entry.value); });
+  });
+}
+
+}  // namespace
+
+SmithForm smith_form(std::vector<SparseRow<std::int64_t>> rows, std::size_t column_count,
+                     const Stop& stop) {
+  SmithForm form;
+  UnitEliminator eliminator(std::move(rows), column_count, stop);
+  form.rank = eliminator.run();
+  const auto left = eliminator.take_rows();
+  if (!has_unit(left)) return completed(std::move(form), left, column_count, stop);
+  UnitEliminator longer(as_long_integers(left), column_count, stop);
+  form.rank += longer.run();
+  return completed(std::move(form), longer.take_rows(), column_count, stop);
 }
 
 }  // namespace tripus::topology::detail

@@ -66,6 +66,14 @@ void require_drawable(const Scene& scene, const PictureOptions& options, int wid
            !scene.focus),
       "the renderer opencsg knows no transparent tetrahedra, no colours of edges, no cells without "
       "lines and no Moebius moves; the renderer faces does");
+  require(options.renderer == RendererKind::kFaces || options.model != Model::kKleinBall ||
+              std::ranges::none_of(scene.cells,
+                                   [](const SceneCell& cell) {
+                                     return std::ranges::find(cell.diagonal, 0.0) !=
+                                            cell.diagonal.end();
+                                   }),
+          "the renderer opencsg draws spheres and planes, and horospheres of the Klein ball are "
+          "neither; the renderer faces draws them, and opencsg does in the other models");
   require(!options.transparent || *options.transparent < scene.tetrahedron_count,
           "there is no tetrahedron " + std::to_string(options.transparent.value_or(0)) +
               " to be transparent: they go from 0 to " +

@@ -39,6 +39,7 @@ struct PictureOptions {
   RendererKind renderer = RendererKind::kFaces;
   bool occlusion = true;  ///< whether nooks are darkened; costs some
   bool lines = true;      ///< along edges and borders of walls; by OpenCSG always
+  bool tubes = true;      ///< around edges, where they are wide enough, if there are lines
   bool dark = false;      ///< the background
   bool labels = false;    ///< names of tetrahedra and edges; of pictures and windows
   /// One can look through the cells of this tetrahedron; hollow cells are left out instead. Not by

@@ -20,6 +20,13 @@ Colour mixed(const Colour& from, const Colour& to, float t) {
   return result;
 }
 
+void require_no_parabolic_edge(const geometry::HyperboloidTetrahedron& shape) {
+  if (shape.parabolic_edges == 0) return;
+  throw Unsupported(
+      "parabolic edges (cone order 0) are not drawn; `tripus embed FILE -o cells.ply`, with a file "
+      "of the labels, writes their cells for other programs");
+}
+
 }  // namespace
 
 std::vector<std::size_t> corners_of_wall(std::size_t wall) {
@@ -39,6 +46,12 @@ std::vector<std::size_t> corners_of_wall(std::size_t wall) {
   return result;
 }
 
+HalfSpace half_space(Model model, const SceneCell& cell, std::size_t wall) {
+  if (!has_wall(cell, wall)) return {0, {1e-6, 0, 0}, -1};
+  return is_horosphere(cell, wall) ? horosphere(model, cell.walls[wall])
+                                   : half_space(model, cell.walls[wall]);
+}
+
 Scene make_scene(std::string title, const embedding::Embedding& embedding,
                  std::span<const embedding::Cell> cells, const geometry::Matrix4& frame) {
   Scene scene;
@@ -52,6 +65,11 @@ Scene make_scene(std::string title, const embedding::Embedding& embedding,
     cell.tetrahedron = from.tetrahedron;
     cell.depth = from.depth;
     cell.place = place;
+    cell.diagonal = shape.diagonal;
+    cell.singular_edges = embedding.singular_edges.empty()
+                              ? std::uint8_t{0}
+                              : embedding.singular_edges[from.tetrahedron];
+    require_no_parabolic_edge(shape);
     for (std::size_t i = 0; i < 4; ++i) {
       cell.walls[i] = place * shape.faces[i];
       cell.walls[4 + i] = place * shape.vertices[i];
@@ -116,7 +134,9 @@ std::vector<Vector3> outline(Model model, const SceneCell& cell) {
   const auto add = [&](const Vector4& x) {  // sums of points of the hyperboloid are timelike
     points.push_back(geometry::to_model(model, x / std::sqrt(-geometry::lorentz_product(x, x))));
   };
+  // Where horospheres cut cells off, the cells lie in the hulls of their corners.
   for (std::size_t wall = 0; wall < kWallCount; ++wall) {
+    if (!has_wall(cell, wall)) continue;
     const std::vector<std::size_t> around = corners_of_wall(wall);
     Vector4 middle = Vector4::Zero();
     for (const std::size_t corner : around) middle += cell.corners[corner];
@@ -213,14 +233,15 @@ Colour wall_colour(ColourBy colour_by, const SceneCell& cell, std::size_t wall) 
     for (std::size_t k = 0; k < 3; ++k) colour[k] = static_cast<float>(bytes[k]) / 255;
     return colour;
   };
-  constexpr Colour kPaper{0.94F, 0.93F, 0.89F};
+  constexpr Colour kPaper{0.94F, 0.93F, 0.89F}, kIce{0.76F, 0.87F, 0.96F};
   constexpr float kTint = 0.62F;
   constexpr Colour kGrey{0.72F, 0.73F, 0.74F};
+  const Colour paper = is_horosphere(cell, wall) ? kIce : kPaper;
   if (colour_by == ColourBy::kFace)
-    return is_truncation(wall) ? kPaper : palette(cell.face_class[wall]);
+    return is_truncation(wall) ? paper : palette(cell.face_class[wall]);
   if (colour_by == ColourBy::kComponent)
     return is_truncation(wall) ? palette(cell.vertex_class[wall - 4]) : kGrey;
-  if (colour_by == ColourBy::kEdge) return is_truncation(wall) ? kPaper : kGrey;
+  if (colour_by == ColourBy::kEdge) return is_truncation(wall) ? paper : kGrey;
   Colour colour = palette(cell.tetrahedron);
   if (colour_by == ColourBy::kDepth) {
     constexpr float kFade = 6;  // gluings after which the ramp is nearly at its end
@@ -228,7 +249,7 @@ Colour wall_colour(ColourBy colour_by, const SceneCell& cell, std::size_t wall) 
     colour =
         t < 0.5F ? mixed(palette(5), palette(2), 2 * t) : mixed(palette(2), palette(4), 2 * t - 1);
   }
-  return is_truncation(wall) ? mixed(colour, kPaper, kTint) : colour;
+  return is_truncation(wall) ? mixed(colour, paper, kTint) : colour;
 }
 
 }  // namespace tripus::viewer

@@ -16,7 +16,8 @@
 namespace tripus::viewer {
 
 /// The walls of a truncated tetrahedron: its faces 0..3 (hexagons), then its truncations 0..3
-/// (triangles), wall 4 + v truncating vertex v.
+/// (triangles), wall 4 + v truncating vertex v: a plane, a horosphere if the vertex is ideal, and
+/// nothing if it is finite.
 inline constexpr std::size_t kWallCount = 8;
 constexpr bool is_truncation(std::size_t wall) { return wall >= 4; }
 
@@ -30,12 +31,16 @@ struct BoundingBall {
   double radius = 0;
 };
 
-/// One cell of the universal cover, ready to be drawn: an intersection of 8 half-spaces.
+/// One cell of the universal cover, ready to be drawn: an intersection of up to 8 half-spaces.
 struct SceneCell {
   std::uint32_t tetrahedron = 0;
   std::uint32_t depth = 0;  ///< gluings away from the first cell
   /// [8] unit outward normals of the walls, hyperboloid model, time last: <normal, X> <= 0 inside.
+  /// Of an ideal vertex a null vector, <wall, X> <= -1 inside; of a finite one the vertex.
   std::array<Vector4, kWallCount> walls;
+  /// Of the vertices: 1 hyperideal, 0 ideal, -1 finite.
+  std::array<double, 4> diagonal{1, 1, 1, 1};
+  std::uint8_t singular_edges = 0;  ///< bit e: edge e is singular
   /// [12] corners on the hyperboloid: corner 3 v + k lies on truncation v and on the k-th edge of
   /// the tetrahedron at v, in the order of the other vertices.
   std::array<Vector4, 12> corners;
@@ -45,6 +50,17 @@ struct SceneCell {
   std::array<std::uint32_t, 4> face_class{0, 1, 2, 3}, vertex_class{0, 0, 0, 0};
   std::array<std::uint32_t, 6> edge_class{0, 1, 2, 3, 4, 5};
 };
+
+/// Whether a wall of a cell is there.
+inline bool has_wall(const SceneCell& cell, std::size_t wall) {
+  return !is_truncation(wall) || cell.diagonal[wall - 4] >= 0;
+}
+/// Whether it is a horosphere.
+inline bool is_horosphere(const SceneCell& cell, std::size_t wall) {
+  return is_truncation(wall) && cell.diagonal[wall - 4] == 0;
+}
+/// The half-space of a wall; one that holds everything near the cells if it is not there.
+HalfSpace half_space(Model model, const SceneCell& cell, std::size_t wall);
 
 /// What is drawn, by every viewer.
 struct Scene {
@@ -60,6 +76,7 @@ struct Scene {
 
 /// Puts cells into a scene.
 ///   frame  moves all of them; default_frame(model) makes for good pictures
+/// Throws Unsupported for parabolic edges.
 Scene make_scene(std::string title, const embedding::Embedding& embedding,
                  std::span<const embedding::Cell> cells, const geometry::Matrix4& frame);
 
@@ -103,7 +120,8 @@ inline constexpr int kColourByCount = 5;
 using Colour = std::array<float, 3>;
 
 /// The colour of a wall of a cell: Okabe and Ito's palette, safe for colour-blind readers, and a
-/// ramp of one hue to another for the depth. Truncations have a light tint of their cell's colour.
+/// ramp of one hue to another for the depth. Truncations have a light tint of their cell's colour,
+/// horospheres a bluish one.
 Colour wall_colour(ColourBy colour_by, const SceneCell& cell, std::size_t wall);
 
 /// The number of the edge of a tetrahedron between two of its vertices, 0..5: 01, 02, 03, 12,

@@ -94,6 +94,9 @@ std::string describe(const Scene& scene, std::size_t cell_number, std::size_t wa
   const SceneCell& cell = scene.cells.at(cell_number);
   std::string text = fmt::format("tetrahedron {}", cell.tetrahedron);
   if (wall >= kWallCount) return text + ", cut";
+  if (is_horosphere(cell, wall)) {
+    return text + fmt::format(", horosphere {} of cusp {}", wall - 4, cell.vertex_class[wall - 4]);
+  }
   if (is_truncation(wall)) {
     return text + fmt::format(", truncation {} of boundary component {}", wall - 4,
                               cell.vertex_class[wall - 4]);

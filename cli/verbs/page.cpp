@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/output_file.hpp"
+#include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/output.hpp"
 #include "cli/output_names.hpp"

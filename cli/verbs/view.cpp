@@ -24,6 +24,7 @@
 #include "cli/view_pages.hpp"
 #include "embedding/universal_cover.hpp"
 #include "geometry/moebius.hpp"
+#include "manifold/labels.hpp"
 #include "manifold/load.hpp"
 #include "parameterise/picture.hpp"
 #include "viewer/egl/offscreen.hpp"
@@ -45,6 +46,7 @@ struct ViewCommand {
   std::string camera;
   std::string model = "ball";
   MetricSearch search;
+  std::vector<std::string> cone_orders;  ///< EDGE=ORDER
   std::string colour_by = "tetrahedron";
   std::string renderer = "faces";
   std::optional<double> cut_away;
@@ -215,13 +217,25 @@ Reply draw_picture(const Developed& developed, const ViewCommand& command) {
   return picture_written(developed, command, drawn);
 }
 
+/// The labels of the command line come on top of those of the input.
+Subject load_with(const std::vector<std::string>& cone_orders, const std::string& input) {
+  if (cone_orders.empty())
+    return load_ideal_subject(input, Balls::kRefused, interruptible(), require_with_remedy);
+  Subject subject = load_labelled_subject(input, Balls::kRefused, interruptible());
+  LabelAssignment labels(subject.cone_angles, subject.triangulation.edge_count());
+  for (const std::string& list : cone_orders)
+    labels.assign("--cone-order", list, "EDGE=ORDER, such as 0=3", topology::parse_cone_order);
+  require_with_remedy(subject.triangulation, subject.cone_angles);
+  return subject;
+}
+
 PageRequest page_request(const ViewCommand& command) {
   return {command.page,        command.cells,  command.model,
           command.common.json, command.search, command.disc_request};
 }
 
 Reply view_one(const ViewCommand& command, const std::string& input) {
-  Subject loaded = load_solvable_subject(input, interruptible(), require_boundary_with_remedy);
+  Subject loaded = load_with(command.cone_orders, input);
   Solved solved = find_metric(std::move(loaded), {}, command.search);
   if (!solved.is_geometric()) {
     return {command.common.json ? report_as_json(solved.subject, solved.report, solved.search())
@@ -230,7 +244,8 @@ Reply view_one(const ViewCommand& command, const std::string& input) {
   }
   Developed developed{std::move(solved.subject), std::move(solved.report), {}, {}};
   developed.embedding =
-      embedding::embed(developed.subject.triangulation, developed.report.edge_lengths);
+      embedding::embed(developed.subject.triangulation, developed.report.edge_lengths,
+                       {developed.subject.cone_angles, 0});
 
   if (!command.page.empty()) {
     return write_page(developed.subject, developed.report, developed.embedding,
@@ -246,6 +261,7 @@ Reply view_one(const ViewCommand& command, const std::string& input) {
     window.cells = command.cells;
     window.motion = command.motion;
     window.command = "tripus view " + shell_word(input);
+    for (const std::string& list : command.cone_orders) window.command += " --cone-order " + list;
     if (const MetricSearch& search = command.search; search.retriangulate)
       window.command += fmt::format(" --retriangulate --budget {} --seed {}", search.options.budget,
                                     search.options.seed);
@@ -395,6 +411,12 @@ void add_view(CLI::App* verb, Command& chosen) {
        {"--size", "--colour-by", "--transparent", "--labels", "--no-lines", "--hollow", "--dark",
         "--moebius", "--no-truncations", "--no-faces", "--cut-away", "--renderer", "--camera"})
     page->excludes(verb->get_option(name));
+  verb->add_option("--cone-order", command->cone_orders,
+                   "make an edge class singular of order N (cone angle 2pi/N): 0=2,1=3;\n"
+                   "singular edges are red")
+      ->option_text("EDGE=N")
+      ->allow_extra_args(false)
+      ->excludes(gallery);
   add_metric_search(*verb, command->search);
   verb->add_flag("--json", command->common.json, "one JSON object");
   verb->add_option("--threads", command->common.threads,

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "integrators/flow.hpp"
+#include "integrators/limited_velocity.hpp"
 
 // dx/dt = -H^s g: the curvature flow for s = 0, the Calabi flow for s = 1, Newton's for s = -1, and
 // what lies between. g decays like e^(-t l^(1+s)) for an eigenvalue l of H. It takes all
@@ -23,8 +24,9 @@ using solver::Order;
 constexpr std::size_t kMostUnknowns = 500;
 
 /// Eigenvalues below this part of the largest count as 0, and nothing moves along them: rounding,
-/// and the directions in which horospheres move.
-constexpr double kNullEigenvalue = 1e-12;
+/// and the directions in which horospheres move. For s < 0 those below kSmallEigenvalue of the
+/// largest count as that; where all of H vanishes the flow is the curvature flow.
+constexpr double kNullEigenvalue = 1e-12, kSmallEigenvalue = 1e-6;
 
 class Fractional final : public Field {
  public:
@@ -43,6 +45,7 @@ class Fractional final : public Field {
     if (!power) return false;
     power->apply(gradient, velocity);
     for (double& v : velocity) v = -v;
+    if (power_ < 0) limit_velocity(x, velocity);
     return true;
   }
 
@@ -86,9 +89,15 @@ class Fractional final : public Field {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((H + H.transpose()) / 2);
     if (solver.info() != Eigen::Success) return std::nullopt;
     Power result{solver.eigenvectors(), solver.eigenvalues()};
-    const double least = kNullEigenvalue * result.powers.cwiseAbs().maxCoeff();
-    for (double& value : result.powers) value = value > least ? std::pow(value, power_) : 0;
+    const double largest = result.powers.cwiseAbs().maxCoeff();
+    for (double& value : result.powers) value = powered(value, largest);
     return result;
+  }
+
+  /// An eigenvalue to the power s.
+  double powered(double value, double largest) const {
+    if (power_ > 0) return value > kNullEigenvalue * largest ? std::pow(value, power_) : 0;
+    return largest > 0 ? std::pow(std::max(value, kSmallEigenvalue * largest), power_) : 1;
   }
 
   double power_;
@@ -104,7 +113,8 @@ std::unique_ptr<Field> make(const solver::Problem& problem) {
 
 std::span<const Flow> fractional() {
   static constexpr Flow kRows[] = {
-      {"fractional-0.5", "dx/dt = -H^(1/2) g, for up to 500 unknowns", make<1>, 7}};
+      {"fractional-0.5", "dx/dt = -H^(1/2) g, for up to 500 unknowns", make<1>, 7},
+      {"fractional-minus-0.5", "dx/dt = -H^(-1/2) g, for up to 500 unknowns", make<-1>, 8}};
   return kRows;
 }
 

@@ -139,8 +139,9 @@ class OrderOfFlow : public FlowContract {
       options.tolerance = 1e-300;
       options.max_iterations = count;
       options.observer = [&](const solver::Iterate& iterate) {
-        Vector at = Eigen::Map<const Vector>(iterate.x.data(), start.size());
-        EXPECT_TRUE(observed->evaluate(as_span(at), as_span(g), {}));
+        const auto at = observed->at(iterate.x);
+        EXPECT_TRUE(at);
+        g = Eigen::Map<const Vector>(at->gradient().data(), start.size());
         if (before.size() != 0)
           result.sign_changes += static_cast<int>((g.array() * before.array() <= 0).count());
         before = g;

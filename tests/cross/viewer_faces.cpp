@@ -12,6 +12,7 @@
 #include "tests/support/data_files.hpp"
 #include "tests/support/embedded_manifolds.hpp"
 #include "tests/support/one_renderer.hpp"
+#include "tests/support/orb_examples.hpp"
 #include "tests/support/scene_rays.hpp"
 
 namespace tripus::viewer {
@@ -120,6 +121,61 @@ TEST(ViewerFaces, AreWhereRaysMeetThemInRandomManifoldsAndViews) {
   EXPECT_LE(wrong * 1000, compared);
 }
 
+/// 50 manifolds and orbifolds by random, with vertices of all kinds and non-orientable ones:
+/// Gieseking's, SnapPy's, those with cusps beside geodesic boundary, and Orb's.
+std::vector<testing::Embedded> random_of_all_kinds(std::mt19937& random) {
+  std::vector<testing::Embedded> result{*testing::try_embed("bkaaid")};
+  const auto census = testing::data_table("cusped-census-5.tsv");
+  const auto beside = testing::data_lines("triangulations-cusped.txt");
+  const auto orbifolds = testing::data_table("orb-examples.tsv");
+  while (result.size() < 50) {
+    std::optional<testing::Embedded> found;
+    if (result.size() % 3 == 0)
+      found = testing::try_embed(census[random() % census.size()].at("isosig"));
+    if (result.size() % 3 == 1) found = testing::try_embed(beside[random() % beside.size()]);
+    if (result.size() % 3 == 2) {
+      const auto& row = orbifolds[random() % orbifolds.size()];
+      if (row.at("solution") != "geometric_solution") continue;
+      const testing::Labelled example = testing::orb_example(row);
+      if (std::ranges::any_of(example.cone_angles,
+                              [](const auto& angle) { return angle.is_parabolic(); }))
+        continue;
+      found = testing::try_embed(example.triangulation, example.cone_angles);
+      if (found && !found->embedding.develops()) continue;
+    }
+    if (found) result.push_back(std::move(*found));
+  }
+  return result;
+}
+
+TEST(ViewerFaces, AreWhereRaysMeetThemWithVerticesOfAllKinds) {
+  std::mt19937 random(20261202);
+  int compared = 0, wrong = 0, number = 0, ideal = 0, finite = 0;
+  for (const testing::Embedded& manifold : random_of_all_kinds(random)) {
+    for (const auto& tetrahedron : manifold.embedding.tetrahedra) {
+      ideal += tetrahedron.is_ideal(0);
+      finite += tetrahedron.is_finite(0);
+    }
+    PictureOptions options;
+    options.model = kModels[number++ % 3];
+    options.camera = random_camera(random);
+    const auto cells = static_cast<std::size_t>(std::exp(uniform(random, 0, 5)));
+    const Scene scene = scene_of(manifold, cells, options.model);
+    if (random() % 3 == 0)
+      options.cut_away =
+          bounding_ball(options.model, scene).centre.x() + uniform(random, -0.3, 0.3);
+    const Agreement agreement = compare(scene, options, random, 250);
+    EXPECT_LE(agreement.wrong, 1) << number << ", " << cells << " cells, "
+                                  << geometry::to_string(options.model);
+    compared += agreement.compared;
+    wrong += agreement.wrong;
+  }
+  EXPECT_GT(compared, 8000);
+  EXPECT_LE(wrong * 1000, compared);
+  EXPECT_GT(ideal, 30);
+  EXPECT_GT(finite, 5);
+}
+
 /// The pixel numbers of an image, 0 for the background.
 std::vector<std::uint32_t> numbers(const Image& image) {
   std::vector<std::uint32_t> result;
@@ -201,8 +257,13 @@ bool is_alone(const std::vector<std::uint32_t>& of, int x, int y, int reach) {
   return true;
 }
 
-TEST(ViewerFaces, LeaveNoCracks) {
-  const testing::Embedded manifold = testing::embedded_tripus();
+/// Manifolds of three kinds: with geodesic boundary, with a cusp, non-orientable with a cusp.
+class ViewerStillness : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(All, ViewerStillness,
+                         ::testing::Values("cPcbbbihq", "cPcbbbiht", "bkaaid"));
+
+TEST_P(ViewerStillness, HasNoCracks) {
+  const testing::Embedded manifold = *testing::try_embed(GetParam());
   for (const Model model : kModels) {
     const Scene scene = scene_of(manifold, 300, model);
     const BoundingBall ball = bounding_ball(model, scene);
@@ -248,8 +309,8 @@ TEST(ViewerFaces, LeaveNoCracks) {
   }
 }
 
-TEST(ViewerFaces, DoNotFlicker) {
-  const testing::Embedded manifold = testing::embedded_tripus();
+TEST_P(ViewerStillness, IsWithoutFlicker) {
+  const testing::Embedded manifold = *testing::try_embed(GetParam());
   for (const Model model : kModels) {
     const Scene scene = scene_of(manifold, 200, model);
     PictureOptions options;
@@ -286,6 +347,7 @@ TEST(ViewerFaces, LookLikeOpenCsgButAtSilhouettes) {
       options.colour_by = colour_by;
       options.samples = 1;
       options.occlusion = false;
+      options.tubes = false;  // OpenCSG has lines
       if (colour_by == ColourBy::kDepth) options.cut_away = 0.05;
       const auto faces = draw(scene, options, Pixels::kColours).pixels;
       const auto seen = numbers(draw(scene, options, Pixels::kIdentities));

@@ -32,16 +32,12 @@ TEST(CanonicalCusps, SymmetriesAndSignaturesOfSnapPysCensus) {
   for (const auto& row : testing::data_table("cusped-census-5.tsv"))
     isosig[row.at("name")] = row.at("isosig");
   std::set<std::string> signatures;
-  std::set<std::string> unresolved;
   const auto rows = testing::data_table("cusped-symmetries-5.tsv");
   ASSERT_EQ(rows.size(), 415u);
   for (const auto& row : rows) {
     SCOPED_TRACE(row.at("name") + " " + isosig.at(row.at("name")));
     const CanonizeAnswer answer = canonized(isosig.at(row.at("name")));
-    if (!answer.manifold) {
-      unresolved.insert(row.at("name"));
-      continue;
-    }
+    ASSERT_TRUE(answer.manifold) << answer.message;
     const CanonicalManifold& manifold = *answer.manifold;
     EXPECT_EQ(std::to_string(manifold.isometries.order), row.at("symmetries"));
     EXPECT_EQ(manifold.decomposition.is_orientable(), row.at("amphicheiral") != "-");
@@ -53,8 +49,7 @@ TEST(CanonicalCusps, SymmetriesAndSignaturesOfSnapPysCensus) {
     // No two manifolds of the census are one.
     EXPECT_TRUE(signatures.insert(manifold.signature.unoriented).second);
   }
-  // A known gap: the moves get stuck, and so does the search, at symmetric triangulations.
-  EXPECT_EQ(unresolved, (std::set<std::string>{"m086", "m109"}));
+  EXPECT_EQ(signatures.size(), rows.size());
 }
 
 // Geodesic boundary and cusps: arXiv math/0211425 counts 1 manifold with three tetrahedra, and

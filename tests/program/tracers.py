@@ -34,6 +34,19 @@ def defect(m):
                for i in range(4) for j in range(4))
 
 
+def kinds(shape):
+    """Of the vertices of a tetrahedron: 1 hyperideal, 0 ideal, -1 finite."""
+    return shape.get("diagonal", [1, 1, 1, 1])
+
+
+def walls(shape):
+    """Of a tetrahedron (normal, level): products are at most the level inside. ([], 0) beside a
+    finite vertex."""
+    return ([(n, 0) for n in shape["faces"]] +
+            [(v if kind >= 0 else [], kind - 1 if kind == 0 else 0)
+             for v, kind in zip(shape["vertices"], kinds(shape))])
+
+
 class OutsideTracer:
     """Straight rays against cells in the two balls or the upper half-space, which may be cut, or of
     which one tetrahedron's may be looked through."""
@@ -50,8 +63,8 @@ class OutsideTracer:
         for cell in facts["cells"]:
             isometry = multiply(facts["toModel"], cell["isometry"])
             self.places.append(isometry)
-            shape = data["tetrahedra"][cell["tetrahedron"]]
-            self.cells.append([apply(isometry, n) for n in shape["faces"] + shape["vertices"]])
+            self.cells.append([(n and apply(isometry, n), level)
+                               for n, level in walls(data["tetrahedra"][cell["tetrahedron"]])])
 
     def ray(self, x, y):
         """Direction of the ray through a place of the picture, in pixels."""
@@ -76,18 +89,21 @@ class OutsideTracer:
             return [c * time for c in p] + [time]
         return [2 * c / (1 - square) for c in p] + [(1 + square) / (1 - square)]
 
-    def crossings(self, n, o, d):
-        """Where a ray crosses the plane with normal n: the product is A |p|^2 + 2 b.p + C up to a
-        positive factor."""
+    def crossings(self, n, level, o, d):
+        """Where a ray crosses the plane, or the horosphere, of the points whose product with n is
+        the level: less it, the product is A |p|^2 + 2 b.p + C up to a positive factor."""
         if self.upper:
-            A, b, C = n[2] - n[3], (n[0], n[1], 0), -n[2] - n[3]
+            A, b, C = n[2] - n[3], (n[0], n[1], -level), -n[2] - n[3]
         elif self.klein:
             A, b, C = 0, [x / 2 for x in n[:3]], -n[3]
         else:
-            A, b, C = -n[3], n[:3], -n[3]
+            A, b, C = -n[3] + level, n[:3], -n[3] - level
         od = sum(x * y for x, y in zip(o, d))
         half = A * od + sum(x * y for x, y in zip(b, d))
         c = A * sum(x * x for x in o) + 2 * sum(x * y for x, y in zip(b, o)) + C
+        if self.klein and level != 0:  # the square of the product is 1 - |p|^2
+            A, half, c = (4 * half * half + 1, 2 * half * c + od,
+                          c * c - 1 + sum(x * x for x in o))
         root = half * half - A * c
         if root < 0:
             return []
@@ -106,8 +122,8 @@ class OutsideTracer:
         for number, normals in enumerate(self.cells):
             if self.tetrahedra[number] == self.clear:
                 continue
-            ways = [(surface, s) for surface, n in enumerate(normals)
-                    for s in self.crossings(n, o, d)]
+            ways = [(surface, s) for surface, (n, level) in enumerate(normals) if n
+                    for s in self.crossings(n, level, o, d)]
             if self.cut is not None and d[0] != 0:
                 ways.append((8, (self.cut - o[0]) / d[0]))
             for surface, s in ways:
@@ -119,7 +135,8 @@ class OutsideTracer:
                     continue
                 if self.cut is not None and surface != 8 and place[0] > self.cut:
                     continue
-                if all(i == surface or product(m, point) <= 0 for i, m in enumerate(normals)):
+                if all(i == surface or not m or product(m, point) <= level
+                       for i, (m, level) in enumerate(normals)):
                     nearest, seen = s, (number, surface + 1)
                     met = apply_inverse(self.places[number], point)
         return seen, met
@@ -147,14 +164,24 @@ class InsideTracer:
         ratio = -product(normal, x) / towards
         return math.atanh(max(ratio, 0)) if ratio < 1 else math.inf
 
+    def meet_horosphere(self, v, x, u):
+        """Where the product with a null vector rises to -1: with y = e^s,
+        (a + b) y^2 + 2 y + a - b = 0."""
+        a, b = product(v, x), product(v, u)
+        root = 1 - (a + b) * (a - b)
+        if b <= 0 or root <= 0:
+            return math.inf
+        y = (b - a) / (1 + math.sqrt(root))
+        return math.log(y) if y > 1 else 0.0
+
     def meet_tube(self, v, w, x, u):
-        """Where the distance from the line through the poles v and w falls to the radius. The part
+        """Where the distance from the line through the vertices v and w falls to the radius. The part
         of p along the line is found from its products with v and w; what is left lies across."""
-        c = product(v, w)
+        c, vv, ww = product(v, w), round(product(v, v)), round(product(w, w))
 
         def across(p, q):
             pv, pw, qv, qw = (product(p, v), product(p, w), product(q, v), product(q, w))
-            along = (pv * qv + pw * qw - c * (pv * qw + pw * qv)) / (1 - c * c)
+            along = (ww * pv * qv + vv * pw * qw - c * (pv * qw + pw * qv)) / (vv * ww - c * c)
             return product(p, q) - along
 
         a, b, d = across(x, x) - self.tube, across(x, u), across(u, u) + self.tube
@@ -184,7 +211,8 @@ class InsideTracer:
             faces = [apply(place, n) for n in shape["faces"]]
             poles = [apply(place, v) for v in shape["vertices"]]
             exit_at, face = min((self.meet(n, p, u), f) for f, n in enumerate(faces) if f != came)
-            events = [(self.meet(v, p, u), 1, i) for i, v in enumerate(poles)]
+            events = [(self.meet(v, p, u) if kind > 0 else self.meet_horosphere(v, p, u), 1, i)
+                      for i, (v, kind) in enumerate(zip(poles, kinds(shape))) if kind >= 0]
             events += [(self.meet_tube(poles[i], poles[j], p, u), 2, e)
                        for e, (i, j) in enumerate(self.ENDS)]
             # A tube that was met beside an earlier tetrahedron was its business.

@@ -76,6 +76,24 @@ class Pictures(ProgramTest):
                        ["--no-faces"], ["--cut-away", "0"], ["--camera", "120,-30,6"]):
             self.assertFalse(usual == self.picture(TRIPUS, "--model", "ball", *change), change)
 
+    def test_of_cusps_finite_vertices_and_singular_edges(self):
+        seen = []
+        for arguments in (["cPcbbbiht"], ["dLQacccjjkg"], ["bkaaid", "--model", "klein"],
+                          ["cPcbbbiht", "--cone-order", "0=2,1=2"],
+                          ["cPcbbbiht", "--cone-order", "0=3", "--cone-order", "1=3"],
+                          ["dLQacccjjkg", "--renderer", "opencsg", "--cells", "3"]):
+            rows = self.picture(*arguments)
+            self.assertGreater(self.drawn(rows), 40, arguments)
+            self.assertNotIn(rows, seen)
+            seen.append(rows)
+        # Singular edges are red.
+        usual, singular = (self.picture("cPcbbbihq", *more, size=(640, 480))
+                           for more in ([], ["--cone-order", "0=2"]))
+        red = [sum(p[0] > p[1] + p[2] + 40 and p[1] < 1.3 * p[2] for row in rows for p in row)
+               for rows in (usual, singular)]
+        self.assertEqual(red[0], 0)
+        self.assertGreater(red[1], 20)
+
     def test_names_are_written_where_there_is_room(self):
         pictures = [self.picture(TRIPUS, "--cells", "2", *labels, size=size)
                     for size in ((240, 180), (40, 30)) for labels in ([], ["--labels"])]

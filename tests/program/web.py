@@ -17,6 +17,8 @@ from tracers import InsideTracer, OutsideTracer, defect, multiply, product
 # One of another shape, with two edge classes, and a triangulation that carries no metric.
 ASYMMETRIC = "dLQbcccherw"
 WITHOUT_METRIC = "eLAkbccdddprdk"
+# With a cusp; the latter is not orientable.
+FIGURE_EIGHT, GIESEKING = "cPcbbbiht", "bkaaid"
 BACKGROUND, MAGENTA = (0, 0), (255, 0, 255)
 IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
 
@@ -63,6 +65,19 @@ class Pictures(ProgramTest):
             "one": "size=200x150&model=ball&cells=1&yaw=1.1",
             "far": "size=200x150&view=inside&tube=0.05&walk=forward:0.9,right:0.7,up:1.3",
             "at the wall": "size=200x150&view=inside&tube=0.05&walk=back:40,left:40",
+        },
+        FIGURE_EIGHT: {
+            "cusps": "size=200x150&model=ball&cells=20",
+            "cusps upper": "size=200x150&model=upper&cells=12&yaw=2&pitch=0.6",
+            "cusps klein": "size=200x150&model=klein&cells=20&cut=0.1",
+            "cusps reference": "size=200x150&model=ball&cells=20&renderer=cells",
+            "cusps inside": "size=200x150&view=inside&tube=0.05&place=wall",
+            "cusps said": "size=40x30&hover=0.5:0.5,0.4:0.4,0.6:0.6,0.45:0.65,0.3:0.5,0.36:0.62",
+            "at the cusp": "size=200x150&view=inside&tube=0.05&walk=back:40,left:40",
+        },
+        GIESEKING: {
+            "turned over": "size=200x150&model=ball&cells=30",
+            "turned over inside": "size=200x150&view=inside&tube=0.05",
         },
     }
 
@@ -137,6 +152,25 @@ class Pictures(ProgramTest):
         clear = {cell for cell, surface in self.check_outside(TRIPUS, "clear", 0.05, 0.6) if surface}
         self.assertEqual({self.facts("clear")["cells"][cell]["tetrahedron"] for cell in clear}, {0})
 
+    def test_horospheres_stand_where_rays_meet_them(self):
+        for name in ("cusps", "cusps upper", "cusps klein"):
+            with self.subTest(name):
+                seen = self.check_outside(FIGURE_EIGHT, name, 0.03, 0.9)
+                self.assertTrue({5, 6, 7, 8} & {surface for _, surface in seen})
+        self.check_outside(GIESEKING, "turned over", 0.1, 0.9)
+        self.assertIn("horosphere", " ".join(self.facts("cusps said")["hover"]))
+        for signature, name in ((FIGURE_EIGHT, "cusps inside"), (GIESEKING, "turned over inside")):
+            with self.subTest(name):
+                seen = self.check_inside(signature, name)
+                self.assertEqual({kind for kind, _, _ in seen}, {1, 2})
+
+    def test_a_walk_ends_before_the_cusp(self):
+        self.check_inside(FIGURE_EIGHT, "at the cusp")
+        shape = self.data[FIGURE_EIGHT]["tetrahedra"][self.facts("at the cusp")["tetrahedron"]]
+        for normal in shape["vertices"]:
+            self.assertLess(product(normal, self.place("at the cusp")), -1.05)
+        self.assertIs(self.facts("at the cusp")["touched"], True)
+
     def test_what_is_clear_still_tints(self):
         clear, ball = self.pictures["clear"], self.pictures["ball"]
         tinted = 0
@@ -177,7 +211,10 @@ class Pictures(ProgramTest):
                 self.assertNotEqual(picture.facts["state"], still.facts["state"], key)
 
     def test_faces_and_whole_cells_make_the_same_picture(self):
-        faces, cells = self.pictures["ball"], self.pictures["reference"]
+        for faces, cells in (("ball", "reference"), ("cusps", "cusps reference")):
+            self.check_same(self.pictures[faces], self.pictures[cells])
+
+    def check_same(self, faces, cells):
         different = alone = 0
         for y in range(1, faces.height - 1):
             for x in range(1, faces.width - 1):

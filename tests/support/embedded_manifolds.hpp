@@ -2,6 +2,8 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "embedding/embedding.hpp"
 #include "structure/solve.hpp"
@@ -18,14 +20,19 @@ struct Embedded {
 };
 
 /// Nothing where the triangulation carries no metric, or is outside the domain of solve.
-inline std::optional<Embedded> try_embed(const std::string& isosig) {
-  topology::Triangulation triangulation(topology::decode_isosig(isosig));
+inline std::optional<Embedded> try_embed(topology::Triangulation triangulation,
+                                         const std::vector<topology::ConeAngle>& cone_angles = {}) {
   structure::SolveOptions options;
   options.evidence = false;
+  options.cone_angles = cone_angles;
   structure::Report report = structure::solve(triangulation, options);
   if (report.outcome != structure::Outcome::kGeometric) return std::nullopt;
-  embedding::Embedding embedding = embedding::embed(triangulation, report.edge_lengths);
+  embedding::Embedding embedding =
+      embedding::embed(triangulation, report.edge_lengths, {cone_angles, 0});
   return Embedded{std::move(triangulation), std::move(report), std::move(embedding)};
+}
+inline std::optional<Embedded> try_embed(const std::string& isosig) {
+  return try_embed(topology::Triangulation(topology::decode_isosig(isosig)));
 }
 
 inline Embedded embedded_tripus() { return *try_embed("cPcbbbihq"); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -33,12 +34,31 @@ inline double side(Model model, const Vector4& n, const Vector3& p) {
   return 0;
 }
 
+/// What `side` multiplies <normal, X(p)> with.
+inline double side_factor(Model model, const Vector3& p) {
+  const double square = p.squaredNorm();
+  if (model == Model::kUpperHalfSpace) return 2 * p[2];
+  return model == Model::kPoincareBall ? 1 - square : std::sqrt(std::max(1 - square, 0.0));
+}
+
+/// The same of a wall of a cell, negative inside: of a horosphere <v, X(p)> + 1.
+inline double side(Model model, const SceneCell& cell, std::size_t wall, const Vector3& p) {
+  if (!has_wall(cell, wall)) return -1;
+  const double plane = side(model, cell.walls[wall], p);
+  return is_horosphere(cell, wall) ? plane + side_factor(model, p) : plane;
+}
+
 /// Where a ray meets a wall: the zeros of a quadratic polynomial, here by its values at three
-/// points.
-inline std::vector<double> crossings(Model model, const Vector4& normal, const Ray& ray,
-                                     double length) {
+/// points. Of a horosphere of the Klein ball the polynomial is the product of <v, X> + 1 and
+/// <v, X> - 1, times 1 - |p|^2.
+inline std::vector<double> crossings(Model model, const SceneCell& cell, std::size_t wall,
+                                     const Ray& ray, double length) {
+  if (!has_wall(cell, wall)) return {};
   const auto value = [&](double t) {
-    return side(model, normal, ray.origin + t * length * ray.direction);
+    const Vector3 p = ray.origin + t * length * ray.direction;
+    if (model != Model::kKleinBall || !is_horosphere(cell, wall)) return side(model, cell, wall, p);
+    const double plane = side(model, cell.walls[wall], p);
+    return plane * plane - 1 + p.squaredNorm();
   };
   const double c = value(0), plus = value(1), minus = value(-1);
   const double a = (plus + minus) / 2 - c, b = (plus - minus) / 2;
@@ -46,7 +66,8 @@ inline std::vector<double> crossings(Model model, const Vector4& normal, const R
   if (discriminant < 0) return {};
   const double q = -(b + std::copysign(std::sqrt(discriminant), b)) / 2;
   std::vector<double> roots;
-  if (a != 0) roots.push_back(q / a * length);
+  // Of planes, where a is 0 but for rounding, there is no second one.
+  if (std::abs(a) > 1e-12 * (std::abs(b) + std::abs(c))) roots.push_back(q / a * length);
   if (q != 0) roots.push_back(c / q * length);
   return roots;
 }
@@ -63,7 +84,7 @@ inline Hit first_hit(const Scene& scene, Model model, const Ray& ray, double len
     const SceneCell& cell = scene.cells[number];
     std::vector<std::pair<double, std::size_t>> candidates;
     for (std::size_t wall = 0; wall < kWallCount; ++wall)
-      for (const double t : crossings(model, cell.walls[wall], ray, length))
+      for (const double t : crossings(model, cell, wall, ray, length))
         candidates.emplace_back(t, wall);
     if (std::isfinite(cut) && ray.direction.x() != 0)
       candidates.emplace_back((cut - ray.origin.x()) / ray.direction.x(), kWallCount);
@@ -73,7 +94,7 @@ inline Hit first_hit(const Scene& scene, Model model, const Ray& ray, double len
       if (!in_model(model, p) || (wall != kWallCount && p.x() > cut)) continue;
       bool inside = true;
       for (std::size_t other = 0; other < kWallCount && inside; ++other)
-        inside = other == wall || side(model, cell.walls[other], p) <= 0;
+        inside = other == wall || side(model, cell, other, p) <= 0;
       if (inside) best = {t, number + 1, wall + 1};
     }
   }

@@ -130,6 +130,34 @@ TEST(Homology, OfALongCoverWithAnyLabels) {
   EXPECT_EQ(to_string(first_homology(Triangulation(random_relabelling(cover, 1)))), "4001 Z");
 }
 
+// H1 of the n-fold cyclic cover of the figure-eight knot's complement is Z + coker(A^n - 1) with A
+// = (2 1; 1 1), whose powers are Fibonacci numbers: Z_L + Z_L with the Lucas number L_n for odd n,
+// Z_F + Z_5F with the Fibonacci number F_n for even n.
+TEST(Homology, OfCoversWithLongTorsion) {
+  const Triangulation base(decode_isosig("cPcbbbiht"));
+  const auto shifts = *primitive_class(base);
+  std::vector<detail::BigInteger> fibonacci{0, 1};
+  while (fibonacci.size() <= 5001)
+    fibonacci.push_back(fibonacci.back() + fibonacci[fibonacci.size() - 2]);
+  std::vector<std::size_t> degrees{999, 1000, 5000};
+  for (std::size_t n = 1; n <= 150; ++n) degrees.push_back(n);
+  for (const std::size_t n : degrees) {
+    const detail::BigInteger lucas = fibonacci[n - 1] + fibonacci[n + 1], &f = fibonacci[n];
+    std::vector<std::string> expected;
+    for (const detail::BigInteger& factor :
+         n % 2 == 1 ? std::vector{lucas, lucas} : std::vector<detail::BigInteger>{f, 5 * f})
+      if (factor > 1) expected.push_back(factor.str());
+    const Triangulation cover(cyclic_cover(base.gluings(), shifts, n));
+    const AbelianGroup found = first_homology(cover);
+    EXPECT_EQ(found.rank, 1u) << n;
+    EXPECT_EQ(found.invariant_factors, expected) << n;
+    if (n > 150) continue;
+    const AbelianGroup again =
+        first_homology(Triangulation(random_relabelling(cover.gluings(), n)));
+    EXPECT_EQ(again.invariant_factors, expected) << n;
+  }
+}
+
 // Law C1: covers multiply everything that is local and keep the valences.
 TEST(CyclicCover, MultipliesCellsAndKeepsValences) {
   const Triangulation base(decode_isosig("cPcbbbihq"));

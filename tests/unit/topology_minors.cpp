@@ -53,7 +53,15 @@ detail::Minors minors_of(const Dense& matrix) {
   for (std::size_t i = 0; i < matrix.size(); ++i)
     for (std::uint32_t j = 0; j < matrix[i].size(); ++j)
       if (matrix[i][j] != 0) rows[i].push_back({j, matrix[i][j]});
-  return detail::minors(rows, matrix[0].size(), nullptr);
+  const detail::Minors found = detail::minors(rows, matrix[0].size(), nullptr);
+  // The same with long integers.
+  std::vector<detail::SparseRow<BigInteger>> longer(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const auto& entry : rows[i]) longer[i].push_back({entry.column, entry.value});
+  const detail::Minors again = detail::minors(longer, matrix[0].size(), nullptr);
+  EXPECT_EQ(again.rank, found.rank);
+  EXPECT_EQ(again.multiple, found.multiple);
+  return found;
 }
 
 void expect_multiple_of_all(const Dense& matrix) {
@@ -119,9 +127,10 @@ TEST(Minors, OfMultiplesOfTheFirstPrimes) {
 }
 
 TEST(Minors, OfNothing) {
-  EXPECT_EQ(detail::minors({}, 3, nullptr).rank, 0u);
-  EXPECT_EQ(detail::minors({{}, {}}, 3, nullptr).rank, 0u);
-  EXPECT_EQ(detail::minors({{}, {}}, 3, nullptr).multiple, 1);
+  using Rows = std::vector<detail::SparseRow<std::int64_t>>;
+  EXPECT_EQ(detail::minors(Rows{}, 3, nullptr).rank, 0u);
+  EXPECT_EQ(detail::minors(Rows{{}, {}}, 3, nullptr).rank, 0u);
+  EXPECT_EQ(detail::minors(Rows{{}, {}}, 3, nullptr).multiple, 1);
 }
 
 }  // namespace

@@ -43,6 +43,42 @@ Scene scene_of(std::size_t cells, Model model) {
                     default_frame(model, embedding));
 }
 
+// V1 for horospheres: f is <v, X> + 1 times a positive factor. Here by points at a signed distance
+// s from the horosphere, for which the product is -e^s.
+TEST(ViewerHalfSpace, OfAHorosphereIsThatOfTheHyperboloid) {
+  std::mt19937 random(11);
+  for (const Model model : kModels) {
+    for (int i = 0; i < 2000; ++i) {
+      Vector4 v;
+      v << random_vector(random), 0;
+      v[3] = v.head<3>().norm();
+      const Vector3 place = 0.7 * random_vector(random);
+      Vector4 x;
+      x << place, std::sqrt(1 + place.squaredNorm());
+      const double product = geometry::lorentz_product(v, x);
+      const Vector3 p = geometry::to_model(model, x);
+      const HalfSpace f = horosphere(model, v);
+      if (std::abs(product + 1) > 1e-9) {
+        EXPECT_EQ(f(p) > 0, product > -1);
+      }
+      // The same in a frame of its own, and its gradient.
+      const Vector3 centre = p + 0.1 * random_vector(random);
+      const HalfSpace local = in_local_frame(f, centre, 0.3);
+      EXPECT_NEAR(local((p - centre) / 0.3), f(p) / 0.3, 1e-9 * (1 + v[3] * v[3]));
+      const Vector3 step = 1e-5 * random_vector(random);
+      EXPECT_NEAR(f(p + step) - f(p - step), 2 * f.gradient(p).dot(step), 1e-8 * (1 + v[3] * v[3]));
+      if (model == Model::kKleinBall) continue;
+      // On the wall: x moved along the geodesic to the ideal point.
+      const double c = -product;
+      const Vector4 on = x / c + (c - 1 / c) / (2 * c) * v;
+      EXPECT_NEAR(geometry::lorentz_product(v, on), -1, 1e-9);
+      const Vector3 q = geometry::to_model(model, on);
+      EXPECT_NEAR(f(q), 0, 1e-9);
+      EXPECT_NEAR(f.gradient(q).norm(), 1, 1e-7);
+    }
+  }
+}
+
 // V1: the same points lie inside as on the hyperboloid, and the gradient has length 1 on the wall.
 TEST(ViewerHalfSpace, IsThatOfTheHyperboloid) {
   std::mt19937 random(1);

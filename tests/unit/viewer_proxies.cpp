@@ -33,11 +33,19 @@ Placed placed(const testing::Embedded& manifold, std::size_t cells, Model model)
   return result;
 }
 
-/// A random point of a wall: all of them are sums of its corners.
+/// A random point of a wall: all of them are sums of its corners; on a horosphere they are over
+/// them.
 Vector3 random_point(Model model, const SceneCell& cell, std::size_t wall, std::mt19937& random) {
   std::exponential_distribution<double> weight;
   Vector4 x = Vector4::Zero();
-  for (const std::size_t corner : corners_of_wall(wall)) x += weight(random) * cell.corners[corner];
+  double sum = 0;
+  for (const std::size_t corner : corners_of_wall(wall)) {
+    const double share = weight(random);
+    x += share * cell.corners[corner];
+    sum += share;
+  }
+  if (is_horosphere(cell, wall))
+    return geometry::to_model(model, geometry::on_horosphere(x / sum, cell.walls[wall]));
   return geometry::to_model(model, x / std::sqrt(-geometry::lorentz_product(x, x)));
 }
 
@@ -55,7 +63,8 @@ TEST(ViewerProxies, HoldTheirFaces) {
   constexpr int kSide = 400;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> share(0, 1);
-  for (const char* name : {"cPcbbbihq", "dLQabccjkjn", "eLMkbbddddhape", "dLQbccchrqg"}) {
+  for (const char* name :
+       {"cPcbbbihq", "dLQabccjkjn", "eLMkbbddddhape", "dLQbccchrqg", "dLQacccjjkg", "bkaaid"}) {
     const testing::Embedded manifold = *testing::try_embed(name);
     for (const Model model : kModels) {
       const Scene scene = placed(manifold, 60, model).scene;
@@ -96,7 +105,7 @@ TEST(ViewerProxies, HoldTheirFaces) {
 
 // Two cells that are glued in the scene share a face, and no others do: here by the isometries.
 TEST(ViewerFaceSet, KnowsSharedFaces) {
-  for (const char* name : {"cPcbbbihq", "eLMkbbddddhape", "dLQbccchrqg"}) {
+  for (const char* name : {"cPcbbbihq", "eLMkbbddddhape", "dLQbccchrqg", "cPcbbbiht", "bkaaid"}) {
     const testing::Embedded manifold = *testing::try_embed(name);
     for (const Model model : kModels) {
       const auto [cells, scene] = placed(manifold, 80, model);

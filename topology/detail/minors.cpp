@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <type_traits>
 #include <utility>
 
 #include "base/stop.hpp"
@@ -43,6 +44,10 @@ Residue residue(std::int64_t x, std::uint32_t p) {
   const auto signed_p = static_cast<std::int64_t>(p);
   return static_cast<Residue>((x % signed_p + signed_p) % signed_p);
 }
+Residue residue(const BigInteger& x, std::uint32_t p) { return residue(to_int64(x % p), p); }
+
+double bits_of(double x) { return std::log2(std::max(x, 1.0)); }
+double bits_of(const BigInteger& x) { return static_cast<double>(binary_digits(x)); }
 
 /// The determinant of a square matrix modulo p, by Gauss's elimination.
 Residue determinant(ResidueMatrix matrix, std::uint32_t p) {
@@ -67,19 +72,22 @@ Residue determinant(ResidueMatrix matrix, std::uint32_t p) {
   return result;
 }
 
-using Rows = std::vector<SparseRow<std::int64_t>>;
+template <class Integer>
+using Rows = std::vector<SparseRow<Integer>>;
 
 /// The columns that are not 0, each as its entries by row.
+template <class Integer>
 struct Columns {
-  Rows entries;
+  Rows<Integer> entries;
   std::vector<std::size_t> index;
 };
 
-Columns columns_of(const Rows& rows, std::size_t column_count) {
-  Rows all(column_count);
+template <class Integer>
+Columns<Integer> columns_of(const Rows<Integer>& rows, std::size_t column_count) {
+  Rows<Integer> all(column_count);
   for (std::uint32_t r = 0; r < rows.size(); ++r)
     for (const auto& entry : rows[r]) all[entry.column].push_back({r, entry.value});
-  Columns columns;
+  Columns<Integer> columns;
   for (std::size_t j = 0; j < column_count; ++j) {
     if (all[j].empty()) continue;
     columns.index.push_back(j);
@@ -94,7 +102,8 @@ struct Regular {
 };
 
 /// The same modulo p: columns are brought to echelon form one by one, until there are enough.
-Regular regular_modulo(const Columns& columns, std::size_t height, std::uint32_t p,
+template <class Integer>
+Regular regular_modulo(const Columns<Integer>& columns, std::size_t height, std::uint32_t p,
                        const Stop& stop) {
   Regular found;
   ResidueMatrix basis(height);  // by first place, where it is 1
@@ -119,12 +128,14 @@ Regular regular_modulo(const Columns& columns, std::size_t height, std::uint32_t
 }
 
 /// log2 of a bound on all minors: the product of the rows' lengths, in the sum of absolute values.
-double bits_of_minors(const Rows& rows) {
+template <class Integer>
+double bits_of_minors(const Rows<Integer>& rows) {
+  using Sum = std::conditional_t<std::is_same_v<Integer, BigInteger>, BigInteger, double>;
   double bits = 2;  // the sign, and rounding
   for (const auto& row : rows) {
-    double sum = 0;
-    for (const auto& entry : row) sum += std::fabs(static_cast<double>(entry.value));
-    bits += std::log2(std::max(sum, 1.0));
+    Sum sum = 0;
+    for (const auto& entry : row) sum += abs(Sum(entry.value));
+    bits += bits_of(sum);
   }
   return bits;
 }
@@ -164,7 +175,8 @@ class Signs {
 };
 
 /// The determinant of rows * signs modulo p.
-Residue determinant_of_product(const Rows& rows, const Signs& signs, std::uint32_t p) {
+template <class Integer>
+Residue determinant_of_product(const Rows<Integer>& rows, const Signs& signs, std::uint32_t p) {
   ResidueMatrix product(rows.size(), std::vector<Residue>(rows.size(), 0));
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (const auto& entry : rows[i]) {
@@ -177,9 +189,10 @@ Residue determinant_of_product(const Rows& rows, const Signs& signs, std::uint32
 
 /// A minor of the size of the rank. Were it smaller modulo each of the primes, whose product is
 /// above every minor, then all the larger minors would be 0.
-Regular regular_part(const Rows& rows, std::size_t column_count,
+template <class Integer>
+Regular regular_part(const Rows<Integer>& rows, std::size_t column_count,
                      const std::vector<std::uint32_t>& primes, const Stop& stop) {
-  const Columns columns = columns_of(rows, column_count);
+  const Columns<Integer> columns = columns_of(rows, column_count);
   const std::size_t most = std::min(rows.size(), columns.index.size());
   Regular best;
   for (const std::uint32_t p : primes) {
@@ -208,7 +221,9 @@ BigInteger least_absolute_value(const std::vector<Residue>& residues_of_x,
 
 }  // namespace
 
-Minors minors(const Rows& rows, std::size_t column_count, const Stop& stop) {
+template <class Integer>
+Minors minors(const std::vector<SparseRow<Integer>>& rows, std::size_t column_count,
+              const Stop& stop) {
   constexpr int kMost = 8;
   Minors result;
   if (rows.empty()) return result;
@@ -218,7 +233,7 @@ Minors minors(const Rows& rows, std::size_t column_count, const Stop& stop) {
   const Regular regular = regular_part(rows, column_count, primes, stop);
   result.rank = regular.rows.size();
   if (result.rank == 0) return result;
-  Rows independent;
+  Rows<Integer> independent;
   for (const std::size_t r : regular.rows) independent.push_back(rows[r]);
   // Each determinant is a sum of minors with the minors of the signs as factors (Cauchy and Binet),
   // so that the product of the invariant factors divides it. The first is a minor that is not 0.
@@ -236,5 +251,8 @@ Minors minors(const Rows& rows, std::size_t column_count, const Stop& stop) {
   }
   return result;
 }
+
+template Minors minors(const std::vector<SparseRow<std::int64_t>>&, std::size_t, const Stop&);
+template Minors minors(const std::vector<SparseRow<BigInteger>>&, std::size_t, const Stop&);
 
 }  // namespace tripus::topology::detail

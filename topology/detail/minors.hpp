@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -21,7 +22,11 @@ struct Minors {
 /// Hadamard's bound asks for, so that numbers do not grow. Exact, whatever the pseudo-random
 /// numbers are; takes (k^2 n) times the number of digits of the largest minor for k rows and n
 /// columns. Polls `stop`; throws Stopped.
-Minors minors(const std::vector<SparseRow<std::int64_t>>& rows, std::size_t column_count,
+template <class Integer>
+Minors minors(const std::vector<SparseRow<Integer>>& rows, std::size_t column_count,
               const Stop& stop);
+extern template Minors minors(const std::vector<SparseRow<std::int64_t>>&, std::size_t,
+                              const Stop&);
+extern template Minors minors(const std::vector<SparseRow<BigInteger>>&, std::size_t, const Stop&);
 
 }  // namespace tripus::topology::detail

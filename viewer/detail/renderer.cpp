@@ -16,6 +16,7 @@ void Renderer::set_scene(const Scene& scene, Model model) {
       scene.focus.has_value() == scene_.focus.has_value() &&
       std::ranges::equal(scene.cells, scene_.cells, [](const SceneCell& a, const SceneCell& b) {
         return a.tetrahedron == b.tetrahedron && a.depth == b.depth && a.walls == b.walls &&
+               a.diagonal == b.diagonal && a.singular_edges == b.singular_edges &&
                a.face_class == b.face_class && a.vertex_class == b.vertex_class &&
                a.edge_class == b.edge_class;
       });

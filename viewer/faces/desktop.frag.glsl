@@ -1,7 +1,6 @@
-// The colours of the desktop viewer, those of its OpenCSG renderer (opencsg/detail/shaders.cpp).
+// The colours of the desktop viewer.
 // kDiscs, whether discs are drawn, is defined in front of it.
 uniform bool uIdentities;
-uniform vec3 uKeyLight;      // unit, towards the light
 uniform float uAlpha;        // of what is no border
 out vec4 colour;
 
@@ -31,14 +30,7 @@ void main() {
     return;
   }
   vec3 normal = dot(met.normal, ray) < 0.0 ? met.normal : -met.normal;
-  float key = max(dot(normal, uKeyLight), 0.0);
-  float sky = 0.5 + 0.5 * normal.z;
-  float shine = pow(max(dot(normal, normalize(uKeyLight - ray)), 0.0), 40.0);
-  float facing = 1.0 + dot(normal, ray);
-  vec3 albedo = own * own;  // about from sRGB to light
-  vec3 light = albedo * (0.75 * key + mix(vec3(0.26, 0.24, 0.23), vec3(0.46, 0.49, 0.54), sky));
-  light += vec3(0.10 * shine) + vec3(0.05, 0.055, 0.06) * facing * facing * facing;
-  vec3 shown = sqrt(clamp(light, 0.0, 1.0));
+  vec3 shown = lit(own, normal, ray);
   shown = mix(shown, 0.22 * own, met.border);
   float drawn = met.border;
 #if kEdges

@@ -36,7 +36,8 @@ FaceSet::FaceSet(Model model, const Scene& scene, double scene_radius) : model_(
       face.margin = static_cast<float>(outline.margin);
       face.ball = {outline.middle, outline.radius};
       for (const Vector3& p : outline.points) points_.emplace_back(p.cast<float>());
-      half_spaces_.push_back(half_space(model, cell.walls[wall]));
+      half_spaces_.push_back(half_space(model, cell, wall));
+      is_bent_ = is_bent_ || !half_spaces_.back().is_sphere();
     }
   }
   find_shared();
@@ -89,7 +90,7 @@ float edge_colours(const SceneCell& cell, std::size_t face) {
 }
 
 void append_record(std::vector<float>& texels, const BoundingBall& cell_ball, const HalfSpace& own,
-                   const std::vector<HalfSpace>& bounds, const FaceLook& look) {
+                   const std::vector<HalfSpace>& bounds, const FaceLook& look, bool is_bent) {
   const auto append = [&](double x) { texels.push_back(static_cast<float>(x)); };
   const auto append_slope = [&](const HalfSpace& local) {
     for (int k = 0; k < 3; ++k) append(local.b[k]);
@@ -111,6 +112,16 @@ void append_record(std::vector<float>& texels, const BoundingBall& cell_ball, co
   for (const HalfSpace& h : bounds) append(local(h).c);
   if (bounds.size() % 4 != 0) append(look.edge_colours);
   while (texels.size() % 4 != 0) append(0);
+  if (!is_bent) return;
+  const auto append_bend = [&](const HalfSpace& h) {
+    for (int k = 0; k < 3; ++k) append(local(h).d[k]);
+    append(0);
+  };
+  if (bounds.size() == 3)
+    append_bend(own);
+  else
+    std::for_each(bounds.end() - static_cast<std::ptrdiff_t>(bends_of_record(bounds.size())),
+                  bounds.end(), append_bend);
 }
 
 }  // namespace tripus::viewer

@@ -38,11 +38,14 @@ class FaceSet {
   /// Of the faces' walls, in the model.
   const std::vector<HalfSpace>& half_spaces() const { return half_spaces_; }
   const std::vector<Eigen::Vector3f>& points() const { return points_; }
+  /// Whether some half-spaces have d: horospheres of the Klein ball.
+  bool is_bent() const { return is_bent_; }
 
  private:
   void find_shared();
 
   Model model_ = Model::kUpperHalfSpace;
+  bool is_bent_ = false;
   std::vector<SceneFace> faces_;
   std::vector<HalfSpace> half_spaces_;
   std::vector<BoundingBall> balls_;
@@ -56,8 +59,16 @@ std::vector<std::size_t> bounds_of_wall(std::size_t wall);
 /// Half-spaces that bound a cut: all walls of the cell.
 inline constexpr std::size_t kCutBounds = 8;
 
+/// Of how many half-spaces the record of a face with so many bounds has d, if the set is bent: its
+/// own if it is a truncation, else those of the truncations that bound it.
+constexpr std::size_t bends_of_record(std::size_t bounds) {
+  return bounds == 3 ? 1 : bounds - (bounds == kCutBounds ? 4 : 3);
+}
+
 /// Texels of four numbers in the record of a face with so many bounds.
-constexpr std::size_t record_texels(std::size_t bounds) { return 4 + bounds + (bounds + 3) / 4; }
+constexpr std::size_t record_texels(std::size_t bounds, bool is_bent) {
+  return 4 + bounds + (bounds + 3) / 4 + (is_bent ? bends_of_record(bounds) : 0);
+}
 
 /// What a record says beside the geometry.
 struct FaceLook {
@@ -76,7 +87,8 @@ float edge_colours(const SceneCell& cell, std::size_t face);
 
 /// Appends the record of a face, as faces.vert.glsl reads it: all half-spaces in units of the
 /// cell's ball, where floats suffice for any cell.
+///   is_bent  whether the record has d of half-spaces
 void append_record(std::vector<float>& texels, const BoundingBall& cell_ball, const HalfSpace& own,
-                   const std::vector<HalfSpace>& bounds, const FaceLook& look);
+                   const std::vector<HalfSpace>& bounds, const FaceLook& look, bool is_bent);
 
 }  // namespace tripus::viewer

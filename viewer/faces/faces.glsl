@@ -1,7 +1,7 @@
 // Where the ray of a pixel meets a face: faces.vert.glsl has its numbers. After a camera, which
 // has uEye, uAxes (right, up, forward) and uPixel (the angle of a pixel), and before a main() that
 // gives the colour; with discs also after discs.glsl. Defined in front of it, and no uniforms, as
-// renderers in software compute branches that are not taken: kBounds; kSides, 1 for the outer side
+// renderers in software compute branches that are not taken: kBounds; kBends; kSides, 1 for the outer side
 // of faces alone, 2 for both; kModel, 0 upper half-space, 1 Poincare ball, 2 Klein ball; kCut,
 // whether uCut is heeded; kDiscs, whether discs are drawn; kEdges, whether edges have the colours of
 // their classes.
@@ -19,6 +19,12 @@ flat in vec4 vCentre;
 flat in vec4 vColour;
 flat in vec4 vBound[kBounds];
 flat in vec4 vBoundConstant[(kBounds + 3) / 4];
+#if kBends > 0
+flat in vec4 vBend[kBends];
+#define kBendOf(i) vBend[i].xyz
+#else
+#define kBendOf(i) vec3(0.0)
+#endif
 
 /// A face reaches beyond its borders by this part of a pixel, and this length, so that rays do not
 /// slip between two faces by rounding.
@@ -47,11 +53,16 @@ float lineAt(float beyond) {
 /// Beyond f <= 0 at a point the face ends. Updates whether the point is `inside`, and how many
 /// pixels it is from the nearest such border.
 ///   square, right, up  |u|^2, and what a step of one pixel changes it by
-void bounded(vec4 bound, float constant, Meeting met, float square, float right, float up,
-             inout bool inside, inout float pixels) {
+void bounded(vec4 bound, float constant, vec3 bend, Meeting met, float square, float right,
+             float up, inout bool inside, inout float pixels) {
   float f = bound.w * square + dot(bound.xyz, met.u) + constant;
   vec2 slope = vec2(bound.w * right + dot(bound.xyz, met.right),
                     bound.w * up + dot(bound.xyz, met.up));
+#if kBends > 0
+  float bent = dot(bend, met.u);
+  f -= bent * bent;
+  slope -= 2.0 * bent * vec2(dot(bend, met.right), dot(bend, met.up));
+#endif
   float away = -f * inversesqrt(max(dot(slope, slope), 1e-30));
   // Written so that what is no number is outside.
   inside = inside && (away >= -kOverlapPixels || f <= kOverlap);
@@ -64,6 +75,12 @@ bool holds(vec3 ray, vec3 u, float along, float towards, out Meeting met) {
   met.u = u;
   met.along = along;
   met.normal = 2.0 * vOwn.w * u + vOwn.xyz;
+#if kBends > 0 && kBounds == 3
+  met.normal -= 2.0 * dot(kBendOf(0), u) * kBendOf(0);
+  float steep = inversesqrt(max(dot(met.normal, met.normal), 1e-30));
+  met.normal *= steep;
+  towards *= steep;
+#endif
   vec3 p = vCentre.xyz + vEye.w / uShrink * u;
   bool inside = along > 0.0;
 #if kCut
@@ -83,18 +100,20 @@ bool holds(vec3 ray, vec3 u, float along, float towards, out Meeting met) {
   met.up = size * uAxes[1] - away * dot(met.normal, uAxes[1]);
   float square = dot(u, u), right = 2.0 * dot(u, met.right), up = 2.0 * dot(u, met.up);
   vec3 edges = vec3(1e9);  // pixels to them
-  bounded(vBound[0], vBoundConstant[0].x, met, square, right, up, inside, edges.x);
-  bounded(vBound[1], vBoundConstant[0].y, met, square, right, up, inside, edges.y);
-  bounded(vBound[2], vBoundConstant[0].z, met, square, right, up, inside, edges.z);
+  bounded(vBound[0], vBoundConstant[0].x, vec3(0.0), met, square, right, up, inside, edges.x);
+  bounded(vBound[1], vBoundConstant[0].y, vec3(0.0), met, square, right, up, inside, edges.y);
+  bounded(vBound[2], vBoundConstant[0].z, vec3(0.0), met, square, right, up, inside, edges.z);
   float faces = min(edges.x, min(edges.y, edges.z)), others = 1e9;
-#if kBounds > 3
-  bounded(vBound[3], vBoundConstant[0].w, met, square, right, up, inside, others);
-  bounded(vBound[4], vBoundConstant[1].x, met, square, right, up, inside, others);
-  bounded(vBound[5], vBoundConstant[1].y, met, square, right, up, inside, others);
-#endif
-#if kBounds > 6
-  bounded(vBound[6], vBoundConstant[1].z, met, square, right, up, inside, others);
-  bounded(vBound[7], vBoundConstant[1].w, met, square, right, up, inside, others);
+#if kBounds == 6
+  bounded(vBound[3], vBoundConstant[0].w, kBendOf(0), met, square, right, up, inside, others);
+  bounded(vBound[4], vBoundConstant[1].x, kBendOf(1), met, square, right, up, inside, others);
+  bounded(vBound[5], vBoundConstant[1].y, kBendOf(2), met, square, right, up, inside, others);
+#elif kBounds == 8
+  bounded(vBound[3], vBoundConstant[0].w, vec3(0.0), met, square, right, up, inside, others);
+  bounded(vBound[4], vBoundConstant[1].x, kBendOf(0), met, square, right, up, inside, others);
+  bounded(vBound[5], vBoundConstant[1].y, kBendOf(1), met, square, right, up, inside, others);
+  bounded(vBound[6], vBoundConstant[1].z, kBendOf(2), met, square, right, up, inside, others);
+  bounded(vBound[7], vBoundConstant[1].w, kBendOf(3), met, square, right, up, inside, others);
 #endif
 #if kCut
   others = min(others, (uCut - p.x) / max(vEye.w * length(vec2(met.right.x, met.up.x)), 1e-12));
@@ -125,6 +144,12 @@ bool meet(vec3 ray, out Meeting met) {
   vec3 o = vEye.xyz + nearest * ray;  // the point of the ray nearest to the cell's middle
   float a = vOwn.w, b = dot(vOwn.xyz, ray);
   float c = a * dot(o, o) + dot(vOwn.xyz, o) + vAbout.x;
+#if kBends > 0 && kBounds == 3
+  float start = dot(kBendOf(0), o), step = dot(kBendOf(0), ray);
+  a -= step * step;
+  b -= 2.0 * start * step;
+  c -= start * start;
+#endif
   float discriminant = b * b - 4.0 * a * c;
   bool meets = discriminant >= 0.0;
   float root = sqrt(max(discriminant, 0.0));

@@ -1,9 +1,11 @@
 // One corner of the polygon around the place of a face on the picture, and the record of the face
 // for its pixels; face_set.cpp and faces.js write records. All half-spaces are
-//   f(u) = a |u|^2 + b.u + c <= 0
-// in the frame of the cell, where its ball is the unit ball, and |grad f| = 1 where f = 0.
-// kBounds, the number of half-spaces that bound the face, is defined in front of this text, and a
-// camera stands there, which has uEye and uPixel.
+//   f(u) = a |u|^2 + b.u + c - (d.u)^2 <= 0
+// in the frame of the cell, where its ball is the unit ball, and |grad f| = 1 where f = 0 and d = 0.
+// kBounds, the number of half-spaces that bound the face, and kBends, of how many d is given, are
+// defined in front of this text, and a camera stands there, which has uEye and uPixel. d is 0 but
+// for horospheres of the Klein ball; it is given, if at all, of a truncation's own half-space, of
+// the truncations that bound a face, and of all truncations for a cut.
 uniform sampler2D uFaces;
 uniform float uShrink;       // of cells towards their middles; 1: not at all
 layout(location = 0) in vec3 aCorner;  // x, y in [-1, 1]; the texel where the record begins
@@ -15,6 +17,9 @@ flat out vec4 vCentre;       // of the cell, in the model; its radius in pixels
 flat out vec4 vColour;       // colour; number of the cell
 flat out vec4 vBound[kBounds];                 // half-spaces that bound the face: b, a
 flat out vec4 vBoundConstant[(kBounds + 3) / 4];  // their c
+#if kBends > 0
+flat out vec4 vBend[kBends];                   // d
+#endif
 
 const int kRecordTexelsPerRow = 2048;
 vec4 record(int i) {
@@ -33,5 +38,8 @@ void main() {
   vColour = record(3);
   for (int i = 0; i < kBounds; ++i) vBound[i] = record(4 + i);
   for (int i = 0; i < (kBounds + 3) / 4; ++i) vBoundConstant[i] = record(4 + kBounds + i);
+#if kBends > 0
+  for (int i = 0; i < kBends; ++i) vBend[i] = record(4 + kBounds + (kBounds + 3) / 4 + i);
+#endif
   gl_Position = vec4(aCorner.xy, 0.0, 1.0);
 }

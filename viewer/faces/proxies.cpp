@@ -128,7 +128,7 @@ void Projector::add_polygon(std::span<const float> reach, std::size_t step, floa
 bool may_face(const HalfSpace& wall, std::span<const Eigen::Vector3f> points, double margin,
               const Vector3& eye) {
   // On the wall gradient(p).(p - eye) is linear in p.
-  const Vector3 slope = -wall.b - 2 * wall.a * eye;
+  const Vector3 slope = -wall.gradient(eye);
   const double constant = -2 * wall.c - wall.b.dot(eye);
   double least = std::numeric_limits<double>::infinity();
   for (const Eigen::Vector3f& p : points) least = std::min(least, slope.dot(p.cast<double>()));

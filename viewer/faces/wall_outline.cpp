@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/hyperboloid_tetrahedron.hpp"
+
 namespace tripus::viewer {
 namespace {
 
@@ -26,9 +28,17 @@ struct Corner {
 /// Cuts the triangles of a wall until their sides are nearly straight in the model.
 class Cutter {
  public:
-  Cutter(Model model, double error) : model_(model), error_(error) {}
+  ///   horosphere  its null vector if the wall is one, else null
+  Cutter(Model model, double error, const Vector4* horosphere)
+      : model_(model), error_(error), horosphere_(horosphere) {}
 
-  Corner corner(const Vector4& sum) const {  // sums of points of the hyperboloid are timelike
+  /// The middle of so many points with this sum.
+  Corner corner(const Vector4& sum, double count = 1) const {
+    if (horosphere_ != nullptr && count > 1) {
+      const Vector4 x = geometry::on_horosphere(sum / count, *horosphere_);
+      return {x, geometry::to_model(model_, x)};
+    }
+    // Sums of points of the hyperboloid are timelike.
     const Vector4 x = sum / std::sqrt(std::max(-geometry::lorentz_product(sum, sum), 1e-300));
     return {x, geometry::to_model(model_, x)};
   }
@@ -43,7 +53,7 @@ class Cutter {
     Corner middle;
     for (std::size_t k = 0; k < 3; ++k) {
       const Corner &one = *corners[k], &other = *corners[(k + 1) % 3];
-      const Corner between = corner(one.x + other.x);
+      const Corner between = corner(one.x + other.x, 2);
       const double leaves = (between.p - (one.p + other.p) / 2).norm();
       if (leaves > most) {
         most = leaves;
@@ -67,11 +77,13 @@ class Cutter {
  private:
   Model model_;
   double error_;
+  const Vector4* horosphere_;
 };
 
 }  // namespace
 
 WallOutline wall_outline(Model model, const SceneCell& cell, std::size_t wall, double detail) {
+  if (!has_wall(cell, wall)) return {};
   const std::vector<std::size_t> around = corners_of_wall(wall);
   Vector4 sum = Vector4::Zero();
   double radius = 0;
@@ -80,8 +92,9 @@ WallOutline wall_outline(Model model, const SceneCell& cell, std::size_t wall, d
     sum += cell.corners[corner];
     radius = std::max(radius, (geometry::to_model(model, cell.corners[corner]) - first).norm());
   }
-  Cutter cutter(model, std::max(detail, kTightness * radius) / kSafety);
-  const Corner middle = cutter.corner(sum);
+  Cutter cutter(model, std::max(detail, kTightness * radius) / kSafety,
+                is_horosphere(cell, wall) ? &cell.walls[wall] : nullptr);
+  const Corner middle = cutter.corner(sum, static_cast<double>(around.size()));
   std::vector<Corner> corners;
   for (const std::size_t corner : around) {
     corners.push_back(cutter.corner(cell.corners[corner]));

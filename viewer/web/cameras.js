@@ -143,7 +143,7 @@ class WalkCamera {
     const unit = scaled3(direction, 1 / Math.max(Math.hypot(...direction), 1e-12));
     let left = distance;
     for (let crossing = 0; crossing < 64 && left > 0; ++crossing) {
-      const {faces, vertices} = this.manifold.tetrahedra[this.tetrahedron];
+      const {faces, vertices, diagonal} = this.manifold.tetrahedra[this.tetrahedron];
       const p = this.position();
       const u = unit.reduce((sum, x, i) => Lorentz.combine(1, sum, x, Lorentz.column(this.frame, i)),
                             [0, 0, 0, 0]);
@@ -155,12 +155,13 @@ class WalkCamera {
         const s = ratio >= 1 ? Infinity : Math.atanh(Math.max(ratio, 0));
         if (s < reach) [reach, face, wall] = [s, f, null];
       });
-      for (const v of vertices) {
-        if (Lorentz.dot(v, u) <= 0) continue;
-        const s = distanceToLevel(Lorentz.dot(v, p), Lorentz.dot(v, u),
-                                  -Math.sinh(WalkCamera.kClearance));
+      vertices.forEach((v, i) => {
+        if (diagonal[i] < 0 || Lorentz.dot(v, u) <= 0) return;
+        const level = diagonal[i] > 0 ? -Math.sinh(WalkCamera.kClearance)
+                                      : -Math.exp(WalkCamera.kClearance);
+        const s = distanceToLevel(Lorentz.dot(v, p), Lorentz.dot(v, u), level);
         if (s < reach) [reach, face, wall] = [s, -1, v];
-      }
+      });
       this.advance(unit, reach);
       left -= reach;
       if (wall) return {left, normal: wall};

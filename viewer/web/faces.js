@@ -15,7 +15,9 @@ const kClearAlpha = 0.22;
 /// Cells of a smaller radius on the picture, in pixels, are small.
 const kSmallCell = 2.5;
 const kRecordTexelsPerRow = 2048;
-const recordTexels = (bounds) => 4 + bounds + Math.ceil(bounds / 4);
+const recordTexels = (bounds, bends) => 4 + bounds + Math.ceil(bounds / 4) + bends;
+/// As bends_of_kind of face_set.hpp: of how many half-spaces a record of the Klein ball with cusps has d.
+const kBends = {3: 1, 6: 3, 8: 4};
 
 // As in wall_outline.cpp.
 const kOutlineTightness = 0.02, kOutlineHalvings = 8, kOutlineSafety = 1.7, kOutlineDetail = 5e-4;
@@ -31,6 +33,8 @@ function cornersOfWall({corners}, wall) {
   });
 }
 
+const kNoOutline = {points: new Float64Array(0), margin: 0, middle: [0, 0, 0], radius: 0};
+
 /// The walls of cells in a model; grows with the universal cover.
 class FaceSet {
   ///   toModel  from the coordinates of the first cell to those of the model
@@ -39,6 +43,8 @@ class FaceSet {
     this.number = number;
     this.manifold = manifold;
     this.model = kModels[model];
+    // Horospheres of the Klein ball are no spheres.
+    this.isBent = model === 'klein' && !manifold.isCompact;
     this.toModel = toModel;
     this.balls = [];       // of cells: x, y, z, radius
     this.halfSpaces = [];  // [8 cells] of {a, b, c}
@@ -48,6 +54,8 @@ class FaceSet {
     this.corners = manifold.tetrahedra.map(
         (tetrahedron) => [0, 1, 2, 3, 4, 5, 6, 7].map((wall) => cornersOfWall(tetrahedron, wall)));
   }
+
+  bends(bounds) { return this.isBent ? kBends[bounds] : 0; }
 
   /// Takes cells in until there are as many as in `cells`.
   grow(cells) {
@@ -64,23 +72,27 @@ class FaceSet {
     this.balls.push(this.model.ballOf(
         Lorentz.apply(isometry, tetrahedron.ball.centre), tetrahedron.ball.radius,
         () => tetrahedron.corners.map((c) => place(c.point))));
-    [...tetrahedron.faces, ...tetrahedron.vertices].forEach((normal, wall) => {
-      const {A, b, C} = this.model.halfSpace(Lorentz.apply(isometry, normal));
-      this.halfSpaces.push({a: A / 2, b, c: C / 2});
-      this.outlines.push(this.outline(this.corners[cell.tetrahedron][wall], place));
+    wallsOf(tetrahedron, isometry, this.model).forEach(({A, b, C, d = [0, 0, 0]}, wall) => {
+      this.halfSpaces.push({a: A / 2, b, c: C / 2, d});
+      const kind = wall < 4 ? 1 : tetrahedron.diagonal[wall - 4];
+      this.outlines.push(kind < 0 ? kNoOutline : this.outline(
+          this.corners[cell.tetrahedron][wall], place,
+          kind === 0 ? tetrahedron.vertices[wall - 4] : null));
       this.partner.push(Infinity);
     });
   }
 
   /// Cuts the triangles of a wall until their sides are nearly straight in the model.
-  outline(around, place) {
-    const corner = (sum) => {
-      const x = Lorentz.toPoint(sum);
+  ///   horosphere  its null vector, of a truncation that is one
+  outline(around, place, horosphere) {
+    const corner = (sum, count) => {
+      const x = horosphere && count > 1 ? onHorosphere(Lorentz.scale(sum, 1 / count), horosphere)
+                                        : Lorentz.toPoint(sum);
       return {x, p: place(x)};
     };
     const away = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-    const corners = around.map(corner), points = corners.map(({p}) => p);
-    const middle = corner(around.reduce((sum, x) => Lorentz.combine(1, sum, 1, x)));
+    const corners = around.map((x) => corner(x, 1)), points = corners.map(({p}) => p);
+    const middle = corner(around.reduce((sum, x) => Lorentz.combine(1, sum, 1, x)), around.length);
     const size = Math.max(...points.map((p) => away(p, points[0])));
     const error = Math.max(kOutlineDetail, kOutlineTightness * size) / kOutlineSafety;
     let margin = 0;
@@ -88,7 +100,7 @@ class FaceSet {
       let [most, worst, between] = [-1, 0, null];
       for (let k = 0; k < 3; ++k) {
         const [a, b] = [triangle[k], triangle[(k + 1) % 3]];
-        const half = corner(Lorentz.combine(1, a.x, 1, b.x));
+        const half = corner(Lorentz.combine(1, a.x, 1, b.x), 2);
         const leaves = away(half.p, a.p.map((x, i) => (x + b.p[i]) / 2));
         if (leaves > most) [most, worst, between] = [leaves, k, half];
       }
@@ -135,18 +147,26 @@ class FaceSet {
   ///   look  {shared, disc, colour, edges}; edges: numbers of the colours of a face's edges
   write(numbers, at, cell, wall, own, look) {
     const [x, y, z, radius] = this.balls[cell];
-    const local = ({a, b, c}) => ({
-      b: [b[0] + 2 * a * x, b[1] + 2 * a * y, b[2] + 2 * a * z], a: a * radius,
-      c: (a * (x * x + y * y + z * z) + b[0] * x + b[1] * y + b[2] * z + c) / radius,
-    });
-    const {a, b, c} = local(own);
+    const local = ({a, b, c, d}) => {
+      const bent = d[0] * x + d[1] * y + d[2] * z;
+      return {
+        b: [x, y, z].map((at, k) => b[k] + 2 * (a * at - bent * d[k])), a: a * radius,
+        c: (a * (x * x + y * y + z * z) + b[0] * x + b[1] * y + b[2] * z + c - bent * bent) / radius,
+        d: d.map((part) => part * Math.sqrt(radius)),
+      };
+    };
+    const {a, b, c, d} = local(own);
     numbers.set([...b, a, c, wall, look.shared ? 1 : 0, look.disc, x, y, z, radius,
                  ...look.colour, cell], at);
     const bounds = boundsOfWall(wall).map((other) => local(this.halfSpaces[8 * cell + other]));
     bounds.forEach((h, i) => numbers.set([...h.b, h.a], at + 16 + 4 * i));
     bounds.forEach((h, i) => { numbers[at + 16 + 4 * bounds.length + i] = h.c; });
     if (bounds.length % 4 !== 0) numbers[at + 16 + 5 * bounds.length] = look.edges;
-    return at + 4 * recordTexels(bounds.length);
+    const end = at + 4 * recordTexels(bounds.length, 0);
+    if (!this.isBent) return end;
+    const bends = bounds.length === 3 ? [d] : bounds.slice(-kBends[bounds.length]).map((h) => h.d);
+    bends.forEach((bend, i) => numbers.set(bend, end + 4 * i));
+    return end + 4 * bends.length;
   }
 }
 
@@ -161,6 +181,17 @@ class ProxyMesh {
   }
 
   clear() { this.cornerCount = this.triangleCount = 0; }
+
+  /// Draws the polygons by way of two buffers; attribute 0 is on.
+  draw(gl, corners, triangles) {
+    gl.bindBuffer(gl.ARRAY_BUFFER, corners);
+    gl.bufferData(gl.ARRAY_BUFFER, this.corners.subarray(0, 3 * this.cornerCount), gl.STREAM_DRAW);
+    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, triangles);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, this.triangles.subarray(0, 3 * this.triangleCount),
+                  gl.STREAM_DRAW);
+    gl.drawElements(gl.TRIANGLES, 3 * this.triangleCount, gl.UNSIGNED_INT, 0);
+  }
 
   look(view, width, height) {
     Object.assign(this, {view, width, height});
@@ -266,8 +297,10 @@ ProxyMesh.kDirections = Float64Array.from({length: 32}, (_, i) => {
 });
 
 /// Whether some point of a face may turn its outer side to the eye; as in proxies.cpp.
-function mayFace({a, b, c}, points, margin, eye) {
-  const x = -b[0] - 2 * a * eye[0], y = -b[1] - 2 * a * eye[1], z = -b[2] - 2 * a * eye[2];
+function mayFace({a, b, c, d}, points, margin, eye) {
+  const bent = 2 * (d[0] * eye[0] + d[1] * eye[1] + d[2] * eye[2]);
+  const x = bent * d[0] - b[0] - 2 * a * eye[0], y = bent * d[1] - b[1] - 2 * a * eye[1],
+        z = bent * d[2] - b[2] - 2 * a * eye[2];
   const most = (margin + 1e-6) * Math.sqrt(x * x + y * y + z * z) + 2 * c + b[0] * eye[0] +
       b[1] * eye[1] + b[2] * eye[2];
   for (let i = 0; i < points.length; i += 3)
@@ -292,10 +325,11 @@ class FaceDrawing {
   }
 
   /// The program for faces of a kind; see faces.glsl for what is defined.
-  program({bounds, programs}, model, discs, state) {
+  program({bounds, programs}, set, discs, state) {
     const cut = state.cut !== null && bounds !== 8, edges = state.colour === 'edge' && state.lines;
     const defined = `#define kBounds ${bounds}\n#define kSides ${isSolid(state) ? 1 : 2}\n` +
-        `#define kModel ${model}\n#define kDiscs ${discs}\n#define kCut ${cut ? 1 : 0}\n` +
+        `#define kModel ${set.model.number}\n#define kBends ${set.isBent ? kBends[bounds] : 0}\n` +
+        `#define kDiscs ${discs}\n#define kCut ${cut ? 1 : 0}\n` +
         `#define kEdges ${edges ? 1 : 0}\n`;
     if (!programs.has(defined))
       programs.set(defined, this.graphics.program(
@@ -315,7 +349,7 @@ class FaceDrawing {
   }
 
   uploadFaces(set, cells, state) {
-    const texels = cells.length * 4 * (recordTexels(3) + recordTexels(6));
+    const texels = cells.length * 4 * (recordTexels(3, set.bends(3)) + recordTexels(6, set.bends(6)));
     const rows = Math.max(1, Math.ceil(texels / kRecordTexelsPerRow));
     const numbers = new Float32Array(4 * kRecordTexelsPerRow * rows);
     this.first = new Float32Array(8 * cells.length);
@@ -344,7 +378,8 @@ class FaceDrawing {
 
   /// The records of the cells' cuts, and the balls that hold them.
   uploadCuts(set, cells, state) {
-    const texels = recordTexels(8), own = {a: 0, b: [1, 0, 0], c: -state.cut};
+    const texels = recordTexels(8, set.bends(8));
+    const own = {a: 0, b: [1, 0, 0], c: -state.cut, d: [0, 0, 0]};
     this.cutBalls = [];
     set.balls.slice(0, cells.length).forEach(([x, y, z, radius], cell) => {
       const beyond = x - state.cut;
@@ -378,8 +413,9 @@ class FaceDrawing {
     if (state.colour === 'face' && wall < 4)
       base = paletteColour(this.manifold.faceClass[cell.tetrahedron][wall]);
     if (wall < 4) return base;
-    // Truncations, the geodesic boundary, are pale, whatever the colours say.
-    return base.map((x, k) => x + 0.4 * ([0.95, 0.93, 0.88][k] - x));
+    // Truncations, the geodesic boundary, are pale, whatever the colours say; horospheres are bluish.
+    const isCusp = this.manifold.tetrahedra[cell.tetrahedron].diagonal[wall - 4] === 0;
+    return base.map((x, k) => x + 0.4 * ((isCusp ? [0.62, 0.77, 0.95] : [0.95, 0.93, 0.88])[k] - x));
   }
 
   /// Finds the polygons of the faces that may be seen, of cells that one cannot look through, or,
@@ -413,6 +449,7 @@ class FaceDrawing {
       const small = radius * focal < kSmallCell * Math.sqrt(square);
       for (let face = 8 * cell; face < 8 * cell + 8; ++face) {
         if (face % 8 < 4 ? !state.faces : !state.truncations) continue;
+        if (set.outlines[face] === kNoOutline) continue;
         const partner = set.partner[face];
         // Through a transparent partner it is seen.
         if (solid && shrink === 1 && partner < count && (clear || !isClear(partner))) continue;
@@ -426,7 +463,8 @@ class FaceDrawing {
     if (state.cut !== null && solid && !clear) {
       this.cutBalls.forEach(({cell, points, margin}, i) => {
         if (!isClear(cell))
-          this.kinds[2].mesh.add(points, margin, set.balls[cell], shrink, recordTexels(8) * i);
+          this.kinds[2].mesh.add(points, margin, set.balls[cell], shrink,
+                                 recordTexels(8, set.bends(8)) * i);
       });
     }
     return shrink;
@@ -460,7 +498,7 @@ class FaceDrawing {
       const {mesh, corners, triangles} = kind;
       if (mesh.triangleCount === 0) continue;
       const withDiscs = kind.bounds === 3 && this.manifold.discs.exist && state.discs;
-      const program = this.program(kind, set.model.number, withDiscs ? 1 : 0, state);
+      const program = this.program(kind, set, withDiscs ? 1 : 0, state);
       setCamera(program);
       this.manifold.discs.use(gl, program, this.discs, state.discs);
       const bind = (unit, name, texture) => {
@@ -476,14 +514,7 @@ class FaceDrawing {
       if (state.colour === 'edge') gl.uniform3fv(program.at('uPalette'), linearPalette.flat());
       const line = state.lines ? 1.2 * scale : -1e3;
       gl.uniform2f(program.at('uLine'), line, state.lines ? 0.6 * line : line);
-      gl.bindBuffer(gl.ARRAY_BUFFER, corners);
-      gl.bufferData(gl.ARRAY_BUFFER, mesh.corners.subarray(0, 3 * mesh.cornerCount),
-                    gl.STREAM_DRAW);
-      gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
-      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, triangles);
-      gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, mesh.triangles.subarray(0, 3 * mesh.triangleCount),
-                    gl.STREAM_DRAW);
-      gl.drawElements(gl.TRIANGLES, 3 * mesh.triangleCount, gl.UNSIGNED_INT, 0);
+      mesh.draw(gl, corners, triangles);
     }
     gl.bindVertexArray(this.graphics.nothing);
   }

@@ -74,6 +74,8 @@ class Hover {
   }
 
   truncation(t, v, disc) {
+    if (this.page.manifold.tetrahedra[t].diagonal[v] === 0)
+      return `tetrahedron ${t}, horosphere ${v} of cusp ${this.page.manifold.vertexClass[t][v]}`;
     const length = this.page.manifold.discs.lengthOf(t, v, disc);
     return `tetrahedron ${t}, truncation ${v} of boundary component ` +
         `${this.page.manifold.vertexClass[t][v]}` +

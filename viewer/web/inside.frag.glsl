@@ -1,14 +1,16 @@
 // Standing in the manifold: each pixel follows a geodesic x cosh s + u sinh s through the
 // tetrahedra. In the coordinates of the current one a plane <n, x> = 0 ahead is met where
 // tanh s = -<n, x> / <n, u>. At a face the geodesic goes on in the neighbour's coordinates; at a
-// truncation plane it has met the geodesic boundary, the wall. Coordinates in one tetrahedron stay
-// small, which is what single precision needs.
+// truncation plane it has met the geodesic boundary, at a horosphere <v, x> = -1 a cusp: the wall.
+// Coordinates in one tetrahedron stay small, which is what single precision needs. kKinds, whether
+// there are vertices other than hyperideal ones, is defined in front of this text.
 //
 // Texels of a tetrahedron (normals come with their time negated, so that dot() is the product):
 //   0-3 faces, 4-7 vertices, 8-23 rows of the four crossings, 24 neighbours, 25 entry faces,
 //   26-27 cosines g = <n_k, n_l> at the six edges, 28-29 edge classes, 30 boundary components,
-//   31 where the discs of the four truncations begin, 32-33 1 / (1 - g^2) at the edges
-const int kTexels = 34;
+//   31 where the discs of the four truncations begin, 32-33 1 / (1 - g^2) at the edges,
+//   34 kinds of the vertices: 1 hyperideal, 0 ideal, -1 finite, 35-36 1 at singular edges
+const int kTexels = 37;
 uniform sampler2D uTetrahedra;
 uniform int uPerRow;
 uniform int uStart;       // the tetrahedron of the camera
@@ -25,6 +27,7 @@ uniform int uGrid;        // whether the wall shows its own geometry beyond its 
 uniform int uColourBy;    // wall: 0 truncation triangle, 1 boundary component
 uniform vec3 uPalette[48];  // as many as kColourCount of embedding/colour.hpp
 uniform vec3 uFogColour;
+uniform vec3 uSingular;   // the colour of singular edges
 out vec4 colour;
 
 const int kNothing = 0, kWall = 1, kEdge = 2;
@@ -67,6 +70,24 @@ float meetTube(vec2 x, vec2 u, float g, float scale) {
   return discriminant > 0.0 && xx > 0.0 && xu < 0.0 ? t : 2.0;
 }
 
+#if kKinds
+/// Where the geodesic goes into the horoball <v, x> >= -1: tanh s, or 2. With a = <v, x> and
+/// b = <v, u> that is a + b t = -sqrt(1 - t^2).
+float meetHorosphere(float a, float b) {
+  float discriminant = 1.0 + b * b - a * a;
+  float t = (a * a - 1.0) / (sqrt(max(discriminant, 0.0)) - a * b);
+  return b > 0.0 && discriminant > 0.0 ? max(t, 0.0) : 2.0;
+}
+#endif
+/// The unit normal of the wall of vertex v of the current tetrahedron at a point x.
+vec4 wallNormal(int v, vec4 x) {
+  vec4 normal = texel(4 + v) * vec4(1, 1, 1, -1);
+#if kKinds
+  if (texel(34)[v] == 0.0) normal -= x;
+#endif
+  return normal;
+}
+
 /// Takes a thing that is met earlier than all before.
 void first(float t, int kind, int number, inout float reach, inout ivec2 met) {
   if (t < reach) {
@@ -95,6 +116,11 @@ void trace(inout Hit hit, inout int from) {
     n = mat4(texel(4), texel(5), texel(6), texel(7));
     vec4 vx = hit.x * n, vu = hit.u * n;
     ahead = mix(vec4(2.0), max(-vx / max(vu, 1e-20), 0.0), greaterThan(vu, vec4(0.0)));
+#if kKinds
+    vec4 kind = texel(34);
+    for (int v = 0; v < 4; ++v)
+      ahead[v] = kind[v] > 0.0 ? ahead[v] : kind[v] < 0.0 ? 2.0 : meetHorosphere(vx[v], vu[v]);
+#endif
     for (int v = 0; v < 4; ++v) first(ahead[v], kWall, v, reach, met);
     vec4 g = texel(26), scale = texel(32);
     first(meetTube(fx.zw, fu.zw, g.x, scale.x), kEdge, 0, reach, met);
@@ -186,6 +212,7 @@ vec3 edgeColour(Hit hit, out float facing) {
   gradient *= inversesqrt(max(product(gradient, gradient), 1e-12));
   facing = clamp(-product(gradient, hit.u), 0.0, 1.0);
   int edge = int(texel(28 + hit.number / 4)[hit.number & 3]);
+  if (texel(35 + hit.number / 4)[hit.number & 3] > 0.5) return uSingular;
   return mix(paletteOf(edge + 5), vec3(0.1, 0.12, 0.2), 0.25);
 }
 
@@ -219,8 +246,7 @@ void main() {
     float share = 1.0;
     if (hit.kind == kWall) {
       stand(hit.tetrahedron);
-      vec4 normal = texel(4 + hit.number) * vec4(1, 1, 1, -1);
-      float facing = abs(product(normal, hit.u));
+      float facing = abs(product(wallNormal(hit.number, hit.x), hit.u));
       seen = wallColour(hit) * (0.42 + 0.58 * facing);
       if (uMirror > 0.0) share = 1.0 - (uMirror + (1.0 - uMirror) * pow(1.0 - facing, 5.0) * 0.5);
     } else if (hit.kind == kEdge) {
@@ -231,7 +257,7 @@ void main() {
     sum += weight * (share * clear * seen + (1.0 - clear) * uFogColour);
     weight *= clear * (1.0 - share);
     if (hit.kind != kWall || weight < 0.02) break;
-    vec4 normal = texel(4 + hit.number) * vec4(1, 1, 1, -1);
+    vec4 normal = wallNormal(hit.number, hit.x);
     hit.u -= 2.0 * product(hit.u, normal) * normal;
     from = -1;
   }

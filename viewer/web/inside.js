@@ -1,5 +1,5 @@
 // The inside view: what one sees along geodesics when standing in the manifold.
-const kTetrahedronTexels = 34;
+const kTetrahedronTexels = 37;
 const kTetrahedraPerRow = 32;
 
 class InsideView {
@@ -11,7 +11,8 @@ class InsideView {
 
   connect() {
     this.program =
-        this.graphics.program('fullscreen.vert.glsl', 'inside.frag.glsl', ['discs.glsl']);
+        this.graphics.program('fullscreen.vert.glsl', 'inside.frag.glsl',
+                              [`#define kKinds ${this.manifold.isCompact ? 0 : 1}`, 'discs.glsl']);
     this.discs = this.manifold.discs.texture(this.graphics);
     const numbers = new Float32Array(4 * kTetrahedronTexels * this.manifold.count);
     for (let t = 0; t < this.manifold.count; ++t)
@@ -19,10 +20,10 @@ class InsideView {
     this.texture = this.graphics.dataTexture(numbers, kTetrahedronTexels, kTetrahedraPerRow);
   }
 
-  /// 34 x 4 numbers of a tetrahedron; their order is in inside.frag.glsl.
+  /// 37 x 4 numbers of a tetrahedron; their order is in inside.frag.glsl.
   record(t) {
     const m = this.manifold;
-    const {faces, vertices} = m.tetrahedra[t];
+    const {faces, vertices, diagonal, singular} = m.tetrahedra[t];
     const numbers = new Float32Array(4 * kTetrahedronTexels);
     [...faces, ...vertices].forEach((n, i) => numbers.set([n[0], n[1], n[2], -n[3]], 4 * i));
     m.crossing[t].forEach((matrix, f) => numbers.set(matrix, 32 + 16 * f));
@@ -37,6 +38,8 @@ class InsideView {
     });
     numbers.set(m.vertexClass[t].map((v) => v % 4096), 120);
     numbers.set(m.discs.first.slice(4 * t, 4 * t + 4), 124);
+    numbers.set(diagonal, 136);
+    kEdgeEnds.forEach((_, e) => { numbers[140 + e] = singular >> e & 1; });
     return numbers;
   }
 
@@ -102,6 +105,7 @@ class InsideView {
     this.manifold.discs.use(gl, this.program, this.discs, state.discs);
     gl.uniform3fv(at('uPalette'), linearPalette.flat());
     gl.uniform3fv(at('uFogColour'), linearColour(state.theme.fog));
+    gl.uniform3fv(at('uSingular'), kSingularColour);
     gl.uniform1i(at('uOutput'), state.identities ? 1 : 0);
     gl.depthFunc(gl.ALWAYS);
     gl.drawArrays(gl.TRIANGLES, 0, 3);

@@ -1,21 +1,46 @@
-// The manifold of the page, from the JSON of `tripus embed`: vertices are the unit spacelike poles
-// of the truncating planes, faces the unit outward normals. A point x lies in the truncated
-// tetrahedron exactly if its product with all eight is <= 0.
+// The manifold of the page, from the JSON of `tripus embed`: faces are unit outward normals, vertices
+// by their kind, their product with themselves,
+//   1  hyperideal  the unit spacelike pole v of the truncating plane
+//   0  ideal       a null vector v: of the horosphere of points x with product <x, v> = -1
+//  -1  finite      the vertex itself
+// A point x lies in the cell exactly if its products are <= 0 with faces and hyperideal vertices, and
+// <= -1 with ideal ones.
 const kEdgeEnds = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 
-/// The twelve corners: corner (i, j) is where the edge ij leaves through the truncation of i.
-function tetrahedronCorners(vertices) {
+/// The twelve corners: corner (i, j) is where the edge ij leaves through the truncation of i, or the
+/// vertex i itself if it is finite.
+function tetrahedronCorners(vertices, diagonal) {
   const corners = [];
   for (let i = 0; i < 4; ++i)
     for (let j = 0; j < 4; ++j) {
       if (i === j) continue;
-      const along = Lorentz.combine(1, vertices[j], -Lorentz.dot(vertices[i], vertices[j]),
-                                    vertices[i]);
-      const point = Lorentz.toPoint(along);
+      const product = Lorentz.dot(vertices[i], vertices[j]);
+      let point = vertices[i];
+      if (diagonal[i] > 0)
+        point = Lorentz.toPoint(Lorentz.combine(1, vertices[j], -product, vertices[i]));
+      if (diagonal[i] === 0)
+        point = Lorentz.combine((1 + diagonal[j] / (product * product)) / 2, vertices[i],
+                                -1 / product, vertices[j]);
       corners.push({vertex: i, other: j, point});
     }
   return corners;
 }
+
+/// The point of the horosphere of v half-way between points of it with this mean.
+function onHorosphere(mean, v) {
+  return Lorentz.combine(1, mean, (Lorentz.dot(mean, mean) + 1) / 2, v);
+}
+
+/// The half-spaces of the eight walls of a tetrahedron, moved by an isometry, in a model of kModels.
+function wallsOf({faces, vertices, diagonal}, isometry, model) {
+  return [
+    ...faces.map((n) => model.halfSpace(Lorentz.apply(isometry, n))),
+    ...vertices.map((v, i) => (diagonal[i] < 0 ? kNoWall
+        : diagonal[i] > 0 ? model.halfSpace(Lorentz.apply(isometry, v))
+                          : model.horosphere(Lorentz.apply(isometry, v))))];
+}
+/// What every point of a model near the cells lies in.
+const kNoWall = {A: 0, b: [1e-6, 0, 0], C: -1};
 
 /// Centre and radius of a hyperbolic ball around points, close to the smallest: it walks towards
 /// the farthest point in shrinking steps (Badoiu and Clarkson).
@@ -41,10 +66,14 @@ class Manifold {
   constructor(data) {
     this.data = data;
     this.count = data.tetrahedra.length;
-    this.tetrahedra = data.tetrahedra.map(({vertices, faces}) => {
-      const corners = tetrahedronCorners(vertices);
-      return {vertices, faces, corners, ball: enclosingBall(corners.map((c) => c.point))};
+    this.tetrahedra = data.tetrahedra.map(
+        ({vertices, faces, diagonal = [1, 1, 1, 1], singular = 0}) => {
+      const corners = tetrahedronCorners(vertices, diagonal);
+      return {vertices, faces, diagonal, singular, corners,
+              ball: enclosingBall(corners.map((c) => c.point))};
     });
+    /// Whether all vertices are hyperideal.
+    this.isCompact = this.tetrahedra.every(({diagonal}) => diagonal.every((d) => d > 0));
     this.neighbour = data.gluings.map((row) => row.map(([t]) => t));
     this.pairing = data.face_pairings;
     this.crossing = this.pairing.map((row) => row.map(Lorentz.inverse));

@@ -3,13 +3,15 @@ const kCellTexels = 19;
 const kCellsPerRow = 100;
 
 /// What the upper half-space and the ball make of the hyperboloid model. In both a half-space
-/// <n, x> <= 0 becomes A |p|^2 + 2 b.p + C <= 0.
+/// <n, x> <= 0, and what is outside a horoball, <v, x> <= -1, becomes A |p|^2 + 2 b.p + C <= 0; in
+/// the Klein ball the latter is A |p|^2 + 2 b.p + C - 2 (d.p)^2 <= 0.
 const kModels = {
   upper: {
     number: 0,
     // The hyperboloid's point, up to a factor, is this times (p, |p|^2, 1), column by column.
     points: [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 0], [0, 0, 0.5, 0.5], [0, 0, -0.5, 0.5]],
     halfSpace: (n) => ({A: n[2] - n[3], b: [n[0], n[1], 0], C: -(n[2] + n[3])}),
+    horosphere: (v) => ({A: v[2] - v[3], b: [v[0], v[1], 1], C: -(v[2] + v[3])}),
     sphere(centre, radius) {
       const height = 1 / (centre[3] - centre[2]);
       return {at: [centre[0] * height, centre[1] * height, Math.cosh(radius) * height],
@@ -27,15 +29,20 @@ const kModels = {
     /// Edge 01 of the root upwards in the middle, as in the paper; the truncation of vertex 1
     /// becomes the unit hemisphere, and everything lies under it.
     frame(root) {
-      const [vertices, faces] = [root.vertices, root.faces];
-      const point = root.corners.find((c) => c.vertex === 1 && c.other === 0).point;
+      const {faces} = root;
+      const [point, below] = [[1, 0], [0, 1]].map(
+          ([i, j]) => root.corners.find((c) => c.vertex === i && c.other === j).point);
       const unit = (x) => Lorentz.scale(x, 1 / Math.sqrt(Lorentz.dot(x, x)));
       const inward = unit(Lorentz.combine(-1, faces[2], -1, faces[3]));
       const across = unit(Lorentz.combine(-1, faces[2], 1, faces[3]));
-      const frame = Lorentz.fromColumns([inward, across, vertices[1], point]);
+      // Along the edge; of a hyperideal vertex this is its pole.
+      const upwards = root.diagonal[1] > 0
+          ? root.vertices[1]
+          : unit(Lorentz.combine(-1, below, -Lorentz.dot(below, point), point));
+      const frame = Lorentz.fromColumns([inward, across, upwards, point]);
       return determinant(frame) > 0
           ? frame
-          : Lorentz.fromColumns([inward, Lorentz.scale(across, -1), vertices[1], point]);
+          : Lorentz.fromColumns([inward, Lorentz.scale(across, -1), upwards, point]);
     },
     view: {target: [0, 0, 0.34], yaw: 0.45, pitch: 0.42, distance: 3.5},
   },
@@ -43,6 +50,7 @@ const kModels = {
     number: 1,
     points: [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 0.5], [0, 0, 0, 0.5]],
     halfSpace: (n) => ({A: -n[3], b: n.slice(0, 3), C: -n[3]}),
+    horosphere: (v) => ({A: -v[3] - 1, b: v.slice(0, 3), C: 1 - v[3]}),
     sphere(centre, radius) {
       const scale = 1 / (centre[3] + Math.cosh(radius));
       return {at: centre.slice(0, 3).map((x) => x * scale), radius: Math.sinh(radius) * scale};
@@ -66,7 +74,11 @@ const kModels = {
       const length = Math.hypot(n[0], n[1], n[2]);
       return {A: 0, b: n.slice(0, 3).map((x) => x / length), C: -2 * n[3] / length};
     },
-    /// Cells are the hulls of their corners.
+    horosphere(v) {
+      const p = v.slice(0, 3), t = v[3];
+      return {A: -1, b: scaled3(p, t), C: 1 - t * t, d: scaled3(p, Math.SQRT1_2)};
+    },
+    /// Cells are in the hulls of their corners.
     ballOf(centre, radius, corners) {
       const points = corners();
       const at = [0, 1, 2].map((k) => points.reduce((sum, p) => sum + p[k], 0) / points.length);
@@ -124,6 +136,7 @@ class OutsideView {
     this.cells = null;
     this.discs = this.manifold.discs.texture(this.graphics);
     this.faces = new FaceDrawing(this.graphics, this.manifold, this.discs);
+    this.tubes = new TubeDrawing(this.graphics);
     this.grounds = {};
     this.shown = '';
   }
@@ -145,14 +158,13 @@ class OutsideView {
 
   /// 19 x 4 numbers of a cell for the shader; see outside.frag.glsl.
   record(cell, model, toModel) {
-    const {halfSpace, sphere} = kModels[model];
+    const {sphere} = kModels[model];
     const tetrahedron = this.manifold.tetrahedra[cell.tetrahedron];
     const isometry = Lorentz.multiply(toModel, cell.isometry);
     const {at, radius} =
         sphere(Lorentz.apply(isometry, tetrahedron.ball.centre), tetrahedron.ball.radius);
     const numbers = new Float32Array(4 * kCellTexels);
-    [...tetrahedron.faces, ...tetrahedron.vertices].forEach((normal, i) => {
-      const {A, b, C} = halfSpace(Lorentz.apply(isometry, normal));
+    wallsOf(tetrahedron, isometry, kModels[model]).forEach(({A, b, C}, i) => {
       numbers.set([...b.map((x, k) => x + A * at[k]), A * radius], 4 * i);
       numbers[32 + i] = (A * dot3(at, at) + 2 * dot3(b, at) + C) / radius;
     });
@@ -220,7 +232,9 @@ class OutsideView {
     for (const name of ['uHigh', 'uLow'])
       gl.uniform3fv(ground.at(name), linearColour(state.theme.outside[name]));
     gl.drawArrays(gl.TRIANGLES, 0, 3);
-    if (faces) this.faces.drawClear(...faces);
+    if (!faces) return;
+    this.tubes.draw(...faces);
+    this.faces.drawClear(...faces);
   }
 
   drawFaces(state, view, width, height, scale, setCamera) {

@@ -1,5 +1,6 @@
 #include "viewer/web/page_data.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <vector>
@@ -115,7 +116,24 @@ void append_embedding(Text& out, const embedding::Embedding& embedding) {
     append_list(out, 4, [&](std::size_t i) { append_entries(out, tetrahedron.vertices[i]); });
     append_key(out, "faces");
     append_list(out, 4, [&](std::size_t i) { append_entries(out, tetrahedron.faces[i]); });
+    if (tetrahedron.diagonal != embedding::HyperboloidTetrahedron{}.diagonal) {
+      append_key(out, "diagonal");
+      append_list(out, 4, [&](std::size_t i) { append_number(out, tetrahedron.diagonal[i]); });
+    }
+    if (embedding.singular_edges[t] != 0) {
+      append_key(out, "singular");
+      append_number(out, std::size_t{embedding.singular_edges[t]});
+    }
     out.push_back('}');
+  });
+  append_key(out, "horosphere_area");
+  append_number(out, embedding.horosphere_area);
+  // In words where the edge is singular, else empty.
+  append_key(out, "cone_angles");
+  append_list(out, embedding.cone_angles.size(), [&](std::size_t e) {
+    const topology::ConeAngle& angle = embedding.cone_angles[e];
+    out.append(
+        detail::json_string(angle.is_full() ? std::string() : "order " + angle.order_text()));
   });
   append_key(out, "face_pairings");
   append_list(out, embedding.face_pairings.size(), [&](std::size_t t) {
@@ -175,9 +193,14 @@ void append_discs(Text& out, const WallDiscs& discs) {
 }
 
 void check(const PageOptions& options, const topology::Triangulation& triangulation,
-           const structure::Report& report) {
+           const structure::Report& report, const embedding::Embedding& embedding) {
   if (report.outcome != structure::Outcome::kGeometric)
     throw InvalidInput("a page shows a metric, and none was found: " + report.message);
+  if (std::ranges::any_of(embedding.tetrahedra,
+                          [](const auto& shape) { return shape.parabolic_edges != 0; }))
+    throw Unsupported(
+        "a page shows no parabolic edges (cone order 0); `tripus embed FILE -o cells.ply`, with a "
+        "file of the labels, writes their cells for other programs");
   if (options.cells < 1 || options.cells > kMostPageCells) {
     throw InvalidInput(
         fmt::format("a page shows 1 to {} cells, not {}", kMostPageCells, options.cells));
@@ -195,7 +218,7 @@ void check(const PageOptions& options, const topology::Triangulation& triangulat
 
 std::string page_data(const PageOptions& options, const topology::Triangulation& triangulation,
                       const structure::Report& report, const embedding::Embedding& embedding) {
-  check(options, triangulation, report);
+  check(options, triangulation, report, embedding);
   Text out;
   out.append(std::string_view("{\"tripus\":"));
   out.append(detail::json_string(kVersion));

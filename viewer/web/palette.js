@@ -20,5 +20,8 @@ const kDepthPalette = Array.from({length: 12}, (_, i) => {
   return a.map((x, k) => x + (place - at) * (b[k] - x));
 });
 
+/// The colour of singular edges.
+const kSingularColour = linearColour('#d01c1f');
+
 /// Colour of tetrahedron i.
 function paletteColour(i) { return linearPalette[i % linearPalette.length]; }

@@ -20,12 +20,18 @@ function listOf(numbers, limit = 12) {
 }
 
 function showFacts(data) {
-  const boundary = data.vertices.map((v) => `genus ${v.genus}, area ${shown(v.area)}`);
+  const boundary = data.vertices.filter(({kind}) => kind === 'geodesic')
+      .map((v) => `genus ${v.genus}, area ${shown(v.area)}`);
+  const cusps = data.vertices.filter(({kind}) => kind === 'cusp').length;
+  const singular = data.cone_angles.flatMap((angle, e) => (angle ? [`${angle} at ${e}`] : []));
   const valences = data.edge_valences;
   const facts = [
     ['Verdict', data.outcome, data.message],
     ['Volume', shown(data.volume)],
-    ['Geodesic boundary', boundary.join('; ')],
+    ...(boundary.length ? [['Geodesic boundary', boundary.join('; ')]] : []),
+    ...(cusps ? [['Cusps', `${cusps}, cut off at horospheres of area ${
+        shown(data.horosphere_area)}`]] : []),
+    ...(singular.length ? [['Singular edges', singular.join(', ')]] : []),
     ['Tetrahedra', `${data.tetrahedron_count}, ${data.orientable ? '' : 'non-'}orientable`],
     [data.edge_lengths.length === 1 ? 'Edge length' : 'Edge lengths', listOf(data.edge_lengths)],
     [valences.length === 1 ? 'Edge valence' : 'Edge valences', listOf(valences)],

@@ -22,6 +22,14 @@ double exit_of(const Vector4& n, const Vector4& x, const Vector4& u) {
   return std::clamp(-lorentz_product(n, x) / towards, 0.0, 1.0);
 }
 
+/// The same of <v, x> <= -1, for a null vector v: where <v, x> + <v, u> t = -sqrt(1 - t^2).
+double exit_at_horosphere(const Vector4& v, const Vector4& x, const Vector4& u) {
+  const double a = lorentz_product(v, x), b = lorentz_product(v, u);
+  const double discriminant = 1 + b * b - a * a;
+  if (b <= 0 || discriminant <= 0) return 1;
+  return std::clamp((a * a - 1) / (std::sqrt(discriminant) - a * b), 0.0, 1.0);
+}
+
 void advance(Vector4& x, Vector4& u, double tanh_distance) {
   const double c = 1 / std::sqrt(1 - tanh_distance * tanh_distance);
   const double s = tanh_distance * c;
@@ -85,7 +93,9 @@ Sight look(const embedding::Embedding& embedding, const topology::Triangulation&
       }
     }
     for (std::size_t v = 0; v < 4; ++v) {
-      const double t = exit_of(here.vertices[v], x, u);
+      if (here.is_finite(v)) continue;
+      const double t = here.is_ideal(v) ? exit_at_horosphere(here.vertices[v], x, u)
+                                        : exit_of(here.vertices[v], x, u);
       if (t < reach) {
         reach = t;
         sight.wall = true;

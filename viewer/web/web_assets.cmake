@@ -5,10 +5,13 @@ set(TRIPUS_WEB_SHADERS
   common.glsl discs.glsl fullscreen.vert.glsl outside_camera.glsl outside_light.glsl
   outside.vert.glsl
   outside.frag.glsl outside_ground.frag.glsl outside_faces.frag.glsl inside.frag.glsl
-  ../faces/faces.vert.glsl ../faces/faces.glsl)
-set(TRIPUS_WEB_DESKTOPS ../faces/desktop.glsl ../faces/desktop.frag.glsl)
+  outside_tubes.frag.glsl
+  ../faces/faces.vert.glsl ../faces/faces.glsl ../faces/tubes.vert.glsl ../faces/tubes.glsl)
+set(TRIPUS_WEB_DESKTOPS
+  ../faces/desktop.glsl ../faces/desktop_light.glsl ../faces/desktop.frag.glsl
+  ../faces/desktop_tubes.frag.glsl)
 set(TRIPUS_WEB_SCRIPTS
-  lorentz.js manifold.js palette.js gl.js discs.js outside.js faces.js cameras.js inside.js panel.js
+  lorentz.js manifold.js palette.js gl.js discs.js outside.js faces.js tubes.js cameras.js inside.js panel.js
   controls.js hover.js labels.js dump.js main.js start.js)
 set(TRIPUS_WEB_TEXTS
   page.html stage.html controls.html help.html theme.css view.css style.css gallery.html gallery.css)

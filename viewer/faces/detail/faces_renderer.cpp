@@ -18,44 +18,8 @@ constexpr double kSmallestCell = 0.4;
 constexpr double kSmallFace = 1;
 /// Drawing that can be stopped waits for the graphics after so many cells.
 constexpr std::size_t kCellsBetweenWaits = 2000;
-/// Of faces.vert.glsl, and of the places of cells in desktop.frag.glsl.
-constexpr std::size_t kTexelsPerRow = 2048;
 /// The alpha of transparent walls.
 constexpr double kClear = 0.22;
-
-/// A texture of so many numbers, four a texel, rows of kTexelsPerRow.
-GlTexture number_texture(std::vector<float> numbers) {
-  const std::size_t row = 4 * kTexelsPerRow;
-  const std::size_t rows = std::max<std::size_t>(1, (numbers.size() + row - 1) / row);
-  GLint most_rows = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most_rows);
-  if (rows > static_cast<std::size_t>(most_rows))
-    throw NoOpenGl("this graphics card cannot hold so many cells; try fewer --cells");
-  numbers.resize(row * rows);
-  GLuint name = 0;
-  glGenTextures(1, &name);
-  GlTexture texture(name);
-  glBindTexture(GL_TEXTURE_2D, name);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<GLsizei>(kTexelsPerRow),
-               static_cast<GLsizei>(rows), 0, GL_RGBA, GL_FLOAT, numbers.data());
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-  glBindTexture(GL_TEXTURE_2D, 0);
-  return texture;
-}
-
-GlBuffer new_buffer() {
-  GLuint name = 0;
-  glGenBuffers(1, &name);
-  return GlBuffer(name);
-}
-
-template <class Item>
-void fill(GLenum target, const GlBuffer& buffer, const std::vector<Item>& items) {
-  glBindBuffer(target, buffer.name());
-  glBufferData(target, static_cast<GLsizeiptr>(items.size() * sizeof(Item)), items.data(),
-               GL_STREAM_DRAW);
-}
 
 /// The half-spaces of a cell's walls with these numbers.
 std::vector<HalfSpace> half_spaces_of(const FaceSet& set, std::size_t cell,
@@ -83,13 +47,12 @@ FacesRenderer::FacesRenderer() : kinds_{{{3, {}, {}}, {6, {}, {}}, {kCutBounds, 
         "the renderer faces needs OpenGL 3.3; --renderer opencsg does with 2.1, and `tripus view "
         "INPUT -o page.html` writes a page that a browser shows");
   }
-  corners_ = new_buffer();
-  triangles_ = new_buffer();
 }
 
 void FacesRenderer::set_scene(const Scene& scene, Model model, double scene_radius) {
   scene_ = scene;
   set_ = FaceSet(model, scene, scene_radius);
+  tubes_.set_scene(model, scene_, set_);
   discs_.set(scene.discs);
   colours_.reset();
   places_written_ = false;
@@ -113,7 +76,7 @@ void FacesRenderer::write_records(const PictureOptions& options) {
       if (!discs_.empty() && is_truncation(face.wall))
         look.first_disc = discs_.first_texel(cell.tetrahedron, face.wall - 4U);
       append_record(texels_, set_.cell_balls()[face.cell], set_.half_spaces()[i],
-                    half_spaces_of(set_, face.cell, bounds[face.wall]), look);
+                    half_spaces_of(set_, face.cell, bounds[face.wall]), look, set_.is_bent());
     }
     fixed_texels_ = texels_.size();
   }
@@ -140,7 +103,8 @@ void FacesRenderer::write_cuts() {
         {ball.centre - beyond * cut.b, std::sqrt(ball.radius * ball.radius - beyond * beyond)}};
     append_record(texels_, ball, cut, half_spaces_of(set_, cell, all),
                   {static_cast<std::uint32_t>(cell), static_cast<std::uint8_t>(kWallCount), false,
-                   -1, wall_colour(*colours_, scene_.cells[cell], 4)});
+                   -1, wall_colour(*colours_, scene_.cells[cell], 4)},
+                  set_.is_bent());
   }
 }
 
@@ -172,7 +136,9 @@ std::size_t FacesRenderer::draw(const PictureOptions& options, const Frame& fram
       if (!is_clear(order[done])) add_cell(order[done], options, view, projector, frame.samples);
     draw_meshes(options, frame, view, 1);
   }
-  if (!options.transparent || !is_solid(options) || frame.identities) return 0;
+  if (frame.identities) return 0;
+  tubes_.draw(scene_, options, frame, view);
+  if (!options.transparent || !is_solid(options)) return 0;
   // What one looks through comes last, the farthest first, and hides nothing.
   for (std::size_t i = order.size(); i-- > 0;)
     if (is_clear(order[i])) add_cell(order[i], options, view, projector, frame.samples);
@@ -198,6 +164,7 @@ void FacesRenderer::add_cell(std::size_t cell, const PictureOptions& options, co
   const bool solid = is_solid(options);
   for (std::size_t i = kWallCount * cell; i < kWallCount * (cell + 1); ++i) {
     const SceneFace& face = set_.faces()[i];
+    if (face.point_count == 0) continue;
     if (is_truncation(face.wall) ? !options.truncations : !options.faces) continue;
     // Through a transparent partner it is seen.
     if (solid && face.is_shared() &&
@@ -222,6 +189,7 @@ GLuint FacesRenderer::program_of(Kind& kind, const PictureOptions& options) {
     defined += std::string("#define ") + name + " " + std::to_string(value) + "\n";
   };
   define("kBounds", kind.bounds);
+  define("kBends", set_.is_bent() ? bends_of_record(kind.bounds) : 0);
   define("kSides", is_solid(options) ? 1 : 2);
   define("kModel", static_cast<std::size_t>(options.model));
   define("kCut", options.cut_away && kind.bounds != kCutBounds ? 1 : 0);
@@ -232,7 +200,8 @@ GLuint FacesRenderer::program_of(Kind& kind, const PictureOptions& options) {
     using detail::web_asset;
     std::string vertex = defined, fragment = defined;
     for (const char* part : {"desktop.glsl", "faces.vert.glsl"}) vertex += web_asset(part);
-    for (const char* part : {"desktop.glsl", "discs.glsl", "faces.glsl", "desktop.frag.glsl"})
+    for (const char* part :
+         {"desktop.glsl", "discs.glsl", "faces.glsl", "desktop_light.glsl", "desktop.frag.glsl"})
       fragment += web_asset(part);
     program = make_program(vertex, fragment);
   }
@@ -251,12 +220,6 @@ void FacesRenderer::draw_meshes(const PictureOptions& options, const Frame& fram
   glActiveTexture(GL_TEXTURE1);
   glBindTexture(GL_TEXTURE_2D, discs_.texture());
   glActiveTexture(GL_TEXTURE0);
-  const double aspect = static_cast<double>(frame.width) / frame.height;
-  const Eigen::Matrix3d rows = view.model_view.topLeftCorner<3, 3>();
-  Eigen::Matrix3f axes = rows.transpose().cast<float>();
-  axes.col(2) = -axes.col(2);
-  const Eigen::Vector3f light = key_light(view).cast<float>();
-  const Eigen::Vector3f eye = view.eye.cast<float>();
   const double widest =
       !options.lines ? -1e3 : 1.5 * frame.samples * std::max(1.0, frame.height / 900.0);
   for (Kind& kind : kinds_) {
@@ -269,16 +232,7 @@ void FacesRenderer::draw_meshes(const PictureOptions& options, const Frame& fram
     const orthospectrum::LengthColour bare = kBareWall;
     glUniform3f(uniform.at("uBareWall"), f(bare[0] / 255.0), f(bare[1] / 255.0),
                 f(bare[2] / 255.0));
-    glUniform3fv(uniform.at("uEye"), 1, eye.data());
-    glUniformMatrix3fv(uniform.at("uAxes"), 1, GL_FALSE, axes.data());
-    glUniform2f(uniform.at("uTangent"), f(view.height_at_one * aspect / 2),
-                f(view.height_at_one / 2));
-    glUniform2f(uniform.at("uShift"), f(options.camera.shift.x() / aspect),
-                f(options.camera.shift.y()));
-    glUniform2f(uniform.at("uSize"), f(frame.width * frame.samples),
-                f(frame.height * frame.samples));
-    glUniform2f(uniform.at("uDepth"), f(view.near), f(view.far));
-    glUniform1f(uniform.at("uPixel"), f(view.height_at_one / (frame.height * frame.samples)));
+    set_camera(uniform, options, frame, view);
     glUniform1f(uniform.at("uShrink"), 1);
     glUniform1f(uniform.at("uCut"), f(options.cut_away.value_or(0)));
     glUniform2f(uniform.at("uLine"), f(widest), f(widest / 2));
@@ -286,18 +240,9 @@ void FacesRenderer::draw_meshes(const PictureOptions& options, const Frame& fram
     if (options.colour_by == ColourBy::kEdge)
       glUniform3fv(uniform.at("uPalette"), embedding::kColourCount, palette_numbers().data());
     glUniform1i(uniform.at("uIdentities"), frame.identities ? 1 : 0);
-    glUniform3fv(uniform.at("uKeyLight"), 1, light.data());
-    fill(GL_ARRAY_BUFFER, corners_, kind.mesh.corners);
-    fill(GL_ELEMENT_ARRAY_BUFFER, triangles_, kind.mesh.triangles);
-    glEnableVertexAttribArray(0);
-    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(kind.mesh.triangles.size()), GL_UNSIGNED_INT,
-                   nullptr);
-    glDisableVertexAttribArray(0);
+    buffers_.draw(kind.mesh);
     kind.mesh.clear();
   }
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
   glUseProgram(0);
 }
 

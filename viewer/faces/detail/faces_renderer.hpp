@@ -10,6 +10,8 @@
 #include "viewer/detail/compose.hpp"
 #include "viewer/detail/drawn_discs.hpp"
 #include "viewer/detail/gl.hpp"
+#include "viewer/faces/detail/mesh_drawing.hpp"
+#include "viewer/faces/detail/tubes_renderer.hpp"
 #include "viewer/faces/face_set.hpp"
 #include "viewer/faces/proxies.hpp"
 #include "viewer/picture.hpp"
@@ -57,11 +59,12 @@ class FacesRenderer {
   GLuint program_of(Kind& kind, const PictureOptions& options);
 
   std::array<Kind, 3> kinds_;
-  GlBuffer corners_, triangles_;
+  MeshBuffers buffers_;
   GlTexture records_, places_;
 
   Scene scene_;
   FaceSet set_;
+  TubesRenderer tubes_;
   DrawnDiscs discs_;
   std::vector<float> texels_;        // four numbers each: the records of faces, then of cuts
   std::size_t fixed_texels_ = 0;     // numbers of faces in it

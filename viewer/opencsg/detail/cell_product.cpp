@@ -46,7 +46,7 @@ CellProduct::CellProduct(Model model, const SceneCell& cell)
       ball_(bounding_ball(model, cell)),
       to_tetrahedron_(viewer::to_tetrahedron(model, cell, ball_)) {
   for (std::size_t wall = 0; wall < kWallCount; ++wall)
-    half_spaces_[wall] = half_space(model, cell.walls[wall]);
+    half_spaces_[wall] = half_space(model, cell, wall);
 }
 
 void CellProduct::add_wall(const HalfSpace& in_model, WallKind kind, std::size_t number,

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <functional>
+
+#include "canonical/detail/carried_metric.hpp"
+#include "canonical/tilts.hpp"
+
+namespace tripus::canonical::detail {
+
+/// From where moves at concave faces get stuck because vertices of several tetrahedra lie in one
+/// plane: breadth first through triangulations with up to three flat tetrahedra in that plane, of
+/// volume 0, by moves at these. Lengths are carried, nothing is solved.
+///   stuck    geometric
+///   faces    of it
+///   attempt  is given triangulations with true tetrahedra only, lengths filled in; returns whether
+///            the search is over
+/// Returns whether it was; false if there is nothing left to go through, or not within the budget.
+bool pass_through_planes(const MetricState& stuck, const FaceKinds& faces,
+                         const std::function<bool(CarriedMetric&)>& attempt);
+
+}  // namespace tripus::canonical::detail

@@ -11,14 +11,4 @@ double Context::seconds_left() const {
   return std::max(1e-9, std::chrono::duration<double>(*deadline - Clock::now()).count());
 }
 
-StopFlag::StopFlag(const Context& context) {
-  if (!context.stop.stop_possible()) {
-    flag_ = context.stop_flag;
-    return;
-  }
-  own_ = context.stop_requested();
-  flag_ = &own_;
-  callback_.emplace(context.stop, Raise{&own_});
-}
-
 }  // namespace tripus

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "base/error.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "topology/isosig.hpp"
 #include "topology/labelled_isosig.hpp"
 #include "topology/orientation.hpp"
@@ -52,7 +52,7 @@ std::optional<CanonicalManifold> canonize_metric(const Triangulation& triangulat
   if (!proto.found) return std::nullopt;
   if (edge_inside_cell(proto.triangulation, proto.faces, proto.cone_angles)) return std::nullopt;
   Decomposition decomposition(proto.triangulation.gluings(), proto.faces, proto.cone_angles);
-  CanonicalOrder order = canonical_order(decomposition, options.stop_requested);
+  CanonicalOrder order = canonical_order(decomposition, options.stop);
   IsometryGroup isometries =
       isometry_group(decomposition, order, proto.triangulation.vertex_count());
   IsometrySignature signature =
@@ -149,12 +149,12 @@ class Canonizer {
   }
 
  private:
-  bool stopped() const { return solve_.stop_requested != nullptr && solve_.stop_requested->load(); }
+  bool stopped() const { return solve_.stop.requested(); }
 
   std::optional<CanonicalManifold> canonical_of(const Metric& metric) const {
     ProtoCanonicalOptions proto = options_.proto_canonical;
     proto.cone_angles = metric.cone_angles;
-    if (proto.stop_requested == nullptr) proto.stop_requested = solve_.stop_requested;
+    if (!proto.stop.possible()) proto.stop = solve_.stop;
     try {
       return canonize_metric(metric.triangulation, metric.report, proto);
     } catch (const Stopped&) {

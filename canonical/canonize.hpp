@@ -64,7 +64,7 @@ CanonizeAnswer canonize(const topology::Triangulation& triangulation,
 
 /// The same where the metric is known: `report` is geometric, of this triangulation.
 /// Nothing if no triangulation without concave faces was found. Throws Stopped if
-/// options.stop_requested is set after that.
+/// options.stop is set after that.
 std::optional<CanonicalManifold> canonize_metric(const topology::Triangulation& triangulation,
                                                  const structure::Report& report,
                                                  const ProtoCanonicalOptions& options = {});

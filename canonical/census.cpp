@@ -1,6 +1,7 @@
 #include "canonical/census.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <mutex>
@@ -93,12 +94,12 @@ std::vector<CensusLine> classify(const std::vector<std::string>& triangulations,
   std::atomic<bool> stop{false};
   const auto work = [&] {
     try {
-      while (!stop && (options.stop_requested == nullptr || !*options.stop_requested)) {
+      while (!stop && !options.stop) {
         const std::size_t k = next++;
         if (k >= triangulations.size()) return;
         CensusLine line = classify_one(triangulations[k], options.canonize);
         // What was interrupted is not "unresolved".
-        if (options.stop_requested != nullptr && *options.stop_requested) return;
+        if (options.stop.requested()) return;
         results[k] = std::move(line);
         if (!options.on_line) continue;
         const std::lock_guard lock(mutex);

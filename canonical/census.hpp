@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -9,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "canonical/canonize.hpp"
 
 namespace tripus::canonical {
@@ -57,7 +57,7 @@ struct ClassifyOptions {
   unsigned threads = 0;  ///< 0: all cores
   /// Every line as soon as it is done, in any order, never from two threads at once.
   std::function<void(const CensusLine&)> on_line;
-  const std::atomic<bool>* stop_requested = nullptr;
+  Stop stop{};
 };
 
 /// The budget that a census gives to retriangulation. Of the triangulations with 4 tetrahedra that

@@ -51,7 +51,7 @@ Comparison different(std::string by, std::string message) {
 
 /// By what needs no geometry.
 std::optional<Comparison> compare_topology(const Triangulation& a, const Triangulation& b,
-                                           const std::atomic<bool>* stop_requested) {
+                                           const Stop& stop) {
   if (a.component_count() != b.component_count()) {
     return different("components", fmt::format("they have {} and {} components.",
                                                a.component_count(), b.component_count()));
@@ -62,8 +62,8 @@ std::optional<Comparison> compare_topology(const Triangulation& a, const Triangu
   }
   if (a.is_orientable() != b.is_orientable())
     return different("orientability", "one is orientable, the other is not.");
-  const std::string x = to_string(topology::first_homology(a, stop_requested));
-  const std::string y = to_string(topology::first_homology(b, stop_requested));
+  const std::string x = to_string(topology::first_homology(a, stop));
+  const std::string y = to_string(topology::first_homology(b, stop));
   if (x != y) return different("homology", fmt::format("the first homology is {} and {}.", x, y));
   return std::nullopt;
 }
@@ -109,7 +109,7 @@ std::optional<Comparison> compare_arcs(const Triangulation& a, const Triangulati
     const structure::Report report = structure::solve(*manifold, solve);
     if (report.outcome != structure::Outcome::kGeometric) return std::nullopt;
     Context context;
-    context.stop_flag = options.stop_requested;
+    context.stop = options.stop;
     lengths[side++] =
         orthospectrum::shortest_lengths(*manifold, report.edge_lengths, kFingerprintArcs, context);
   }
@@ -173,11 +173,11 @@ constexpr std::size_t kMostSearched = 40;
 void compare_triangulations(Comparison& result, const Triangulation& a, const Triangulation& b,
                             const CanonizeOptions& options) {
   topology::CommonTriangulationOptions search;
-  search.stop_requested = options.solve.stop_requested;
+  search.stop = options.solve.stop;
   // Every step looks at all neighbours of a triangulation: too much for large ones.
   if (std::max(a.tetrahedron_count(), b.tetrahedron_count()) > kMostSearched) search.budget = 0;
   const auto start = [&](const Triangulation& m) {
-    auto small = topology::small_triangulations(m.gluings(), 1, search.stop_requested);
+    auto small = topology::small_triangulations(m.gluings(), 1, search.stop);
     return small.empty() ? m.gluings() : std::move(small.front());
   };
   const auto common = topology::common_triangulation(start(a), start(b), search);
@@ -227,7 +227,7 @@ Comparison compare(const Labelled& one, const Labelled& other, const CanonizeOpt
                    Orientations orientations) {
   const Triangulation &first = one.triangulation, &second = other.triangulation;
   const bool plain = topology::all_full(one.cone_angles) && topology::all_full(other.cone_angles);
-  if (auto decided = compare_topology(first, second, options.solve.stop_requested)) return *decided;
+  if (auto decided = compare_topology(first, second, options.solve.stop)) return *decided;
   try {
     require_canonizable(first, one.cone_angles);
     require_canonizable(second, other.cone_angles);

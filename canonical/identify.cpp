@@ -1,5 +1,6 @@
 #include "canonical/identify.hpp"
 
+#include "base/stop.hpp"
 #include "topology/isosig.hpp"
 #include "topology/simplify/small_triangulations.hpp"
 
@@ -24,9 +25,8 @@ std::string_view to_string(IdentifiedBy by) {
 }
 
 const CensusEntry* find_simplified(const topology::Triangulation& triangulation,
-                                   const Census& census, const std::atomic<bool>* stop_requested) {
-  for (const auto& small :
-       topology::small_triangulations(triangulation.gluings(), 1, stop_requested))
+                                   const Census& census, const Stop& stop) {
+  for (const auto& small : topology::small_triangulations(triangulation.gluings(), 1, stop))
     if (const CensusEntry* entry = census.find(topology::isosig(small))) return entry;
   return nullptr;
 }
@@ -47,7 +47,7 @@ Identification identify(const topology::Triangulation& triangulation, const Cens
     return result;
   }
   if (!options.retriangulate || !plain) return result;
-  result.entry = find_simplified(triangulation, census, options.solve.stop_requested);
+  result.entry = find_simplified(triangulation, census, options.solve.stop);
   if (result.entry != nullptr) result.by = IdentifiedBy::kTriangulation;
   return result;
 }

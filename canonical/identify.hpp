@@ -1,9 +1,9 @@
 #pragma once
 
-#include <atomic>
 #include <optional>
 #include <string>
 
+#include "base/stop.hpp"
 #include "canonical/canonize.hpp"
 #include "canonical/census.hpp"
 
@@ -26,8 +26,7 @@ struct Identification {
 
 /// The entry that lists a simplification of the triangulation; null if there is none.
 const CensusEntry* find_simplified(const topology::Triangulation& triangulation,
-                                   const Census& census,
-                                   const std::atomic<bool>* stop_requested = nullptr);
+                                   const Census& census, const Stop& stop = {});
 
 /// Looks a manifold up: by its triangulation, by a simplification of that, by its canonical
 /// decomposition; with cone angles by the last alone. Throws what `require_canonizable` does, if

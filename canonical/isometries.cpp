@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "canonical/group_name.hpp"
 
 namespace tripus::canonical {
@@ -143,13 +143,12 @@ GroupTable group_table(const Decomposition& decomposition, const CanonicalOrder&
 
 }  // namespace
 
-CanonicalOrder canonical_order(const Decomposition& decomposition,
-                               const std::atomic<bool>* stop_requested) {
+CanonicalOrder canonical_order(const Decomposition& decomposition, const Stop& stop) {
   CanonicalOrder best;
   Orderer orderer(decomposition);
   Orbits orbits(decomposition.flag_count());
   for (FlagIndex start = 0; start < decomposition.flag_count(); ++start) {
-    throw_if_stopped(stop_requested);
+    throw_if_stopped(stop);
     if (orbits.is_out(start)) continue;
     if (start > 0 && orbits.same(start, best.flags[0])) {
       best.starts.push_back(start);

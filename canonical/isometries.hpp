@@ -1,12 +1,12 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "canonical/decomposition.hpp"
 
 namespace tripus::canonical {
@@ -29,8 +29,7 @@ struct CanonicalOrder {
 /// Time: a start for each orbit of flags, abandoned where its code becomes larger, and F for each
 /// generator of the automorphisms: some F in practice, F^2 at worst.
 /// Throws Stopped.
-CanonicalOrder canonical_order(const Decomposition& decomposition,
-                               const std::atomic<bool>* stop_requested = nullptr);
+CanonicalOrder canonical_order(const Decomposition& decomposition, const Stop& stop = {});
 
 /// The isometry group of a manifold: the automorphisms of its canonical decomposition.
 struct IsometryGroup {

@@ -9,7 +9,6 @@
 #include <deque>
 #include <numbers>
 #include <optional>
-#include <queue>
 #include <unordered_set>
 
 #include <fmt/format.h>
@@ -20,6 +19,7 @@
 #include "canonical/detail/flat_passage.hpp"
 #include "structure/solve.hpp"
 #include "topology/labelled_isosig.hpp"
+#include "topology/moves/best_first.hpp"
 
 namespace tripus::canonical {
 namespace {
@@ -81,9 +81,7 @@ class Walker {
     return !faces_.has_concave();
   }
 
-  bool stopped() const {
-    return options_.stop_requested != nullptr && options_.stop_requested->load();
-  }
+  bool stopped() const { return options_.stop.requested(); }
 
   /// Makes one move at a concave face. False if there is no such face, or no such move.
   bool improve() {
@@ -163,23 +161,18 @@ class Walker {
   /// A best-first search from where the moves got stuck, fewest tetrahedra first; from every new
   /// triangulation with the metric the moves go on.
   void search() {
-    using Entry = std::pair<std::size_t, std::size_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-    std::vector<State> nodes;
-    std::unordered_set<std::string> known;
+    topology::BestFirst<State> book;
     const State stuck = state_;
     const std::size_t limit = stuck.triangulation.tetrahedron_count() + kExtra;
     const auto add = [&](State state) {
-      open.emplace(state.triangulation.tetrahedron_count(), nodes.size());
-      nodes.push_back(std::move(state));
+      book.add(state.triangulation.tetrahedron_count(), std::move(state));
     };
-    known.insert(key(stuck));
+    book.learn(key(stuck));
     add(stuck);
     constexpr std::array kKinds{MoveKind::kThreeTwo, MoveKind::kFourFour, MoveKind::kTwoThree};
-    while (!open.empty() && solves_ < kCheap * options_.budget && !stopped()) {
-      const auto [size, number] = open.top();
-      const State here = nodes[number];
-      open.pop();
+    while (book.has_open() && solves_ < kCheap * options_.budget && !stopped()) {
+      const State here = book[book.next()];
+      const std::size_t size = here.triangulation.tetrahedron_count();
       const std::vector<bool> trouble = trouble_of(here);
       for (const Move& move : topology::all_moves(here.triangulation, kKinds)) {
         const bool grows = move.kind == MoveKind::kTwoThree;
@@ -187,13 +180,13 @@ class Walker {
         if (!trouble.empty() && !trouble[move.tetrahedron]) continue;
         if (solves_ >= kCheap * options_.budget || stopped()) break;
         auto next = detail::carried_metric(here, move);
-        if (!next || !known.insert(key(next->state)).second) continue;
+        if (!next || !book.learn(key(next->state))) continue;
         const bool was_geometric = here.report.outcome == structure::Outcome::kGeometric;
         if (!was_geometric || detail::has_true_tetrahedra(*next)) solve(*next);
         if (next->state.report.outcome == structure::Outcome::kGeometric) {
           state_ = std::move(next->state);
           if (descend()) return;
-          if (!known.insert(key(state_)).second) continue;
+          if (!book.learn(key(state_))) continue;
           next->state = state_;
         }
         add(std::move(next->state));
@@ -294,7 +287,7 @@ class Walker {
       if (state.triangulation.valence(e) < 3 && is_full(state, e)) return;
     structure::SolveOptions solve;
     solve.evidence = false;
-    solve.stop_requested = options_.stop_requested;
+    solve.stop = options_.stop;
     solve.cone_angles = state.cone_angles;
     solve.initial_lengths = next.lengths;
     state.report = structure::solve(state.triangulation, solve);

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "canonical/tilts.hpp"
 #include "structure/report.hpp"
 #include "topology/moves/moves.hpp"
@@ -14,7 +14,7 @@ struct ProtoCanonicalOptions {
   std::size_t budget = 2000;  ///< triangulations to solve on at most where the moves get stuck
   /// [E] of the metric; empty for 2 pi. No move takes an edge away that has another angle.
   std::vector<topology::ConeAngle> cone_angles = {};
-  const std::atomic<bool>* stop_requested = nullptr;  ///< ends it soon, with nothing found
+  Stop stop{};  ///< ends it soon, with nothing found
 };
 
 /// A geometric triangulation without concave faces: it subdivides the canonical decomposition.

@@ -30,10 +30,4 @@ struct CanonicalCommand {
 /// The option --prove of the verbs that can.
 void add_prove_option(CLI::App& verb, bool& prove, const char* what);
 
-/// Adds such a verb. `answer` is called with options that heed interrupts.
-void add_canonical_verb(CLI::App& program, const char* name, const char* description,
-                        Command& chosen,
-                        Reply (*answer)(const CanonicalCommand& command, const Subject& subject),
-                        bool can_prove = false);
-
 }  // namespace tripus::cli

@@ -174,8 +174,8 @@ int make_census(CensusMaking command) {
   Progress progress(!command.quiet);
   std::size_t count = resumed;
   set_last_words(rest(count, total));
-  command.classify.stop_requested = &interrupt_requested();
-  command.classify.canonize.solve.stop_requested = &interrupt_requested();
+  command.classify.stop = &interrupt_requested();
+  command.classify.canonize.solve.stop = &interrupt_requested();
   command.classify.on_line = [&](const CensusLine& line) {
     if (journal) journal->add(canonical::to_journal(line));
     ++count;

@@ -121,8 +121,8 @@ int make_shard(ShardCommand command) {
                        count, todo.size(), name);
   };
   set_last_words(rest());
-  command.classify.stop_requested = &interrupt_requested();
-  command.classify.canonize.solve.stop_requested = &interrupt_requested();
+  command.classify.stop = &interrupt_requested();
+  command.classify.canonize.solve.stop = &interrupt_requested();
   command.classify.on_line = [&](const CensusLine& line) {
     journal.add(canonical::to_journal(line));
     ++count;

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/interrupt.hpp"
 #include "manifold/json_text.hpp"

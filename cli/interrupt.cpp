@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
@@ -216,7 +217,7 @@ void set_last_words(
 
 Context interruptible() {
   Context context;
-  context.stop_flag = &stop_flag();
+  context.stop = &stop_flag();
   context.deadline = own().deadline;
   context.note = [](const std::string& note) { write_message("tripus: note: " + note + "\n"); };
   return context;

@@ -30,7 +30,7 @@ void add_metric_search(CLI::App& verb, MetricSearch& search) {
 }
 
 Solved find_metric(Subject subject, structure::SolveOptions options, const MetricSearch& search) {
-  options.stop_requested = &stop_flag();
+  options.stop = &stop_flag();
   options.time_limit = seconds_left();
   options.cone_angles = subject.cone_angles;
   structure::Report report = structure::solve(subject.triangulation, options);

@@ -84,7 +84,8 @@ void add_verbs(CLI::App& program, Command& command) {
   program.set_version_flag("--version", std::string("tripus ") + tripus::kVersion,
                            "print the version");
   program.require_subcommand(0, 1);
-  for (const Verb& verb : verbs()) verb.add(program, command);
+  for (const Verb& verb : verbs())
+    verb.add(program.add_subcommand(std::string(verb.name), std::string(verb.summary)), command);
   program.add_subcommand("help", "the options of a verb: tripus help VERB");
   for (CLI::App* verb : program.get_subcommands(nullptr)) verb->group("Verbs");
   program.footer(std::string(kInputHelp) + kExamples + "\n" + kExitStatusHelp);

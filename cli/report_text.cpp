@@ -47,7 +47,7 @@ void append_angle_table(std::string& text, const Report& report) {
 /// The certificate in the words of a person; --json prints it for `tripus check`.
 void append_certificate(std::string& text, const structure::Certificate& certificate) {
   std::vector<std::string> edges;
-  for (const auto& u : certificate.edge) edges.push_back(u.get_str());
+  for (const auto& u : certificate.edge) edges.push_back(to_decimal(u));
   text += fmt::format(
       "  certificate     kind \"{}\"; edge multipliers {} (--json has them all, for tripus "
       "check)\n",
@@ -58,14 +58,14 @@ void append_certificate(std::string& text, const structure::Certificate& certifi
 void append_strict_angles(std::string& text, const structure::StrictAngles& angles) {
   text += fmt::format(
       "  tetrahedron  strict angle structure at 01 02 03 12 13 23, exact, in units of pi/{}\n",
-      angles.denominator.get_str());
+      to_decimal(angles.denominator));
   for (std::size_t t = 0; t < angles.numerator.size(); ++t) {
     if (t == kRowsShown) {
       text += fmt::format("  ... ({} in all; --json prints every one)\n", angles.numerator.size());
       return;
     }
     text += fmt::format("  {:>11} ", t);
-    for (const auto& angle : angles.numerator[t]) text += " " + angle.get_str();
+    for (const auto& angle : angles.numerator[t]) text += " " + to_decimal(angle);
     text += '\n';
   }
 }

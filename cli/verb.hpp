@@ -41,8 +41,9 @@ using Command = std::function<int()>;
 /// One line of the table of verbs.
 struct Verb {
   std::string_view name;
-  /// Adds the verb to the program and, when it is chosen, sets `chosen`.
-  void (*add)(CLI::App& program, Command& chosen);
+  std::string_view summary;  ///< one line of the help
+  /// Gives the verb its arguments and options and, when it is chosen, sets `chosen`.
+  void (*add)(CLI::App* verb, Command& chosen);
   int place = kAnyPlace;  ///< in the help
 };
 

@@ -41,7 +41,7 @@ Tessellation::Tessellation(const Embedding& embedding, std::span<const Cell> cel
   for (std::size_t c = 0; c < cells.size(); ++c) {
     if (c > 0 && is_stopped()) {
       cells_ = cells.first(c);
-      options_.stop_requested = nullptr;  // it has ended this; the cells that are left are whole
+      options_.stop = {};  // it has ended this; the cells that are left are whole
       break;
     }
     int n = 0;

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "embedding/universal_cover.hpp"
 #include "geometry/hyperbolic_space.hpp"
 
@@ -65,7 +65,7 @@ struct TessellationOptions {
   /// multiplied by the diameter of a cell that is larger than 1.
   double error = 1e-2;
   /// Ends the work at a whole cell when it becomes true; null: nothing does.
-  const std::atomic<bool>* stop_requested = nullptr;
+  Stop stop{};
 };
 
 /// Cells cut into triangles, one cell at a time, so that not all must be in memory. In the Klein
@@ -81,10 +81,7 @@ class Tessellation {
 
   std::span<const Cell> cells() const { return cells_; }
   /// Whether writers should end: a stop was requested since this was made.
-  bool is_stopped() const {
-    return options_.stop_requested != nullptr &&
-           options_.stop_requested->load(std::memory_order_relaxed);
-  }
+  bool is_stopped() const { return options_.stop.requested(); }
   int subdivisions(std::size_t cell) const { return subdivisions_[cell]; }
   std::size_t point_count() const { return point_count_; }
   std::size_t triangle_count() const { return triangle_count_; }

@@ -92,7 +92,7 @@ class Grower {
         cover.end = CoverEnd::kCells;
         return cover;
       }
-      if (options_.stop_requested != nullptr && options_.stop_requested->load()) {
+      if (options_.stop.requested()) {
         cover.end = CoverEnd::kInterrupted;
         return cover;
       }

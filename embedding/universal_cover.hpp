@@ -1,11 +1,11 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "embedding/embedding.hpp"
 
 namespace tripus::embedding {
@@ -35,14 +35,14 @@ struct UniversalCoverOptions {
   /// of the root: with them every cell that meets the ball is there.
   double max_radius = std::numeric_limits<double>::infinity();
   std::uint32_t root = 0;  ///< the tetrahedron to begin with; its frame becomes that of space
-  const std::atomic<bool>* stop_requested = nullptr;  ///< polled at every cell
+  Stop stop{};             ///< polled at every cell
 };
 
 /// Why the growth ended.
 enum class CoverEnd {
   kComplete,     ///< everything within the depth or the radius
   kCells,        ///< max_cells are there
-  kInterrupted,  ///< stop_requested
+  kInterrupted,  ///< stop
   kPrecision,    ///< so far from the root that double precision no longer tells cells apart
 };
 

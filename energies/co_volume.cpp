@@ -79,6 +79,27 @@ bool is_flat(const std::array<double, 6>& theta) {
          std::count_if(theta.begin(), theta.end(), [](double a) { return a > 3.0; }) == 2;
 }
 
+/// The edge classes at the corners of block b, and how many of its lanes are tetrahedra.
+struct Block {
+  const std::uint32_t* edge;  // [lanes x 6]
+  std::size_t lanes;
+
+  Block(const topology::Triangulation& triangulation, std::size_t b)
+      : edge(triangulation.edge_classes().data() + 6 * kLanes * b),
+        lanes(std::min(kLanes, triangulation.tetrahedron_count() - kLanes * b)) {}
+
+  void gather(std::span<const double> x, double padding, double* out) const {
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      for (std::size_t i = 0; i < 6; ++i) out[i * kLanes + lane] = x[edge[6 * lane + i]];
+    for (std::size_t lane = lanes; lane < kLanes; ++lane)
+      for (std::size_t i = 0; i < 6; ++i) out[i * kLanes + lane] = padding;
+  }
+  void scatter_add(const double* in, std::span<double> y) const {
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      for (std::size_t i = 0; i < 6; ++i) y[edge[6 * lane + i]] += in[i * kLanes + lane];
+  }
+};
+
 /// A sum that carries its rounding errors along (Neumaier): totals over a million tetrahedra keep
 /// their digits.
 class Sum {
@@ -156,28 +177,6 @@ bool CoVolume::is_between_hyperideal(std::size_t e) const {
       });
 }
 
-// The two are the inner loops of everything.
-
-[[gnu::always_inline]] inline void CoVolume::gather(std::size_t block, std::span<const double> x,
-                                                    double padding, double* out) const {
-  const std::size_t first = kLanes * block;
-  const std::size_t lanes = std::min(kLanes, triangulation_.tetrahedron_count() - first);
-  const std::uint32_t* edge = triangulation_.edge_classes().data() + 6 * first;
-  for (std::size_t lane = 0; lane < lanes; ++lane)
-    for (std::size_t i = 0; i < 6; ++i) out[i * kLanes + lane] = x[edge[6 * lane + i]];
-  for (std::size_t lane = lanes; lane < kLanes; ++lane)
-    for (std::size_t i = 0; i < 6; ++i) out[i * kLanes + lane] = padding;
-}
-
-[[gnu::always_inline]] inline void CoVolume::scatter_add(std::size_t block, const double* in,
-                                                         std::span<double> y) const {
-  const std::size_t first = kLanes * block;
-  const std::size_t lanes = std::min(kLanes, triangulation_.tetrahedron_count() - first);
-  const std::uint32_t* edge = triangulation_.edge_classes().data() + 6 * first;
-  for (std::size_t lane = 0; lane < lanes; ++lane)
-    for (std::size_t i = 0; i < 6; ++i) y[edge[6 * lane + i]] += in[i * kLanes + lane];
-}
-
 CoVolumeAt::CoVolumeAt(const CoVolume& energy)
     : energy_(&energy),
       gradient_(energy.dimension()),
@@ -189,7 +188,8 @@ void CoVolumeAt::move_to(std::span<const double> x, solver::Order order) {
   x_.assign(x.begin(), x.end());
   is_defined_ = std::all_of(x.begin(), x.end(), [](double l) { return std::isfinite(l); });
   if (!is_defined_) return;
-  const std::size_t blocks = geometry::block_count(energy.triangulation_.tetrahedron_count());
+  const topology::Triangulation& triangulation = energy.triangulation_;
+  const std::size_t blocks = geometry::block_count(triangulation.tetrahedron_count());
   if (second) jacobian_.resize(blocks * kPackedJacobian * kLanes);
 
   std::transform(energy.cone_angles_.begin(), energy.cone_angles_.end(), gradient_.begin(),
@@ -199,13 +199,13 @@ void CoVolumeAt::move_to(std::span<const double> x, solver::Order order) {
   for (std::size_t begin = 0; begin < blocks; begin += kChunk) {
     const std::size_t count = std::min(kChunk, blocks - begin);
     for (std::size_t b = 0; b < count; ++b)
-      energy.gather(begin + b, x, kPaddingLength, lengths + 6 * kLanes * b);
+      Block(triangulation, begin + b).gather(x, kPaddingLength, lengths + 6 * kLanes * b);
     const double* theta = theta_.data() + 6 * kLanes * begin;
     is_defined_ = angles(begin, count, lengths, second);
     if (!is_defined_) return;
     if (!energy.held_.empty()) flatten(begin, begin + count, second);
     for (std::size_t b = 0; b < count; ++b)
-      energy.scatter_add(begin + b, theta + 6 * kLanes * b, gradient_);
+      Block(triangulation, begin + b).scatter_add(theta + 6 * kLanes * b, gradient_);
   }
 }
 
@@ -291,15 +291,16 @@ void CoVolumeAt::hessian_values(std::span<double> values) const {
 }
 
 void CoVolumeAt::hessian_times(std::span<const double> v, std::span<double> Hv) const {
-  const CoVolume& energy = *energy_;
-  const auto jacobian_times = energy.kernels_.jacobian_times;
+  const topology::Triangulation& triangulation = energy_->triangulation_;
+  const auto jacobian_times = energy_->kernels_.jacobian_times;
   std::fill(Hv.begin(), Hv.end(), 0.0);
   alignas(64) double in[6 * kLanes], out[6 * kLanes];
-  const std::size_t blocks = geometry::block_count(energy.triangulation_.tetrahedron_count());
+  const std::size_t blocks = geometry::block_count(triangulation.tetrahedron_count());
   for (std::size_t b = 0; b < blocks; ++b) {
-    energy.gather(b, v, 0.0, in);
+    const Block block(triangulation, b);
+    block.gather(v, 0.0, in);
     jacobian_times(jacobian_block(b), in, out);
-    energy.scatter_add(b, out, Hv);
+    block.scatter_add(out, Hv);
   }
 }
 

@@ -124,8 +124,6 @@ class CoVolume final : public solver::Problem {
   enum class Form { kHyperideal, kMixed, kFinite };
 
   const ElementPattern& slots() const;
-  void gather(std::size_t block, std::span<const double> x, double padding, double* out) const;
-  void scatter_add(std::size_t block, const double* in, std::span<double> y) const;
 
   const topology::Triangulation& triangulation_;
   const geometry::BatchKernels& kernels_;

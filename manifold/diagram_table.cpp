@@ -100,9 +100,8 @@ DiagramRow parse_row(const std::vector<std::string>& cells, std::size_t line) {
 }  // namespace
 
 DiagramRow diagram_row(const topology::TabledDiagram& diagram, const Context& context) {
-  const StopFlag stop(context);
   topology::SimplifyOptions simplify;
-  simplify.stop_requested = stop.get();
+  simplify.stop = context.stop;
   const Triangulation small(
       topology::small_exterior({.name = {}, .diagram = diagram.diagram}, simplify).gluings);
   DiagramRow row;
@@ -112,7 +111,7 @@ DiagramRow diagram_row(const topology::TabledDiagram& diagram, const Context& co
   row.homology = to_string(topology::first_homology(small));
   set_triangulation(row, small);
   structure::SolveOptions solve;
-  solve.stop_requested = stop.get();
+  solve.stop = context.stop;
   solve.evidence = false;
   canonical::CanonizeOptions options;
   options.solve = solve;

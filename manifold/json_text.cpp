@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "base/version.hpp"
 
 namespace tripus {

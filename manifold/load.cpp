@@ -77,9 +77,8 @@ bool is_signature(const std::string& text) {
 }
 
 topology::NamedGluings exterior_of(const topology::NamedDiagram& diagram, const Context& context) {
-  const StopFlag stop(context);
   topology::SimplifyOptions options;
-  options.stop_requested = stop.get();
+  options.stop = context.stop;
   return topology::small_exterior(diagram, options);
 }
 
@@ -196,9 +195,8 @@ topology::NamedGluings solid_of(meshing::MeshFile file, Wanted wanted, const std
                                 const Context& context) {
   return blame(source, [&]() -> topology::NamedGluings {
     context.report("read");
-    const StopFlag stop(context);
     meshing::ManifoldOptions options;
-    options.stop_requested = stop.get();
+    options.stop = context.stop;
     options.progress = context.progress;
     meshing::MeshedManifold manifold = meshing::manifold_of(std::move(file), options);
     if (wanted == Wanted::kWithMetric && manifold.has_only_spheres())
@@ -273,8 +271,7 @@ topology::NamedGluings load(const std::string& input, Wanted wanted,
                             topology::FiniteVertices finite_vertices, const Context& context) {
   const auto [plain, labels] = split_labels(input);
   topology::NamedGluings loaded = load_as_given(plain, wanted, context);
-  const StopFlag stop(context);
-  blame(source_of(plain), [&] { make_ideal(loaded, finite_vertices, stop.get()); });
+  blame(source_of(plain), [&] { make_ideal(loaded, finite_vertices, context.stop); });
   if (!labels.empty())
     loaded.cone_angles = labelled(std::move(loaded.cone_angles),
                                   topology::Triangulation(loaded.gluings).edge_count(), labels);

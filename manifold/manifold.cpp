@@ -123,9 +123,9 @@ struct Manifold::State {
   }
 
   /// As solving, the decompositions and what follows from them want it.
-  canonical::CanonizeOptions canonize_options(const Context& context, const StopFlag& stop) const {
+  canonical::CanonizeOptions canonize_options(const Context& context) const {
     canonical::CanonizeOptions options;
-    options.solve.stop_requested = stop.get();
+    options.solve.stop = context.stop;
     options.solve.time_limit = context.seconds_left();
     options.solve.cone_angles = cone_angles;
     return options;
@@ -201,9 +201,8 @@ std::optional<std::string> Manifold::oriented_signature() const {
 }
 
 const topology::AbelianGroup& Manifold::homology(const Context& context) const {
-  const StopFlag stop(context);
   return state_->homology.get(
-      [&] { return std::pair(topology::first_homology(triangulation(), stop.get()), true); });
+      [&] { return std::pair(topology::first_homology(triangulation(), context.stop), true); });
 }
 
 topology::FundamentalGroup Manifold::fundamental_group() const {
@@ -221,9 +220,8 @@ Manifold Manifold::drilled(const std::vector<std::size_t>& edges,
 Manifold Manifold::simplified(const topology::SimplifyOptions& options,
                               const Context& context) const {
   require_plain(*this, "simplifying");
-  const StopFlag stop(context);
   topology::SimplifyOptions with_stop = options;
-  with_stop.stop_requested = stop.get();
+  with_stop.stop = context.stop;
   if (!with_stop.progress) with_stop.progress = context.progress;
   // Oriented tables stay oriented.
   topology::Gluings gluings =
@@ -232,29 +230,25 @@ Manifold Manifold::simplified(const topology::SimplifyOptions& options,
 }
 
 std::vector<Manifold> Manifold::covers(std::size_t degree, const Context& context) const {
-  const StopFlag stop(context);
   std::vector<Manifold> result;
-  topology::for_each_cover(triangulation(), degree, collect_in(result, *this), stop.get());
+  topology::for_each_cover(triangulation(), degree, collect_in(result, *this), context.stop);
   return result;
 }
 
 std::vector<Manifold> Manifold::cyclic_covers(std::size_t degree, const Context& context) const {
-  const StopFlag stop(context);
   std::vector<Manifold> result;
-  topology::for_each_cyclic_cover(triangulation(), degree, collect_in(result, *this), stop.get());
+  topology::for_each_cyclic_cover(triangulation(), degree, collect_in(result, *this), context.stop);
   return result;
 }
 
 Manifold Manifold::cover(const std::vector<std::vector<std::uint32_t>>& permutations,
                          const Context& context) const {
-  const StopFlag stop(context);
   return cover_of(*this,
-                  topology::cover_of_permutations(triangulation(), permutations, stop.get()));
+                  topology::cover_of_permutations(triangulation(), permutations, context.stop));
 }
 
 structure::Report Manifold::solve(structure::SolveOptions options, const Context& context) const {
-  const StopFlag stop(context);
-  options.stop_requested = stop.get();
+  options.stop = context.stop;
   options.time_limit = std::min(options.time_limit, context.seconds_left());
   if (options.cone_angles.empty()) options.cone_angles = state_->cone_angles;
   return structure::solve(triangulation(), options);
@@ -273,10 +267,9 @@ Manifold Manifold::retriangulated(const structure::RetriangulateOptions& options
                                   const Context& context) const {
   const structure::Report& start = verdict(context);
   if (start.outcome == structure::Outcome::kGeometric) return *this;
-  const StopFlag stop(context);
   structure::SolveOptions solve_options;
   solve_options.cone_angles = state_->cone_angles;
-  solve_options.stop_requested = stop.get();
+  solve_options.stop = context.stop;
   solve_options.time_limit = context.seconds_left();
   structure::Retriangulation found =
       structure::retriangulate(triangulation(), start, solve_options, options);
@@ -292,9 +285,8 @@ Manifold Manifold::retriangulated(const structure::RetriangulateOptions& options
 
 const canonical::CanonizeAnswer& Manifold::canonical(const Context& context) const {
   return state_->canonical.get([&] {
-    const StopFlag stop(context);
     canonical::CanonizeAnswer answer =
-        canonical::canonize(triangulation(), state_->canonize_options(context, stop));
+        canonical::canonize(triangulation(), state_->canonize_options(context));
     const bool is_final =
         answer.manifold.has_value() || !(context.stop_requested() || context.expired());
     return std::pair(std::move(answer), is_final);
@@ -314,11 +306,10 @@ std::optional<canonical::IsometryGroup> Manifold::isometry_group(const Context& 
 }
 
 canonical::Comparison Manifold::compare(const Manifold& other, const Context& context) const {
-  const StopFlag stop(context);
   const bool known = state_->orientation_known && other.state_->orientation_known;
   return canonical::compare(
       {triangulation(), state_->cone_angles}, {other.triangulation(), other.state_->cone_angles},
-      state_->canonize_options(context, stop),
+      state_->canonize_options(context),
       known ? canonical::Orientations::kKnown : canonical::Orientations::kNotKnown);
 }
 
@@ -345,8 +336,7 @@ const canonical::CensusEntry* Manifold::identify(const Context& context) const {
   }
   if (const std::optional<std::string> found = isometry_signature(context))
     return census.find(*found);
-  const StopFlag stop(context);
-  return canonical::find_simplified(triangulation(), census, stop.get());
+  return canonical::find_simplified(triangulation(), census, context.stop);
 }
 
 std::string Manifold::to_json(const Context& context) const {

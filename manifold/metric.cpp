@@ -32,9 +32,8 @@ std::size_t CellComplex::write(const std::string& path, const CellFileOptions& o
                                const Context& context) const {
   const embedding::CellFormat& format = mesh_format_of(path);
   OutputFile file(path);
-  const StopFlag stop(context);
   const embedding::Tessellation tessellation(*embedding_, cover_.cells,
-                                             {options.model, options.error, stop.get()});
+                                             {options.model, options.error, context.stop});
   if (tessellation.triangle_count() > embedding::kMostTriangles)
     throw InvalidInput(std::to_string(tessellation.triangle_count()) +
                        " triangles are too many for a file; write fewer cells or allow a larger "
@@ -71,8 +70,7 @@ CellComplex Metric::universal_cover(std::size_t cells, const Context& context) c
 
 CellComplex Metric::universal_cover(embedding::UniversalCoverOptions options,
                                     const Context& context) const {
-  const StopFlag stop(context);
-  options.stop_requested = stop.get();
+  options.stop = context.stop;
   return {shared_embedding(),
           embedding::grow_universal_cover(embedding(), triangulation_, options)};
 }

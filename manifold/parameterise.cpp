@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "manifold/json_text.hpp"
 #include "manifold/load.hpp"
 #include "parameterise/picture.hpp"

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "base/stop.hpp"
+
 namespace tripus {
 namespace {
 
@@ -12,11 +14,10 @@ std::string counted(std::size_t count, const char* one, const char* many) {
 }  // namespace
 
 void make_ideal(topology::NamedGluings& loaded, topology::FiniteVertices finite_vertices,
-                const std::atomic<bool>* stop_requested) {
+                const Stop& stop) {
   topology::IdealTriangulation ideal = topology::ideal_triangulation(
       loaded.gluings,
-      loaded.cone_angles.empty() ? finite_vertices : topology::FiniteVertices::kKeep,
-      stop_requested);
+      loaded.cone_angles.empty() ? finite_vertices : topology::FiniteVertices::kKeep, stop);
   if (!ideal.is_changed()) return;
   std::string what;
   if (ideal.coned_faces > 0)

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <atomic>
-
+#include "base/stop.hpp"
 #include "topology/formats/formats.hpp"
 #include "topology/simplify/ideal.hpp"
 
@@ -10,6 +9,6 @@ namespace tripus {
 /// Makes a triangulation fit for what is done with it (topology::ideal_triangulation), with a note
 /// of what was changed.
 void make_ideal(topology::NamedGluings& loaded, topology::FiniteVertices finite_vertices,
-                const std::atomic<bool>* stop_requested = nullptr);
+                const Stop& stop = {});
 
 }  // namespace tripus

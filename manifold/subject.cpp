@@ -54,12 +54,11 @@ Subject load_ideal_subject(const std::string& input, Balls balls, const Context&
                            const LabelledRequirement& require) {
   Subject subject = load_labelled_subject(input, balls, context);
   if (subject.cone_angles.empty()) {
-    const StopFlag stop(context);
     topology::NamedGluings ideal{.name = subject.name,
                                  .gluings = subject.triangulation.gluings(),
                                  .notes = subject.notes,
                                  .orientation_known = subject.orientation_known};
-    make_ideal(ideal, topology::FiniteVertices::kRemove, stop.get());
+    make_ideal(ideal, topology::FiniteVertices::kRemove, context.stop);
     if (ideal.notes.size() > subject.notes.size()) {
       if (context.note) context.note(quoted(input) + ": " + ideal.notes.back());
       subject = make_subject(input, std::move(ideal));

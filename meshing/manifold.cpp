@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "meshing/mend.hpp"
 #include "meshing/predicates.hpp"
 #include "meshing/validate_tetrahedra.hpp"
@@ -14,7 +14,7 @@ namespace tripus::meshing {
 namespace {
 
 void tell(const ManifoldOptions& options, std::string_view activity, std::size_t tetrahedra) {
-  throw_if_stopped(options.stop_requested);
+  throw_if_stopped(options.stop);
   if (options.progress) options.progress(activity, tetrahedra);
 }
 
@@ -22,14 +22,14 @@ topology::Gluings open_gluings(SurfaceFile file, const ManifoldOptions& options,
                                MeshedManifold& manifold) {
   manifold.points = file.mesh.points.size();
   manifold.triangles = file.mesh.triangles.size();
-  const Region region = require_valid(std::move(file.mesh), file.lines, options.stop_requested);
+  const Region region = require_valid(std::move(file.mesh), file.lines, options.stop);
   manifold.turned = region.turned;
   for (const SurfaceComponent& component : region.components)
     manifold.boundary_genera.push_back(component.genus);
   std::sort(manifold.boundary_genera.begin(), manifold.boundary_genera.end());
   tell(options, "filling the surface with tetrahedra", 0);
   TetrahedralizeOptions filling = options.tetrahedralize;
-  filling.stop_requested = options.stop_requested;
+  filling.stop = options.stop;
   manifold.mesh = tetrahedralize(region, filling);
   const auto& points = manifold.mesh.points;
   manifold.mesh_is_exact = std::all_of(
@@ -86,10 +86,10 @@ MeshedManifold manifold_of(MeshFile file, const ManifoldOptions& options) {
   count(MeshStage::kConed) = manifold.gluings.tetrahedron_count();
   topology::SimplifyOptions simplify;
   simplify.seed = options.seed;
-  simplify.stop_requested = options.stop_requested;
+  simplify.stop = options.stop;
   simplify.progress = options.progress;
   topology::Simplified simplified = topology::simplify(manifold.gluings, simplify);
-  throw_if_stopped(options.stop_requested);
+  throw_if_stopped(options.stop);
   manifold.gluings = std::move(simplified.gluings);
   count(MeshStage::kCollapsed) = simplified.collapsed;
   count(MeshStage::kMinimal) = manifold.gluings.tetrahedron_count();

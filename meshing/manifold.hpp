@@ -1,13 +1,13 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string_view>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "meshing/formats/read_mesh.hpp"
 #include "meshing/tetrahedralize.hpp"
 #include "topology/gluings.hpp"
@@ -25,7 +25,7 @@ struct ManifoldOptions {
   std::uint64_t seed = 0;                ///< of the simplification
   /// Called now and then with what is going on and the number of tetrahedra so far (0: none yet).
   std::function<void(std::string_view activity, std::size_t tetrahedra)> progress;
-  const std::atomic<bool>* stop_requested = nullptr;
+  Stop stop{};
 };
 
 /// A solid as an ideal triangulation: a boundary component of genus 1 or more has become an ideal

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "meshing/detail/triangle_tree.hpp"
 #include "meshing/predicates.hpp"
 
@@ -66,12 +66,12 @@ bool triangles_cross(const SurfaceMesh& mesh, std::size_t s, std::size_t t) {
   return at_edge_cross(a, 3 - shared_left, b, 3 - shared_right);
 }
 
-std::optional<std::array<std::uint32_t, 2>> first_self_intersection(
-    const SurfaceMesh& mesh, const std::atomic<bool>* stop_requested) {
+std::optional<std::array<std::uint32_t, 2>> first_self_intersection(const SurfaceMesh& mesh,
+                                                                    const Stop& stop) {
   const detail::TriangleTree tree(mesh);
   const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
   for (std::uint32_t s = 0; s < count; ++s) {
-    throw_if_stopped(stop_requested);
+    throw_if_stopped(stop);
     const detail::Box box = detail::box_of(mesh, s);
     std::uint32_t first = count;
     tree.for_each([&](const detail::Box& other) { return box.meets(other); },

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <optional>
 
+#include "base/stop.hpp"
 #include "meshing/surface_mesh.hpp"
 
 namespace tripus::meshing {
@@ -18,8 +18,8 @@ bool triangles_cross(const SurfaceMesh& mesh, std::size_t s, std::size_t t);
 /// no self-intersection. Exact; near-linear in the number of triangles where their boxes overlap
 /// few others. Indices must be valid, coordinates in_exact_range, triangles not collinear and all
 /// different, as the checks before it in require_valid make sure.
-/// Throws Stopped when `stop_requested` is set.
-std::optional<std::array<std::uint32_t, 2>> first_self_intersection(
-    const SurfaceMesh& mesh, const std::atomic<bool>* stop_requested = nullptr);
+/// Throws Stopped when `stop` is set.
+std::optional<std::array<std::uint32_t, 2>> first_self_intersection(const SurfaceMesh& mesh,
+                                                                    const Stop& stop = {});
 
 }  // namespace tripus::meshing

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "meshing/detail/child_process.hpp"
 #include "meshing/detail/fill_by_planes.hpp"
 #include "meshing/detail/mesh_boundary.hpp"
@@ -200,8 +200,7 @@ class Filler {
     }
     const double now = detail::now_in_seconds();
     if (auto mesh = detail::fill_by_planes(region_, options_.memory_limit,
-                                           now + kPlanesShare * (deadline_ - now),
-                                           options_.stop_requested)) {
+                                           now + kPlanesShare * (deadline_ - now), options_.stop)) {
       by_planes_ = true;
       return *std::move(mesh);
     }
@@ -240,7 +239,7 @@ class Filler {
     question.memory_limit = options_.memory_limit;
     question.processor_seconds = static_cast<std::uint64_t>(std::ceil(seconds));
     question.deadline = std::fmin(deadline_, detail::now_in_seconds() + kBusy * seconds);
-    question.stop_requested = options_.stop_requested;
+    question.stop = options_.stop;
     detail::TetgenAnswer answer = detail::ask_tetgen(question);
     if (answer.out_of_memory)
       throw Unsupported(answer.problem + "; give it more, or a coarser surface");
@@ -250,7 +249,7 @@ class Filler {
       shuffled.turn_back(mesh);
       mesh.points = scaled(std::move(mesh.points), -exponent_);
       drop_unused_points(mesh, region_.surface.points.size());
-      problem = make_positive(mesh) ? detail::boundary_fault(mesh, region_, options_.stop_requested)
+      problem = make_positive(mesh) ? detail::boundary_fault(mesh, region_, options_.stop)
                                     : "TetGen made a flat tetrahedron on this surface";
       if (problem.empty()) problem = inside_fault(mesh, region_);
       if (problem.empty()) return std::move(answer.mesh);
@@ -261,7 +260,7 @@ class Filler {
   }
 
   void require_time() const {
-    throw_if_stopped(options_.stop_requested);
+    throw_if_stopped(options_.stop);
     if (detail::now_in_seconds() >= deadline_)
       throw Unsupported("TetGen was not done after " +
                         std::to_string(static_cast<long>(options_.time_limit)) +

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 
+#include "base/stop.hpp"
 #include "meshing/tetrahedral_mesh.hpp"
 #include "meshing/validate.hpp"
 
@@ -14,7 +14,7 @@ struct TetrahedralizeOptions {
   std::size_t tetrahedra = 0;  ///< about so many, more if the boundary forces it; 0: no aim
   double time_limit = 600;     ///< seconds
   std::uint64_t memory_limit = std::uint64_t{8} << 30;  ///< bytes
-  const std::atomic<bool>* stop_requested = nullptr;
+  Stop stop{};
 };
 
 /// Fills the region with tetrahedra, by TetGen in a process of its own (the program tripus-tetgen),
@@ -27,7 +27,7 @@ struct TetrahedralizeOptions {
 /// arithmetic instead (detail/fill_by_planes.hpp). The mesh is then right by its gluings, but its
 /// points are rounded, and no size is kept to.
 /// Deterministic, but for what a time limit cuts short. Throws Unsupported if it runs out of the
-/// limits, or the program tripus-tetgen is missing; Stopped when `stop_requested` is set. No
+/// limits, or the program tripus-tetgen is missing; Stopped when `stop` is set. No
 /// process is left behind in any of these cases, nor when the calling process is killed.
 TetrahedralMesh tetrahedralize(const Region& region, const TetrahedralizeOptions& options = {});
 

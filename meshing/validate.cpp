@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "base/tolerances.hpp"
 #include "meshing/detail/connectivity.hpp"
 #include "meshing/detail/places.hpp"
@@ -84,8 +84,8 @@ bool is_part(const SourceLines& lines, std::size_t t) {
 }
 
 void require_no_crossing(const SurfaceMesh& mesh, const Places& places, const SourceLines& lines,
-                         const std::atomic<bool>* stop_requested) {
-  const auto pair = first_self_intersection(mesh, stop_requested);
+                         const Stop& stop) {
+  const auto pair = first_self_intersection(mesh, stop);
   if (!pair) return;
   const Triangle& t = mesh.triangles[(*pair)[0]];
   Point centre{};
@@ -196,17 +196,16 @@ void require_nesting(Region& region, const Places& places) {
 
 }  // namespace
 
-Region require_valid(SurfaceMesh mesh, const SourceLines& lines,
-                     const std::atomic<bool>* stop_requested) {
+Region require_valid(SurfaceMesh mesh, const SourceLines& lines, const Stop& stop) {
   const Places places(lines, "triangle");
   require_corners(mesh, places);
   detail::require_points_different(mesh.points, places);
   require_proper_triangles(mesh, places);
   require_different_triangles(mesh, places);
-  throw_if_stopped(stop_requested);
+  throw_if_stopped(stop);
   const Connectivity connectivity = detail::require_closed_manifold(
       mesh.triangles, mesh.points.size(), [&](std::size_t t) { return places.cell(t); }, places);
-  require_no_crossing(mesh, places, lines, stop_requested);
+  require_no_crossing(mesh, places, lines, stop);
   Region region;
   region.surface = std::move(mesh);
   count_components(region, connectivity);

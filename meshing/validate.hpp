@@ -1,10 +1,10 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "meshing/self_intersection.hpp"
 #include "meshing/surface_mesh.hpp"
 
@@ -34,9 +34,8 @@ struct Region {
 /// and in no other (exact). The way round of the triangles is mended, nothing else.
 /// Points and triangles keep their numbers. Near-linear in the number of triangles.
 /// Throws InvalidInput naming what is wrong, where (with the line, where `lines` knows it), how
-/// often, and what to do; Stopped when `stop_requested` is set.
-Region require_valid(SurfaceMesh mesh, const SourceLines& lines = {},
-                     const std::atomic<bool>* stop_requested = nullptr);
+/// often, and what to do; Stopped when `stop` is set.
+Region require_valid(SurfaceMesh mesh, const SourceLines& lines = {}, const Stop& stop = {});
 
 /// A point inside a hole (component `hole`, not the outermost) of a valid region. Exact.
 /// Throws Unsupported if none of many tried is: a hole too thin for doubles.

@@ -9,7 +9,7 @@
 #include <Eigen/Dense>
 
 #include "base/error.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "embedding/developing_map.hpp"
 #include "geometry/moebius.hpp"
 #include "structure/solve.hpp"
@@ -48,11 +48,10 @@ struct Found {
 
 Found find_metric(meshing::MeshFile file, const MarkOptions& options, const Context& context,
                   MarkedSolid& solid) {
-  const StopFlag stop(context);
   Found found;
   meshing::ManifoldOptions making;
   making.tetrahedralize = options.tetrahedralize;
-  making.stop_requested = stop.get();
+  making.stop = context.stop;
   making.progress = context.progress;
   meshing::MeshedManifold manifold = meshing::filled_solid(std::move(file), making);
   require_hyperbolic_boundary(manifold);
@@ -62,20 +61,20 @@ Found find_metric(meshing::MeshFile file, const MarkOptions& options, const Cont
   solid.gluings = std::move(manifold.gluings);
   found.coned = topology::cone_boundary(solid.gluings);
   structure::SolveOptions solving;
-  solving.stop_requested = stop.get();
+  solving.stop = context.stop;
   solving.evidence = false;
   for (std::size_t n = 0;; ++n) {
     found.record = {};
     topology::SimplifyOptions simplify;
     simplify.seed = options.seed + n;
-    simplify.stop_requested = stop.get();
+    simplify.stop = context.stop;
     simplify.progress = context.progress;
     const Gluings small = topology::simplify_recording(found.coned, found.record, simplify).gluings;
-    throw_if_stopped(stop.get());
+    throw_if_stopped(context.stop);
     context.report("looking for the metric", small.tetrahedron_count());
     solid.manifold = std::make_unique<topology::Triangulation>(small);
     solid.report = structure::solve(*solid.manifold, solving);
-    throw_if_stopped(stop.get());
+    throw_if_stopped(context.stop);
     solid.seed = options.seed + n;
     if (solid.report.outcome == structure::Outcome::kGeometric) return found;
     if (n + 1 >= options.seeds) break;

@@ -11,7 +11,7 @@ void append_integers(std::string& out, const Integers& integers) {
   out += '[';
   for (std::size_t i = 0; i < integers.size(); ++i) {
     if (i > 0) out += ", ";
-    out += integers[i].get_str();
+    out += to_decimal(integers[i]);
   }
   out += ']';
 }
@@ -59,7 +59,7 @@ std::string to_json(const Certificate& certificate) {
 }
 
 std::string to_json(const StrictAngles& angles) {
-  std::string out = "{\"denominator\": " + angles.denominator.get_str() + ", \"numerators\": ";
+  std::string out = "{\"denominator\": " + to_decimal(angles.denominator) + ", \"numerators\": ";
   append_rows(out, angles.numerator);
   append_cone_angles(out, angles.cone_angles);
   return out + "}";

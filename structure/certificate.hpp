@@ -5,13 +5,13 @@
 #include <string_view>
 #include <vector>
 
-#include "base/bignum.hpp"
+#include "base/big_number.hpp"
 #include "topology/cone_angle.hpp"
 #include "topology/triangulation.hpp"
 
 namespace tripus::structure {
 
-using tripus::Integer;
+using Integer = BigInteger;
 
 /// Exact proof that a triangulation has no strict angle structure with given cone angles, and so no
 /// metric. Source: docs/theory.md (43) and (81), where the letters u, w, a, R are defined.

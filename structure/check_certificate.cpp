@@ -16,7 +16,7 @@ CheckResult fails(std::string reason) { return {false, std::move(reason)}; }
 
 /// What follows in the message of a sum: its number, shortened where nobody would read it.
 std::string shown(const Integer& value) {
-  std::string digits = value.get_str();
+  std::string digits = to_decimal(value);
   if (digits.size() > 40)
     digits = fmt::format("{}...{} ({} digits)", digits.substr(0, 12),
                          digits.substr(digits.size() - 6), digits.size());
@@ -30,8 +30,8 @@ std::string corner_name(const Triangulation& triangulation, std::size_t t, std::
 
 /// What the labels say, computed from the definitions (76) and (81).
 struct Labels {
-  std::vector<Rational> edge_sum;  ///< [E] units of pi
-  std::vector<bool> ideal;          ///< [V]
+  std::vector<BigRational> edge_sum;  ///< [E] units of pi
+  std::vector<bool> ideal;            ///< [V]
   bool is_parabolic(std::size_t e) const { return edge_sum[e] == 0; }
 };
 
@@ -51,11 +51,11 @@ std::string read_labels(const Triangulation& triangulation,
   for (std::size_t e = 0; e < edges; ++e) {
     if (!cone_angles[e].is_rational())
       return fmt::format("the cone angle of edge class {} is not a fraction of pi", e);
-    labels.edge_sum[e] = Rational(static_cast<long>(cone_angles[e].numerator()),
-                                   static_cast<long>(cone_angles[e].denominator()));
+    labels.edge_sum[e] = BigRational(static_cast<long>(cone_angles[e].numerator()),
+                                     static_cast<long>(cone_angles[e].denominator()));
   }
   // Twice the Euler characteristic: 2 chi(link) - sum over edge ends of (2 - k_e).
-  std::vector<Rational> twice(triangulation.vertex_count());
+  std::vector<BigRational> twice(triangulation.vertex_count());
   for (std::size_t v = 0; v < twice.size(); ++v)
     twice[v] = 2 * triangulation.link(v).euler_characteristic;
   for (std::size_t e = 0; e < edges; ++e) {
@@ -63,7 +63,7 @@ std::string read_labels(const Triangulation& triangulation,
     for (const int end : kEdgeEnds[static_cast<std::size_t>(corner.edge())])
       twice[triangulation.vertex_class(corner.tetrahedron(), end)] += labels.edge_sum[e] - 2;
   }
-  for (const Rational& each : twice) labels.ideal.push_back(each == 0);
+  for (const BigRational& each : twice) labels.ideal.push_back(each == 0);
   return {};
 }
 
@@ -72,9 +72,10 @@ bool is_ideal(const Triangulation& triangulation, const Labels& labels, std::siz
   return labels.ideal[triangulation.vertex_class(t, static_cast<int>(v))];
 }
 
-std::string shown(const Rational& value) {
-  return value.get_den() == 1 ? shown(value.get_num())
-                              : shown(value.get_num()) + "/" + shown(value.get_den());
+std::string shown(const BigRational& value) {
+  return denominator_of(value) == 1
+             ? shown(numerator_of(value))
+             : shown(numerator_of(value)) + "/" + shown(denominator_of(value));
 }
 
 /// The first negative vertex multiplier that must not be negative.
@@ -113,7 +114,7 @@ CheckResult check(const Triangulation& triangulation, const Certificate& certifi
     return fails(std::move(*reason));
 
   bool something_positive = false;
-  Rational r = 0;
+  BigRational r = 0;
   for (std::size_t t = 0; t < tetrahedra; ++t) {
     for (std::size_t v = 0; v < 4; ++v) {
       const Integer& w = certificate.vertex[t][v];

@@ -125,7 +125,7 @@ Integer read_integer(const json& value, const std::string& place) {
   const std::string text(value.get_binary().begin(), value.get_binary().end());
   if (text.find_first_not_of("-0123456789") != std::string::npos)
     refuse(place, "an integer, written without fraction and exponent", value);
-  return Integer(text, 10);
+  return big_integer(text);
 }
 
 const json& member(const json& object, const char* name, std::string_view expected) {

@@ -10,9 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <queue>
 #include <random>
-#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -21,6 +19,7 @@
 #include "structure/obstruction.hpp"
 #include "topology/homology.hpp"
 #include "topology/labelled_isosig.hpp"
+#include "topology/moves/best_first.hpp"
 #include "topology/moves/edge_images.hpp"
 #include "topology/orientation.hpp"
 #include "topology/simplify/small_triangulations.hpp"
@@ -102,27 +101,25 @@ class Search {
         homology_(topology::first_homology(triangulation)),
         random_(options.seed),
         limit_(triangulation.tetrahedron_count() + options.extra) {
-    known_.insert(signature_);
+    search_.learn(signature_);
     Gluings turned = topology::oriented(given_);
     auto labels =
         topology::oriented_edges(triangulation, given_cone_angles_, Triangulation(turned));
-    nodes_.push_back({std::move(turned),
-                      0,
-                      {},
-                      trouble_of(triangulation, start_),
-                      start_.outcome,
-                      start_.volume,
-                      std::move(labels)});
-    open_.push({triangulation.tetrahedron_count(), 0});
+    search_.add(triangulation.tetrahedron_count(), {std::move(turned),
+                                                    0,
+                                                    {},
+                                                    trouble_of(triangulation, start_),
+                                                    start_.outcome,
+                                                    start_.volume,
+                                                    std::move(labels)});
   }
 
   Retriangulation run() {
     if (ended() || is_obstructed(given_)) return failure();
     if (begin_small()) return success();
-    while (!open_.empty() && !ended()) {
-      const std::size_t node = open_.top().second;
-      open_.pop();
-      if (node > 0 && is_obstructed(nodes_[node].gluings)) break;
+    while (search_.has_open() && !ended()) {
+      const std::size_t node = search_.next();
+      if (node > 0 && is_obstructed(search_[node].gluings)) break;
       if (expand(node)) return success();
     }
     return failure();
@@ -153,7 +150,7 @@ class Search {
     SolveOptions result;
     result.tolerance = options.tolerance;
     result.max_iterations = options.max_iterations;
-    result.stop_requested = options.stop_requested;
+    result.stop = options.stop;
     result.evidence = false;
     return result;
   }
@@ -164,7 +161,7 @@ class Search {
 
   /// Whether a limit has been reached, and which.
   bool ended() {
-    if (solve_options_.stop_requested != nullptr && *solve_options_.stop_requested) {
+    if (solve_options_.stop.requested()) {
       end_ = SearchEnd::kInterrupted;
     } else if (!(time_left() > 0)) {
       end_ = SearchEnd::kTimeLimit;
@@ -187,7 +184,7 @@ class Search {
 
   /// Tries every neighbour of a node; true if one carries the metric: it is then the last node.
   bool expand(std::size_t node) {
-    const Triangulation here(nodes_[node].gluings);
+    const Triangulation here(search_[node].gluings);
     std::vector<Move> moves = topology::all_moves(here, kShrinking);
     // Shrinking moves come first; the others only where the neighbour is not too large.
     std::vector<Move> rest = topology::all_moves(here, kRebuilding);
@@ -213,23 +210,23 @@ class Search {
   }
 
   bool try_simplified(std::size_t seeds, double effort) {
-    auto small = topology::small_triangulations(nodes_.front().gluings, seeds,
-                                                solve_options_.stop_requested, effort);
+    auto small =
+        topology::small_triangulations(search_.front().gluings, seeds, solve_options_.stop, effort);
     for (Gluings& gluings : small) {
       limit_ = std::min(limit_, gluings.tetrahedron_count() + options_.extra);
       if (ended()) return false;
-      if (try_table(Triangulation(std::move(gluings)), {}, nodes_.size(), {})) return true;
+      if (try_table(Triangulation(std::move(gluings)), {}, search_.size(), {})) return true;
     }
     return false;
   }
 
   bool concerns(std::size_t node, const Move& move) const {
-    const std::vector<bool>& trouble = nodes_[node].trouble;
+    const std::vector<bool>& trouble = search_[node].trouble;
     return trouble.size() <= kSmall || trouble[move.tetrahedron];
   }
 
   bool try_move(const Triangulation& here, std::size_t parent, const Move& move) {
-    auto moved = after(here, nodes_[parent].cone_angles, move);
+    auto moved = after(here, search_[parent].cone_angles, move);
     return moved &&
            try_table(std::move(moved->triangulation), std::move(moved->cone_angles), parent, move);
   }
@@ -254,34 +251,34 @@ class Search {
 
   bool try_table(Triangulation triangulation, std::vector<topology::ConeAngle> cone_angles,
                  std::size_t parent, const Move& move) {
-    if (!known_.insert(topology::labelled_isosig(triangulation, cone_angles)).second) return false;
+    if (!search_.learn(topology::labelled_isosig(triangulation, cone_angles))) return false;
     if (topology::first_homology(triangulation) != homology_) {
       throw InternalError("a simplification of " + signature_ + ", or the move " +
                           topology::to_string(move) + " on the way, changed the homology");
     }
     ++tried_;
     report_ = solve_in_time(triangulation, cone_angles);
-    open_.push({triangulation.tetrahedron_count(), nodes_.size()});
-    nodes_.push_back({triangulation.gluings(), parent, move, trouble_of(triangulation, report_),
-                      report_.outcome, report_.volume, std::move(cone_angles)});
+    search_.add(triangulation.tetrahedron_count(),
+                {triangulation.gluings(), parent, move, trouble_of(triangulation, report_),
+                 report_.outcome, report_.volume, std::move(cone_angles)});
     return report_.outcome == Outcome::kGeometric;
   }
 
   Retriangulation success() {
     Retriangulation result;
     result.start = signature_;
-    std::size_t node = nodes_.size() - 1;
-    for (; nodes_[node].parent != node; node = nodes_[node].parent) {
-      result.path.push_back(nodes_[node].move);
-      add_flat_volume(nodes_[nodes_[node].parent], result.volumes);
+    std::size_t node = search_.size() - 1;
+    for (; search_[node].parent != node; node = search_[node].parent) {
+      result.path.push_back(search_[node].move);
+      add_flat_volume(search_[search_[node].parent], result.volumes);
     }
-    result.path_start = nodes_[node].gluings;
+    result.path_start = search_[node].gluings;
     if (node != 0) result.simplified = topology::full_isosig(result.path_start).oriented();
     std::reverse(result.path.begin(), result.path.end());
     std::reverse(result.volumes.begin(), result.volumes.end());
     result.report = std::move(report_);
-    result.gluings = std::move(nodes_.back().gluings);
-    result.cone_angles = std::move(nodes_.back().cone_angles);
+    result.gluings = std::move(search_.back().gluings);
+    result.cone_angles = std::move(search_.back().cone_angles);
     result.tried = tried_;
     result.end = SearchEnd::kFound;
     compare_with_neighbour(result);
@@ -342,7 +339,7 @@ class Search {
     result.obstructed = std::move(obstructed_);
     result.gluings = std::move(given_);
     result.cone_angles = std::move(given_cone_angles_);
-    result.path_start = std::move(nodes_.front().gluings);
+    result.path_start = std::move(search_.front().gluings);
     result.tried = tried_;
     result.end = end_;
     return result;
@@ -381,9 +378,6 @@ class Search {
     }
   }
 
-  /// Fewest tetrahedra first, then the earliest.
-  using Entry = std::pair<std::size_t, std::size_t>;
-
   const RetriangulateOptions options_;
   const SolveOptions solve_options_;
   const double time_limit_;
@@ -398,9 +392,7 @@ class Search {
   std::size_t tried_ = 0;
   SearchEnd end_ = SearchEnd::kExhausted;
   std::string obstruction_, obstructed_;
-  std::vector<Node> nodes_;
-  std::unordered_set<std::string> known_;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
+  topology::BestFirst<Node> search_;
 };
 
 }  // namespace

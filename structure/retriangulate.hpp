@@ -26,7 +26,7 @@ enum class SearchEnd {
   kNotHyperbolic,  ///< the manifold is not hyperbolic, by one of its triangulations
                    ///< (obstruction.hpp)
   kTimeLimit,      ///< SolveOptions::time_limit
-  kInterrupted,    ///< SolveOptions::stop_requested
+  kInterrupted,    ///< SolveOptions::stop
 };
 /// "found", "budget", "exhausted", "not hyperbolic", "time limit", "interrupted".
 std::string_view to_string(SearchEnd end);

@@ -80,7 +80,7 @@ solver::Options solver_options(const topology::Triangulation& triangulation,
   result.tolerance = options.tolerance;
   result.max_iterations = options.max_iterations;
   result.time_limit = options.time_limit;
-  if (!options.history && !options.on_iteration && options.stop_requested == nullptr) return result;
+  if (!options.history && !options.on_iteration && !options.stop.possible()) return result;
   auto energy = options.history
                     ? std::make_shared<energies::CoVolume>(triangulation, options.cone_angles)
                     : nullptr;
@@ -91,7 +91,7 @@ solver::Options solver_options(const topology::Triangulation& triangulation,
       options.history(history_row(iterate, lengths, *energy));
     }
     if (options.on_iteration) options.on_iteration(iterate.iteration, iterate.max_gradient);
-    return options.stop_requested == nullptr || !*options.stop_requested;
+    return !options.stop.requested();
   };
   return result;
 }
@@ -226,7 +226,7 @@ Report settling_run(const topology::Triangulation& triangulation, const SolveOpt
   settling.tolerance = std::min(options.tolerance, tolerance::kMaxCurvature);
   settling.time_limit =
       std::max(options.time_limit - report.seconds, std::numeric_limits<double>::min());
-  settling.stop_requested = options.stop_requested;
+  settling.stop = options.stop;
   Report settled = judged_run(triangulation, settling);
   settled.iterations += report.iterations;
   settled.evaluations += report.evaluations;

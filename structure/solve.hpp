@@ -1,11 +1,11 @@
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "base/tolerances.hpp"
 #include "structure/report.hpp"
 #include "topology/cone_angle.hpp"
@@ -43,7 +43,7 @@ struct SolveOptions {
   std::function<void(const HistoryRow&)> history;
   /// Called at every iteration if set, with its number and max|gradient|; cheap.
   std::function<void(int iteration, double max_gradient)> on_iteration;
-  const std::atomic<bool>* stop_requested = nullptr;  ///< polled at every iteration
+  Stop stop{};  ///< polled at every iteration
   /// Whether to decide exactly about angle structures where no metric is found, and to look for a
   /// surface that proves the manifold not hyperbolic (closed_bigon.hpp).
   bool evidence = true;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/stop.hpp"
 #include "structure/detail/lane_newton.hpp"
 #include "structure/solve.hpp"
 
@@ -15,7 +16,7 @@ using detail::LaneResult;
 
 class Batch {
  public:
-  Batch(std::span<const topology::Triangulation> triangulations, const std::atomic<bool>* stop)
+  Batch(std::span<const topology::Triangulation> triangulations, const Stop& stop)
       : triangulations_(triangulations), stop_(stop) {
     const std::size_t n = triangulations.size();
     solutions_.outcomes.assign(n, Outcome::kUnresolved);
@@ -52,7 +53,7 @@ class Batch {
   }
 
  private:
-  bool stopped() const { return stop_ != nullptr && *stop_; }
+  bool stopped() const { return stop_.requested(); }
 
   LaneNewton& newton_of(const topology::Triangulation& triangulation) {
     auto& newton = newtons_[triangulation.tetrahedron_count()][triangulation.edge_count()];
@@ -83,7 +84,7 @@ class Batch {
 
   void solve_one(std::size_t k) {
     SolveOptions options;
-    options.stop_requested = stop_;
+    options.stop = stop_;
     Report report = structure::solve(triangulations_[k], options);
     if (report.termination == solver::Termination::kInterrupted) return;
     solutions_.outcomes[k] = report.outcome;
@@ -101,7 +102,7 @@ class Batch {
   }
 
   std::span<const topology::Triangulation> triangulations_;
-  const std::atomic<bool>* stop_;
+  Stop stop_;
   Solutions solutions_;
   std::array<std::array<std::unique_ptr<LaneNewton>, LaneNewton::kMostEdges + 1>,
              LaneNewton::kMostTetrahedra + 1>
@@ -110,9 +111,8 @@ class Batch {
 
 }  // namespace
 
-Solutions solve_all(std::span<const topology::Triangulation> triangulations,
-                    const std::atomic<bool>* stop_requested) {
-  return Batch(triangulations, stop_requested).solve();
+Solutions solve_all(std::span<const topology::Triangulation> triangulations, const Stop& stop) {
+  return Batch(triangulations, stop).solve();
 }
 
 }  // namespace tripus::structure

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <map>
 #include <span>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "structure/report.hpp"
 #include "topology/triangulation.hpp"
 
@@ -45,7 +45,6 @@ struct Solutions {
 ///
 /// Throws InvalidInput as `solve` does. When stopped, what has no answer yet is unresolved, with
 /// zeros for its numbers.
-Solutions solve_all(std::span<const topology::Triangulation> triangulations,
-                    const std::atomic<bool>* stop_requested = nullptr);
+Solutions solve_all(std::span<const topology::Triangulation> triangulations, const Stop& stop = {});
 
 }  // namespace tripus::structure

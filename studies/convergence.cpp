@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/stop.hpp"
 #include "structure/method.hpp"
 #include "structure/solve.hpp"
 #include "studies/detail/convergence_tables.hpp"
@@ -91,7 +92,7 @@ std::vector<Row> run_rows(const Subject& subject, const std::string& method,
                                    {.tolerance = 1e-12,
                                     .max_iterations = flow ? kFirstOrderSteps : 200,
                                     .trace = true,
-                                    .stop = &stop});
+                                    .stop = stop});
   const energies::CoVolume energy(m);
   std::vector<Measures> measures;
   std::vector<Row> rows;
@@ -126,7 +127,7 @@ std::vector<Row> run_rows(const Subject& subject, const std::string& method,
 std::vector<Row> theory_rows(const Subject& subject, std::uint64_t seed, const Stop& stop) {
   const topology::Triangulation& m = subject.triangulation;
   structure::SolveOptions options;
-  options.stop_requested = &stop;
+  options.stop = stop;
   const structure::Report metric = structure::solve(m, options);
   const bool found = metric.outcome == structure::Outcome::kGeometric;
   double values[8];
@@ -205,7 +206,7 @@ Plan plan_convergence(const StudyOptions& options) {
   if (chosen.size() > options.samples + 1) chosen.resize(options.samples + 1);
   std::sort(chosen.begin(), chosen.end());
   for (const std::size_t i : chosen) {
-    if (options.stop_requested != nullptr && *options.stop_requested) return {};
+    if (options.stop.requested()) return {};
     add_subjects(options.inputs[i], i == 0 ? options.covers : std::vector<std::size_t>{}, subjects);
   }
   const std::vector<std::string> methods =

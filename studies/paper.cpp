@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/stop.hpp"
 #include "canonical/canonize.hpp"
 #include "canonical/census.hpp"
 #include "structure/solve.hpp"
@@ -57,7 +58,7 @@ struct Identity {
 
 Identity identify(const topology::Triangulation& m, const Stop& stop) {
   canonical::CanonizeOptions options;
-  options.solve.stop_requested = &stop;
+  options.solve.stop = stop;
   options.solve.evidence = false;
   options.retriangulation.budget = canonical::kCensusBudget;
   const canonical::CanonizeAnswer answer = canonical::canonize(m, options);
@@ -72,7 +73,7 @@ Identity identify(const topology::Triangulation& m, const Stop& stop) {
 std::vector<Row> triangulation_rows(const StudyInput& input, const Stop& stop) {
   const topology::Triangulation m(input.gluings);
   structure::SolveOptions solve_options;
-  solve_options.stop_requested = &stop;
+  solve_options.stop = stop;
   const structure::Report verdict = structure::solve(m, solve_options);
   const bool metric = verdict.outcome == structure::Outcome::kGeometric;
   const double none = std::numeric_limits<double>::quiet_NaN();
@@ -80,10 +81,10 @@ std::vector<Row> triangulation_rows(const StudyInput& input, const Stop& stop) {
   AlgebraicMetric exact;
   if (metric) {
     const std::vector<double> ones(m.edge_count(), 1.0);
-    newton = run_method(m, "newton", ones, {.stop = &stop}).report;
+    newton = run_method(m, "newton", ones, {.stop = stop}).report;
     // The paper's: explicit steps of dl/dt = K from equal lengths 1, to max|K| <= 1e-10.
     flow = run_method(m, "flow:curvature/euler", ones,
-                      {.tolerance = 1e-10, .max_iterations = 100000, .stop = &stop})
+                      {.tolerance = 1e-10, .max_iterations = 100000, .stop = stop})
                .report;
     if (stop) return {};
     exact = solve_algebraically(m, stop);
@@ -152,7 +153,7 @@ Plan plan_paper(const StudyOptions& options) {
   if (chosen.size() > options.samples) chosen.resize(options.samples);
   std::sort(chosen.begin(), chosen.end());
   for (const std::size_t i : chosen) {
-    if (options.stop_requested != nullptr && *options.stop_requested) return {};
+    if (options.stop.requested()) return {};
     const StudyInput& input = options.inputs[i];
     try {
       topology::require_geodesic_boundary(topology::Triangulation(input.gluings));

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <filesystem>
 
@@ -39,10 +40,7 @@ std::string fingerprint(const Study& study, const StudyOptions& options) {
 class Workers {
  public:
   Workers(const Plan& plan, RowStore& store, const RunOptions& run)
-      : plan_(plan),
-        store_(store),
-        run_(run),
-        stop_(run.stop_requested ? *run.stop_requested : never_) {
+      : plan_(plan), store_(store), run_(run), stop_(run.stop) {
     for (const Item& item : plan.items)
       if (!store.has(item.id)) left_.push_back(&item);
   }
@@ -76,8 +74,7 @@ class Workers {
   const Plan& plan_;
   RowStore& store_;
   const RunOptions& run_;
-  const Stop never_{false};
-  const Stop& stop_;
+  Stop stop_;
   std::vector<const Item*> left_;
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> failed_{false};
@@ -125,9 +122,9 @@ double Random::uniform() { return double(bits() >> 11) * 0x1p-53; }
 RunResult run_study(const Study& study, const StudyOptions& given, const RunOptions& run) {
   StudyOptions options = given;
   if (options.samples == 0) options.samples = study.default_samples;
-  options.stop_requested = run.stop_requested;
+  options.stop = run.stop;
   const Plan plan = study.plan(options);
-  if (run.stop_requested != nullptr && *run.stop_requested) return {};
+  if (run.stop.requested()) return {};
   std::error_code failed;
   std::filesystem::create_directories(run.folder, failed);
   if (failed) fail_on_file("cannot make the folder", run.folder, failed.value());

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/stop.hpp"
 #include "geometry/paper_formulae.hpp"
 #include "geometry/truncated_tetrahedron.hpp"
 #include "structure/solve.hpp"
@@ -88,7 +89,7 @@ class StartRows {
     add(start, "Tripus solve", solve_from(start), 1e-6);
     for (const std::string& method : methods_) {
       const MethodRun run =
-          run_method(subject_.triangulation, method, start, {.tolerance = 1e-11, .stop = &stop_});
+          run_method(subject_.triangulation, method, start, {.tolerance = 1e-11, .stop = stop_});
       const bool found = run.report.outcome == structure::Outcome::kGeometric;
       add(start, "Tripus " + method,
           {found ? "metric" : "no convergence", run.report.iterations, run.report.edge_lengths},
@@ -103,7 +104,7 @@ class StartRows {
   PaperRun solve_from(const std::vector<double>& start) const {
     structure::SolveOptions options;
     options.initial_lengths = start;
-    options.stop_requested = &stop_;
+    options.stop = stop_;
     const structure::Report report = structure::solve(subject_.triangulation, options);
     const bool found = report.outcome == structure::Outcome::kGeometric;
     return {found ? "metric" : "no convergence", report.iterations, report.edge_lengths};
@@ -122,7 +123,7 @@ class StartRows {
   std::string kind_;
   std::size_t number_;
   const std::vector<std::string>& methods_;
-  const Stop& stop_;
+  Stop stop_;
   std::vector<Row> rows_;
 };
 
@@ -345,7 +346,7 @@ Plan plan_stability(const StudyOptions& options) {
                                      "flow:newton-flow/dopri5"}
           : options.methods);
   for (const StudyInput& input : options.inputs) {
-    if (options.stop_requested != nullptr && *options.stop_requested) return {};
+    if (options.stop.requested()) return {};
     const auto subject = make_subject(input);
     plan.items.push_back({fmt::format("{} flow thresholds", subject->name),
                           [=](const Stop& stop) { return flow_threshold_rows(*subject, stop); }});

@@ -10,16 +10,13 @@
 #include <utility>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "studies/figure.hpp"
 #include "studies/row_store.hpp"
 #include "studies/table.hpp"
 #include "topology/gluings.hpp"
 
 namespace tripus::studies {
-
-/// Whether the run is to end. Work that takes long polls it and returns early with anything: what
-/// is returned once it is set is thrown away.
-using Stop = std::atomic<bool>;
 
 /// A triangulation to study.
 struct StudyInput {
@@ -30,15 +27,17 @@ struct StudyInput {
 struct StudyOptions {
   std::vector<StudyInput> inputs;
   std::uint64_t seed = 1;
-  std::size_t samples = 0;               ///< how much of it; 0: the study's default
-  std::vector<std::string> methods;      ///< where the study compares methods; empty: all
-  std::vector<std::size_t> covers;       ///< degrees of cyclic covers to add, where it does that
-  const Stop* stop_requested = nullptr;  ///< polled while the plan is made; no part of the study
+  std::size_t samples = 0;           ///< how much of it; 0: the study's default
+  std::vector<std::string> methods;  ///< where the study compares methods; empty: all
+  std::vector<std::size_t> covers;   ///< degrees of cyclic covers to add, where it does that
+  Stop stop{};                       ///< polled while the plan is made; no part of the study
 };
 
 /// A piece of work that depends on nothing but its own data: done in any order, on any thread.
 struct Item {
   std::string id;  ///< unique in the study, the same in every run
+  /// Polls the stop where it takes long, and returns early with anything: what is returned once it
+  /// is requested is thrown away.
   std::function<std::vector<Row>(const Stop& stop)> work;
 };
 
@@ -81,7 +80,7 @@ const Study& find_study(std::string_view name);
 struct RunOptions {
   std::string folder;  ///< made if need be
   unsigned threads = 1;
-  const Stop* stop_requested = nullptr;  ///< polled between items and within long ones
+  Stop stop{};  ///< polled between items and within long ones
   std::function<void(std::size_t done, std::size_t total)> on_progress;  ///< one call at a time
 };
 

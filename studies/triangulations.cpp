@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/stop.hpp"
 #include "structure/solve.hpp"
 #include "studies/detail/plans.hpp"
 #include "studies/detail/spectrum.hpp"
@@ -36,7 +37,7 @@ std::vector<Found> find_triangulations(const StudyInput& input, const StudyOptio
   const std::size_t T = input.gluings.tetrahedron_count();
   for (std::size_t walk = 0;
        walk < kWalksPerSample * options.samples && found.size() < options.samples; ++walk) {
-    if (options.stop_requested != nullptr && *options.stop_requested) return {};
+    if (options.stop.requested()) return {};
     Random random(item_seed(options.seed, fmt::format("{} walk {}", input.name, walk)));
     topology::Gluings gluings = input.gluings;
     std::size_t moves = 0;
@@ -56,7 +57,7 @@ std::vector<Found> find_triangulations(const StudyInput& input, const StudyOptio
 std::vector<Row> solve_rows(const std::string& input, const Found& found, const Stop& stop) {
   const topology::Triangulation m(topology::decode_isosig(found.signature));
   structure::SolveOptions options;
-  options.stop_requested = &stop;
+  options.stop = stop;
   const structure::Report report = structure::solve(m, options);
   std::size_t least = std::numeric_limits<std::size_t>::max(), most = 0, low = 0;
   for (std::size_t e = 0; e < m.edge_count(); ++e) {

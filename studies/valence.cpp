@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/stop.hpp"
 #include "structure/proof/proof.hpp"
 #include "structure/solve.hpp"
 #include "studies/detail/plans.hpp"
@@ -27,13 +28,13 @@ std::size_t least_valence(const topology::Triangulation& triangulation) {
 std::vector<Row> prove_row(const StudyInput& input, const Stop& stop) {
   const topology::Triangulation triangulation(input.gluings);
   structure::SolveOptions options;
-  options.stop_requested = &stop;
+  options.stop = stop;
   const structure::Report report = structure::solve(triangulation, options);
   structure::Proof proof;
   proof.reason = report.message;
   if (report.outcome == structure::Outcome::kGeometric) {
     Context context;
-    context.stop_flag = &stop;
+    context.stop = stop;
     context.threads = 1;
     proof = structure::prove(triangulation, report.edge_lengths, {}, context);
   }

@@ -3,15 +3,12 @@
 #include <charconv>
 #include <optional>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
+#include "base/big_number.hpp"
 #include "base/error.hpp"
 #include "topology/homology.hpp"
 
 namespace tripus::topology {
 namespace {
-
-using Number = boost::multiprecision::cpp_int;
 
 constexpr std::size_t kMostCopies = 100'000;
 constexpr std::size_t kMostDigits = 1000;
@@ -94,7 +91,7 @@ class GroupReader {
     if (marked && !order) refuse();
     if (marked) take('Z');  // Z/3Z
     power();
-    const Number modulus = order ? Number(*order) : Number(0);
+    const BigInteger modulus = order ? BigInteger(*order) : BigInteger(0);
     if (order && modulus == 0 && !marked) refuse();
     if (modulus == 0) {
       rank_ += count;
@@ -108,14 +105,14 @@ class GroupReader {
     for (std::size_t i = 0; i < torsion_.size(); ++i)
       for (std::size_t j = i + 1; j < torsion_.size(); ++j) {
         if (torsion_[j] % torsion_[i] == 0) continue;
-        const Number divisor = gcd(torsion_[i], torsion_[j]);
+        const BigInteger divisor = gcd(torsion_[i], torsion_[j]);
         torsion_[j] = torsion_[i] / divisor * torsion_[j];
         torsion_[i] = divisor;
       }
     AbelianGroup result;
     result.rank = rank_;
-    for (const Number& factor : torsion_)
-      if (factor > 1) result.invariant_factors.push_back(factor.str());
+    for (const BigInteger& factor : torsion_)
+      if (factor > 1) result.invariant_factors.push_back(to_decimal(factor));
     return result;
   }
 
@@ -123,7 +120,7 @@ class GroupReader {
   std::string text_;
   std::size_t place_ = 0;
   std::size_t rank_ = 0;
-  std::vector<Number> torsion_;
+  std::vector<BigInteger> torsion_;
 };
 
 }  // namespace

@@ -5,17 +5,14 @@
 #include <string>
 #include <utility>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
+#include "base/big_number.hpp"
 #include "base/error.hpp"
 #include "topology/detail/relators.hpp"
 
 namespace tripus::topology {
 namespace {
 
-using Integer = boost::multiprecision::cpp_int;
-using Rational = boost::multiprecision::cpp_rational;
-using RationalMatrix = std::vector<std::vector<Rational>>;
+using RationalMatrix = std::vector<std::vector<BigRational>>;
 
 std::int64_t shift_at(std::span<const int> shifts, std::size_t t, int f) {
   return shifts[4 * t + static_cast<std::size_t>(f)];
@@ -53,7 +50,7 @@ void require_unbranched(const Gluings& gluings, std::span<const int> shifts, std
 
 RationalMatrix relator_matrix(const Triangulation& triangulation,
                               const detail::FaceGenerators& generators) {
-  RationalMatrix matrix(triangulation.edge_count(), std::vector<Rational>(generators.count()));
+  RationalMatrix matrix(triangulation.edge_count(), std::vector<BigRational>(generators.count()));
   for (std::size_t e = 0; e < matrix.size(); ++e)
     detail::walk_around_edge(triangulation, e, [&](std::size_t slot) {
       const std::int32_t code = generators.code(slot);
@@ -72,11 +69,11 @@ std::vector<std::size_t> reduce(RationalMatrix& matrix, std::size_t width) {
     while (row < matrix.size() && matrix[row][j] == 0) ++row;
     if (row == matrix.size()) continue;
     std::swap(matrix[row], matrix[top]);
-    const Rational scale = matrix[top][j];
-    for (Rational& x : matrix[top]) x /= scale;
+    const BigRational scale = matrix[top][j];
+    for (BigRational& x : matrix[top]) x /= scale;
     for (std::size_t i = 0; i < matrix.size(); ++i) {
       if (i == top || matrix[i][j] == 0) continue;
-      const Rational factor = matrix[i][j];
+      const BigRational factor = matrix[i][j];
       for (std::size_t k = j; k < width; ++k) matrix[i][k] -= factor * matrix[top][k];
     }
     pivots.push_back(j);
@@ -85,25 +82,25 @@ std::vector<std::size_t> reduce(RationalMatrix& matrix, std::size_t width) {
 }
 
 /// The primitive integer multiple of the null vector that is 1 at a free column.
-std::vector<Integer> null_vector(const RationalMatrix& reduced,
-                                 const std::vector<std::size_t>& pivots, std::size_t free,
-                                 std::size_t width) {
-  Integer common = 1;
+std::vector<BigInteger> null_vector(const RationalMatrix& reduced,
+                                    const std::vector<std::size_t>& pivots, std::size_t free,
+                                    std::size_t width) {
+  BigInteger common = 1;
   for (std::size_t row = 0; row < pivots.size(); ++row)
-    common = lcm(common, Integer(denominator(reduced[row][free])));
-  std::vector<Integer> result(width);
+    common = lcm(common, denominator_of(reduced[row][free]));
+  std::vector<BigInteger> result(width);
   result[free] = common;
   for (std::size_t row = 0; row < pivots.size(); ++row)
-    result[pivots[row]] = -numerator(Rational(reduced[row][free] * common));
-  Integer divisor = 0;
-  for (const Integer& x : result) divisor = gcd(divisor, x);
-  for (Integer& x : result) x /= divisor;
+    result[pivots[row]] = -numerator_of(reduced[row][free] * common);
+  BigInteger divisor = 0;
+  for (const BigInteger& x : result) divisor = gcd(divisor, x);
+  for (BigInteger& x : result) x /= divisor;
   return result;
 }
 
-Integer largest(const std::vector<Integer>& values) {
-  Integer result = 0;
-  for (const Integer& x : values)
+BigInteger largest(const std::vector<BigInteger>& values) {
+  BigInteger result = 0;
+  for (const BigInteger& x : values)
     if (abs(x) > result) result = abs(x);
   return result;
 }
@@ -136,7 +133,7 @@ std::optional<std::vector<int>> primitive_class(const Triangulation& triangulati
   const std::size_t width = generators.count();
   RationalMatrix matrix = relator_matrix(triangulation, generators);
   const auto pivots = reduce(matrix, width);
-  std::vector<Integer> best;
+  std::vector<BigInteger> best;
   for (std::size_t column = 0, row = 0; column < width; ++column) {
     if (row < pivots.size() && pivots[row] == column) {
       ++row;
@@ -152,7 +149,8 @@ std::optional<std::vector<int>> primitive_class(const Triangulation& triangulati
   for (std::size_t slot = 0; slot < shifts.size(); ++slot) {
     const std::int32_t code = generators.code(slot);
     if (code == 0) continue;
-    const int value = best[static_cast<std::size_t>(code > 0 ? code : -code) - 1].convert_to<int>();
+    const auto value =
+        static_cast<int>(to_int64(best[static_cast<std::size_t>(code > 0 ? code : -code) - 1]));
     shifts[slot] = code > 0 ? value : -value;
   }
   return shifts;

@@ -39,7 +39,7 @@ class Enumeration {
  public:
   using Take = std::function<void(const Gluings&, unsigned)>;
 
-  Enumeration(std::size_t tetrahedra, LinkChoice links, const std::atomic<bool>* stop)
+  Enumeration(std::size_t tetrahedra, LinkChoice links, const Stop& stop)
       : count_(static_cast<int>(tetrahedra)),
         links_(links),
         // The Euler characteristics of the links add up to 2 E - 2 T.
@@ -202,7 +202,7 @@ class Enumeration {
   }
 
   void extend() {
-    if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return;
+    if (stop_.requested()) return;
     if (piece_length_ != 0 && length_ == piece_length_) {
       pieces_.push_back({{word_.begin(), word_.begin() + static_cast<std::ptrdiff_t>(length_)}});
       return;
@@ -325,7 +325,7 @@ class Enumeration {
   const int count_;
   const LinkChoice links_;
   const int most_edges_;
-  const std::atomic<bool>* stop_;
+  Stop stop_;
   const Take* take_ = nullptr;
   std::size_t piece_length_ = 0;
   std::vector<EnumerationPiece> pieces_;
@@ -389,7 +389,7 @@ std::vector<EnumerationPiece> enumeration_pieces(std::size_t tetrahedra, LinkCho
 
 std::uint64_t enumerate(std::size_t tetrahedra, LinkChoice links, const EnumerationPiece& piece,
                         const std::function<void(const Gluings&, unsigned)>& take,
-                        const std::atomic<bool>* stop) {
+                        const Stop& stop) {
   require_tetrahedra(tetrahedra);
   return Enumeration(tetrahedra, links, stop).run(piece, take);
 }

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string_view>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "topology/gluings.hpp"
 #include "topology/triangulation.hpp"
 
@@ -50,6 +50,6 @@ std::vector<EnumerationPiece> enumeration_pieces(std::size_t tetrahedra, LinkCho
 std::uint64_t enumerate(
     std::size_t tetrahedra, LinkChoice links, const EnumerationPiece& piece,
     const std::function<void(const Gluings& gluings, unsigned symmetries)>& take,
-    const std::atomic<bool>* stop = nullptr);
+    const Stop& stop = {});
 
 }  // namespace tripus::topology

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/stop.hpp"
 #include "topology/detail/integer_matrix.hpp"
 #include "topology/detail/relators.hpp"
 
@@ -54,18 +55,16 @@ std::string to_string(const AbelianGroup& group) {
   return out.empty() ? "0" : out;
 }
 
-AbelianGroup first_homology(const Triangulation& triangulation,
-                            const std::atomic<bool>* stop_requested) {
+AbelianGroup first_homology(const Triangulation& triangulation, const Stop& stop) {
   const detail::FaceGenerators generators(triangulation.gluings());
   std::vector<detail::SparseRow<std::int64_t>> rows;
   rows.reserve(triangulation.edge_count());
   for (const std::size_t e : edges_by_distance(triangulation))
     rows.push_back(relator(triangulation, e, generators));
-  const detail::SmithForm form =
-      detail::smith_form(std::move(rows), generators.count(), stop_requested);
+  const detail::SmithForm form = detail::smith_form(std::move(rows), generators.count(), stop);
   AbelianGroup group;
   group.rank = generators.count() - form.rank;
-  for (const auto& factor : form.factors) group.invariant_factors.push_back(factor.str());
+  for (const auto& factor : form.factors) group.invariant_factors.push_back(to_decimal(factor));
   return group;
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "topology/triangulation.hpp"
 
 namespace tripus::topology {
@@ -33,8 +33,7 @@ AbelianGroup parse_abelian_group(std::string_view text);
 /// classes. Unit pivots are eliminated sparsely, shortest relator first; what is left goes through
 /// a dense Smith normal form. All integers grow as needed, so there is no overflow.
 /// Cost: near linear in T where unit pivots keep the relators short, as in covers; the dense rest
-/// costs its size cubed. Polls `stop_requested` (may be null); throws Stopped.
-AbelianGroup first_homology(const Triangulation& triangulation,
-                            const std::atomic<bool>* stop_requested = nullptr);
+/// costs its size cubed. Polls `stop`; throws Stopped.
+AbelianGroup first_homology(const Triangulation& triangulation, const Stop& stop = {});
 
 }  // namespace tripus::topology

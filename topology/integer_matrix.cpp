@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "topology/detail/minors.hpp"
 
 // First, pivots +-1 are eliminated on sparse rows of 64-bit integers, with every product checked: a
@@ -46,7 +46,7 @@ BigInteger divisor_of(const BigInteger& x, const BigInteger& y) { return gcd(x, 
 /// Digits, in bits, of all entries.
 std::size_t digits_of(const SparseRow<BigInteger>& row) {
   std::size_t sum = 0;
-  for (const auto& entry : row) sum += msb(abs(entry.value)) + 1;
+  for (const auto& entry : row) sum += binary_digits(entry.value);
   return sum;
 }
 std::size_t digits_of(const SparseRow<std::int64_t>&) { return 0; }  // bounded by themselves
@@ -72,12 +72,8 @@ std::optional<SparseRow<Integer>> difference(const SparseRow<Integer>& old, cons
 template <class Integer>
 class UnitEliminator {
  public:
-  UnitEliminator(std::vector<SparseRow<Integer>> rows, std::size_t column_count,
-                 const std::atomic<bool>* stop_requested)
-      : stop_requested_(stop_requested),
-        rows_(std::move(rows)),
-        rows_of_(column_count),
-        count_(column_count, 0) {
+  UnitEliminator(std::vector<SparseRow<Integer>> rows, std::size_t column_count, const Stop& stop)
+      : stop_(stop), rows_(std::move(rows)), rows_of_(column_count), count_(column_count, 0) {
     for (std::uint32_t r = 0; r < rows_.size(); ++r) {
       for (const auto& entry : rows_[r]) add_to_column(entry.column, r);
     }
@@ -93,7 +89,7 @@ class UnitEliminator {
     for (std::uint32_t column = 0; column < count_.size(); ++column)
       if (count_[column] == 1) single_.push_back(column);
     while (true) {
-      throw_if_stopped(stop_requested_);
+      throw_if_stopped(stop_);
       pivots += remove_free_rows();
       if (waiting_.empty()) break;
       const auto [queued_cost, tie, r] = waiting_.top();
@@ -236,7 +232,7 @@ class UnitEliminator {
   std::size_t digits_ = 0, most_digits_ = 0;  // of all rows: now, and at most
   // Fill when queued, tie breaker, row.
   using Waiting = std::tuple<std::size_t, std::uint32_t, std::uint32_t>;
-  const std::atomic<bool>* stop_requested_;
+  Stop stop_;
   std::vector<SparseRow<Integer>> rows_;
   std::vector<std::vector<std::uint32_t>> rows_of_;  // per column, possibly stale
   std::vector<std::uint32_t> count_;                 // per column, exact
@@ -261,13 +257,13 @@ void subtract(Vector& x, const BigInteger& factor, const Vector& y, std::size_t 
 template <class Integer>
 std::vector<Vector> generating_columns(const std::vector<SparseRow<Integer>>& rows,
                                        std::size_t column_count, const BigInteger& m,
-                                       const std::atomic<bool>* stop_requested) {
+                                       const Stop& stop) {
   std::vector<SparseRow<Integer>> columns(column_count);
   for (std::uint32_t r = 0; r < rows.size(); ++r)
     for (const auto& entry : rows[r]) columns[entry.column].push_back({r, entry.value});
   std::vector<Vector> basis(rows.size());  // by first place
   for (const SparseRow<Integer>& column : columns) {
-    throw_if_stopped(stop_requested);
+    throw_if_stopped(stop);
     Vector vector(rows.size());
     for (const auto& entry : column) vector[entry.column] = ((entry.value % m) + m) % m;
     for (std::size_t first = 0; first < vector.size();) {
@@ -291,9 +287,8 @@ std::vector<Vector> generating_columns(const std::vector<SparseRow<Integer>>& ro
 /// Diagonalises a matrix modulo m, from the block at (corner, corner) on, one entry at a time.
 class ModularReducer {
  public:
-  ModularReducer(std::vector<Vector> matrix, BigInteger modulus,
-                 const std::atomic<bool>* stop_requested)
-      : matrix_(std::move(matrix)), m_(std::move(modulus)), stop_requested_(stop_requested) {}
+  ModularReducer(std::vector<Vector> matrix, BigInteger modulus, const Stop& stop)
+      : matrix_(std::move(matrix)), m_(std::move(modulus)), stop_(stop) {}
 
   /// The entries that are not 0 modulo m, divisors of m, each dividing the next.
   Vector diagonal() {
@@ -361,7 +356,7 @@ class ModularReducer {
     const Vector& top = matrix_[corner_];
     const BigInteger corner = top[corner_];
     for (std::size_t i = corner_ + 1; i < height(); ++i) {
-      throw_if_stopped(stop_requested_);
+      throw_if_stopped(stop_);
       const BigInteger factor = matrix_[i][corner_] / corner;
       if (factor != 0) subtract(matrix_[i], factor, top, corner_, m_);
       clear = clear && matrix_[i][corner_] == 0;
@@ -394,7 +389,7 @@ class ModularReducer {
 
   std::vector<Vector> matrix_;
   BigInteger m_;
-  const std::atomic<bool>* stop_requested_;
+  Stop stop_;
   std::size_t corner_ = 0;
 };
 
@@ -418,12 +413,11 @@ namespace {
 /// Of what has no pivots left, added to what is known.
 template <class Integer>
 SmithForm completed(SmithForm form, const std::vector<SparseRow<Integer>>& left,
-                    std::size_t column_count, const std::atomic<bool>* stop_requested) {
-  const auto [rank, multiple] = minors(left, column_count, stop_requested);
+                    std::size_t column_count, const Stop& stop) {
+  const auto [rank, multiple] = minors(left, column_count, stop);
   form.rank += rank;
   if (multiple == 1) return form;
-  ModularReducer reducer(generating_columns(left, column_count, multiple, stop_requested), multiple,
-                         stop_requested);
+  ModularReducer reducer(generating_columns(left, column_count, multiple, stop), multiple, stop);
   Vector factors = reducer.diagonal();
   factors.resize(rank, multiple);  // a factor that is the multiple itself is 0 modulo it
   for (BigInteger& factor : factors)
@@ -448,15 +442,15 @@ bool has_unit(const std::vector<SparseRow<std::int64_t>>& rows) {
 }  // namespace
 
 SmithForm smith_form(std::vector<SparseRow<std::int64_t>> rows, std::size_t column_count,
-                     const std::atomic<bool>* stop_requested) {
+                     const Stop& stop) {
   SmithForm form;
-  UnitEliminator eliminator(std::move(rows), column_count, stop_requested);
+  UnitEliminator eliminator(std::move(rows), column_count, stop);
   form.rank = eliminator.run();
   const auto left = eliminator.take_rows();
-  if (!has_unit(left)) return completed(std::move(form), left, column_count, stop_requested);
-  UnitEliminator longer(as_long_integers(left), column_count, stop_requested);
+  if (!has_unit(left)) return completed(std::move(form), left, column_count, stop);
+  UnitEliminator longer(as_long_integers(left), column_count, stop);
   form.rank += longer.run();
-  return completed(std::move(form), longer.take_rows(), column_count, stop_requested);
+  return completed(std::move(form), longer.take_rows(), column_count, stop);
 }
 
 }  // namespace tripus::topology::detail

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "topology/components.hpp"
 
 namespace tripus::topology {
@@ -178,7 +178,7 @@ std::optional<Isomorphism> find_isomorphism(const Gluings& from, const Gluings& 
 }
 
 std::vector<Isomorphism> all_isomorphisms(const Gluings& from, const Gluings& to,
-                                          const std::atomic<bool>* stop_requested) {
+                                          const Stop& stop) {
   if (members(from).size() != 1)
     throw InvalidInput(
         "all isomorphisms are listed for connected triangulations only; this one "
@@ -188,7 +188,7 @@ std::vector<Isomorphism> all_isomorphisms(const Gluings& from, const Gluings& to
   if (from.tetrahedron_count() != to.tetrahedron_count()) return found;
   FrameMatcher matcher(from, to);
   for (TetrahedronIndex t = 0; t < to.tetrahedron_count(); ++t) {
-    throw_if_stopped(stop_requested);
+    throw_if_stopped(stop);
     for (int rank = 0; rank < 24; ++rank)
       if (matcher.match(t, Perm4::from_rank(rank))) found.push_back(matcher.map());
   }

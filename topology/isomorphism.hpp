@@ -1,11 +1,11 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "topology/gluings.hpp"
 
 namespace tripus::topology {
@@ -37,9 +37,9 @@ inline bool is_isomorphic(const Gluings& from, const Gluings& to) {
 
 /// All isomorphisms, at most 24 T of them, in the order of the image of frame (tetrahedron 0,
 /// 0123). With from == to this is the automorphism group, the identity included.
-/// Throws InvalidInput if `from` is empty or not connected; Stopped, polling `stop_requested` (may
+/// Throws InvalidInput if `from` is empty or not connected; Stopped, polling `stop` (may
 /// be null).
 std::vector<Isomorphism> all_isomorphisms(const Gluings& from, const Gluings& to,
-                                          const std::atomic<bool>* stop_requested = nullptr);
+                                          const Stop& stop = {});
 
 }  // namespace tripus::topology

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <boost/multiprecision/cpp_int.hpp>
+#include "base/big_number.hpp"
 
 namespace tripus::topology {
 namespace {
@@ -15,12 +15,10 @@ constexpr double kZeroSum = 1e-12;
 /// Floating point decides the sign of a sum of this size.
 constexpr double kClear = 1e-6;
 
-using Rational = boost::multiprecision::cpp_rational;
-
 /// The sum over the edge ends at a vertex of (k_e / 2 pi - 1), in exact arithmetic.
-Rational exact_sum(const std::vector<ConeAngle>& angles) {
-  Rational sum = 0;
-  for (const ConeAngle& k : angles) sum += Rational(k.numerator(), 2 * k.denominator()) - 1;
+BigRational exact_sum(const std::vector<ConeAngle>& angles) {
+  BigRational sum = 0;
+  for (const ConeAngle& k : angles) sum += BigRational(k.numerator()) / (2 * k.denominator()) - 1;
   return sum;
 }
 
@@ -31,7 +29,7 @@ OrbifoldLink orbifold_link(const VertexLink& link, const std::vector<ConeAngle>&
   for (const ConeAngle& k : cone_points) chi += k.radians() / (2 * std::numbers::pi) - 1;
   if (!cone_points.empty() && std::fabs(chi) < kClear) {
     if (std::ranges::all_of(cone_points, &ConeAngle::is_rational)) {
-      chi = static_cast<double>(exact_sum(cone_points) + link.euler_characteristic);
+      chi = to_double(exact_sum(cone_points) + link.euler_characteristic);
     } else if (std::fabs(chi) < kZeroSum) {
       chi = 0;
     }

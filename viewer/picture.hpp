@@ -1,13 +1,13 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/stop.hpp"
 #include "viewer/camera.hpp"
 #include "viewer/scene.hpp"
 
@@ -47,7 +47,7 @@ struct PictureOptions {
   std::optional<std::uint32_t> transparent;
   int samples = 0;  ///< a pixel, in each direction, up to 4; 0: what its size allows
   /// Ends the drawing between two cells when it becomes true; null: nothing does.
-  const std::atomic<bool>* stop_requested = nullptr;
+  Stop stop{};
 };
 
 /// An image: rows from the top, red, green, blue and alpha of each pixel.
@@ -71,10 +71,7 @@ inline bool is_solid(const PictureOptions& options) {
 }
 
 /// Whether the drawing is to end.
-inline bool is_stopped(const PictureOptions& options) {
-  return options.stop_requested != nullptr &&
-         options.stop_requested->load(std::memory_order_relaxed);
-}
+inline bool is_stopped(const PictureOptions& options) { return options.stop.requested(); }
 
 /// Throws InvalidInput, naming the option, for a size, a camera or a number of cells out of range.
 void require_drawable(const Scene& scene, const PictureOptions& options, int width, int height);

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "orthospectrum/boundary_discs.hpp"
 
 namespace tripus::viewer {

@@ -1,9 +1,13 @@
 // tripus canonize: the canonical decomposition, the isometry group and the isometry signature.
+#include <memory>
+#include <string>
+
 #include <fmt/format.h>
 
 #include "canonical/proved.hpp"
 #include "cli/canonize_options.hpp"
 #include "cli/describe.hpp"
+#include "cli/help.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/manifold_text.hpp"
 #include "cli/remedies.hpp"
@@ -72,10 +76,24 @@ Reply canonize_one(const CanonicalCommand& command, const Subject& subject) {
           answer.manifold ? kSuccess : kNoAnswer};
 }
 
-void add_canonize(CLI::App& program, Command& chosen) {
-  add_canonical_verb(program, "canonize",
-                     "canonical decomposition, isometry group, isometry signature", chosen,
-                     canonize_one, true);
+void add_canonize(CLI::App* verb, Command& chosen) {
+  auto command = std::make_shared<CanonicalCommand>();
+  add_common_options(*verb, command->common);
+  add_canonize_options(*verb, command->canonize);
+  add_prove_option(*verb, command->prove,
+                   "also prove the decomposition, or name the faces that are not");
+  verb->footer(std::string(kInputHelp) + "\n" + kCanonicalStatusHelp);
+  verb->final_callback([command, &chosen] {
+    chosen = [command] {
+      return answer_inputs(command->common, [command](const std::string& input) {
+        const Subject subject = load_ideal_subject(input, Balls::kRefused, interruptible(),
+                                                   require_canonizable_with_remedy);
+        CanonicalCommand limited = *command;
+        limit_work(limited.canonize);
+        return canonize_one(limited, subject);
+      });
+    };
+  });
 }
 
 }  // namespace
@@ -83,7 +101,8 @@ void add_canonize(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> canonize() {
-  static constexpr Verb kRows[] = {{"canonize", add_canonize, 6}};
+  static constexpr Verb kRows[] = {
+      {"canonize", "canonical decomposition, isometry group, isometry signature", add_canonize, 6}};
   return kRows;
 }
 

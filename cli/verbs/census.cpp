@@ -263,9 +263,7 @@ constexpr const char* kCensusHelp =
     "input,\n"
     "3 a failure of the program itself.";
 
-void add_census(CLI::App& program, Command& chosen) {
-  CLI::App* verb =
-      program.add_subcommand("census", "tables of manifolds: make one, or look in one");
+void add_census(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<CensusCommand>();
   command->making.classify.canonize.retriangulation.budget = canonical::kCensusBudget;
   add_query_options(*verb, *command);
@@ -297,7 +295,8 @@ void add_census(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> census() {
-  static constexpr Verb kRows[] = {{"census", add_census, 10}};
+  static constexpr Verb kRows[] = {
+      {"census", "tables of manifolds: make one, or look in one", add_census, 10}};
   return kRows;
 }
 

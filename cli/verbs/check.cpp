@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/interrupt.hpp"
@@ -121,9 +121,7 @@ Reply check_one(const CheckOptions& options) {
   return outcome(options, to_string(certificate.kind), result.valid, verdict(certificate, result));
 }
 
-void add_check(CLI::App& program, Command& chosen) {
-  CLI::App* verb =
-      program.add_subcommand("check", "check a certificate or a proof, by other code than made it");
+void add_check(CLI::App* verb, Command& chosen) {
   auto options = std::make_shared<CheckOptions>();
   verb->add_option("CERTIFICATE", options->certificate,
                    "the JSON of a certificate or of a proof, or an answer that has one")
@@ -159,7 +157,8 @@ void add_check(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> check() {
-  static constexpr Verb kRows[] = {{"check", add_check, 13}};
+  static constexpr Verb kRows[] = {
+      {"check", "check a certificate or a proof, by other code than made it", add_check, 13}};
   return kRows;
 }
 

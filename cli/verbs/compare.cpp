@@ -145,8 +145,7 @@ Reply compare_two(const CompareCommand& command) {
           comparison.verdict == Verdict::kHomeomorphic ? kSuccess : kNoAnswer};
 }
 
-void add_compare(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand("compare", "same manifold or not, and how that is known");
+void add_compare(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<CompareCommand>();
   for (auto [name, value] :
        {std::pair("FIRST", &command->common.input), std::pair("SECOND", &command->second)}) {
@@ -175,7 +174,8 @@ void add_compare(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> compare() {
-  static constexpr Verb kRows[] = {{"compare", add_compare, 7}};
+  static constexpr Verb kRows[] = {
+      {"compare", "same manifold or not, and how that is known", add_compare, 7}};
   return kRows;
 }
 

@@ -281,7 +281,7 @@ int write_covers(const CoverCommand& command, const std::string& input, CoverSin
     if (progress.due()) progress.show(fmt::format("{} covers", sink.count()));
     return written != static_cast<std::size_t>(command.limit) && !stop_flag();
   };
-  const std::atomic<bool>* stop = &stop_flag();
+  const Stop stop = &stop_flag();
   if (command.orientable) {
     visit(topology::orientable_double_cover(base));
   } else if (command.cyclic_class) {
@@ -363,9 +363,7 @@ constexpr const char* kCoverFooter =
     "\nExit status: 0 done, 1 there is no such cover or interrupted, 2 bad usage or bad input,\n"
     "3 a failure of the program itself.";
 
-void add_cover(CLI::App& program, Command& chosen) {
-  CLI::App* verb =
-      program.add_subcommand("cover", "finite covers: cyclic ones, or all of a degree");
+void add_cover(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<CoverCommand>();
   constexpr int kMost = std::numeric_limits<int>::max();
   auto* cyclic = verb->add_option("--cyclic", command->cyclic,
@@ -419,7 +417,8 @@ void add_cover(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> cover() {
-  static constexpr Verb kRows[] = {{"cover", add_cover, 5}};
+  static constexpr Verb kRows[] = {
+      {"cover", "finite covers: cyclic ones, or all of a degree", add_cover, 5}};
   return kRows;
 }
 

@@ -62,8 +62,7 @@ int run(const DrawCommand& command) {
   return kSuccess;
 }
 
-void add_draw(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand("draw", "picture of a planar diagram");
+void add_draw(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<DrawCommand>();
   verb->add_option("DIAGRAM", command->diagram, "a name of the tables, a diagram, a file, or -")
       ->option_text(" ")
@@ -94,7 +93,7 @@ void add_draw(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> draw() {
-  static constexpr Verb kRows[] = {{"draw", add_draw, 20}};
+  static constexpr Verb kRows[] = {{"draw", "picture of a planar diagram", add_draw, 20}};
   return kRows;
 }
 

@@ -78,7 +78,7 @@ embedding::UniversalCover cells_of(const EmbedCommand& command, const Subject& s
   if (command.cells > 0) options.max_cells = command.cells;
   if (command.depth >= 0) options.max_depth = static_cast<std::uint32_t>(command.depth);
   if (command.radius > 0) options.max_radius = command.radius;
-  options.stop_requested = &stop_flag();
+  options.stop = &stop_flag();
   embedding::UniversalCover cover =
       embedding::grow_universal_cover(embedded, subject.triangulation, options);
   // All the cells that were asked for are there: nothing ended early.
@@ -201,9 +201,7 @@ void add_cell_options(CLI::App& verb, EmbedCommand& command) {
   depth->excludes(cells);
 }
 
-void add_embed(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand(
-      "embed", "tetrahedra in hyperbolic space, their gluings, the universal cover");
+void add_embed(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<EmbedCommand>();
   verb->add_option("INPUT", command->common.input,
                    "an isomorphism signature, a file, or - for standard input")
@@ -252,7 +250,9 @@ void add_embed(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> embed() {
-  static constexpr Verb kRows[] = {{"embed", add_embed, 15}};
+  static constexpr Verb kRows[] = {
+      {"embed", "tetrahedra in hyperbolic space, their gluings, the universal cover", add_embed,
+       15}};
   return kRows;
 }
 

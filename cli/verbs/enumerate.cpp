@@ -1,6 +1,7 @@
 // tripus enumerate: all triangulations with so many tetrahedra, as a stream of signatures.
 #include "topology/enumerate.hpp"
 
+#include <atomic>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -200,9 +201,7 @@ constexpr const char* kEnumerateFooter =
     "\nExit status: 0 done, 1 interrupted (-o then leaves the old file), 2 bad usage,\n"
     "3 a failure of the program itself.";
 
-void add_enumerate(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand(
-      "enumerate", "all orientable triangulations with so many tetrahedra, for a census");
+void add_enumerate(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<EnumerateCommand>();
   constexpr int kMost = std::numeric_limits<int>::max();
   verb->add_option("N", command->tetrahedra, "the number of tetrahedra")
@@ -246,7 +245,9 @@ void add_enumerate(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> enumerate() {
-  static constexpr Verb kRows[] = {{"enumerate", add_enumerate, 9}};
+  static constexpr Verb kRows[] = {
+      {"enumerate", "all orientable triangulations with so many tetrahedra, for a census",
+       add_enumerate, 9}};
   return kRows;
 }
 

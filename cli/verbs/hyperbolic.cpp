@@ -120,9 +120,7 @@ int run(const HyperbolicCommandOptions& command) {
       tripus::quoted(arguments.front())));
 }
 
-void add_hyperbolic(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand(
-      "hyperbolic", "hyperbolic or not, about the manifold, with a certificate");
+void add_hyperbolic(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<HyperbolicCommandOptions>();
   verb->add_option("INPUT", command->input, "the manifold")->option_text(" ");
   auto* check =
@@ -170,7 +168,9 @@ void add_hyperbolic(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> hyperbolic() {
-  static constexpr Verb kRows[] = {{"hyperbolic", add_hyperbolic, 12}};
+  static constexpr Verb kRows[] = {{"hyperbolic",
+                                    "hyperbolic or not, about the manifold, with a certificate",
+                                    add_hyperbolic, 12}};
   return kRows;
 }
 

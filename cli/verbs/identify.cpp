@@ -76,8 +76,7 @@ Reply identify_one(const IdentifyCommand& command, const Census& census, const s
           found.entry != nullptr ? kSuccess : kNoAnswer};
 }
 
-void add_identify(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand("identify", "the name of a manifold in the census");
+void add_identify(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<IdentifyCommand>();
   command->canonize.solve.evidence = false;
   add_common_options(*verb, command->common);
@@ -101,7 +100,8 @@ void add_identify(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> identify() {
-  static constexpr Verb kRows[] = {{"identify", add_identify, 8}};
+  static constexpr Verb kRows[] = {
+      {"identify", "the name of a manifold in the census", add_identify, 8}};
   return kRows;
 }
 

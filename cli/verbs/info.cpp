@@ -70,9 +70,7 @@ std::string as_text(const Subject& subject) {
   return text;
 }
 
-void add_info(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand(
-      "info", "what a triangulation is: edge classes, links, homology, signature");
+void add_info(CLI::App* verb, Command& chosen) {
   auto options = std::make_shared<CommonOptions>();
   add_common_options(*verb, *options);
   verb->footer(std::string(kInputHelp) +
@@ -93,7 +91,8 @@ void add_info(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> info() {
-  static constexpr Verb kRows[] = {{"info", add_info, 1}};
+  static constexpr Verb kRows[] = {
+      {"info", "what a triangulation is: edge classes, links, homology, signature", add_info, 1}};
   return kRows;
 }
 

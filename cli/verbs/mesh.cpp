@@ -165,7 +165,7 @@ Reply mesh_one(const MeshCommand& command, const std::string& input) {
   const std::string source = input == "-" ? "standard input" : tripus::quoted(input);
   Progress progress(!command.common.quiet && command.common.batch.empty());
   meshing::ManifoldOptions options = command.options;
-  options.stop_requested = &stop_flag();
+  options.stop = &stop_flag();
   // A limit of the user's is the only one; the flag comes first, with its words.
   if (const double left = seconds_left(); std::isfinite(left))
     options.tetrahedralize.time_limit = left + 1;
@@ -194,9 +194,7 @@ int run(const MeshCommand& command) {
                        [&](const std::string& input) { return mesh_one(command, input); });
 }
 
-void add_mesh(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand(
-      "mesh", "from a surface or a tetrahedral mesh to a small triangulation");
+void add_mesh(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<MeshCommand>();
   add_common_options(*verb, command->common);
   auto* output = verb->add_option("-o,--output", command->output,
@@ -240,7 +238,8 @@ void add_mesh(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> mesh() {
-  static constexpr Verb kRows[] = {{"mesh", add_mesh, 4}};
+  static constexpr Verb kRows[] = {
+      {"mesh", "from a surface or a tetrahedral mesh to a small triangulation", add_mesh, 4}};
   return kRows;
 }
 

@@ -75,8 +75,7 @@ int run(bool json) {
   return kSuccess;
 }
 
-void add_methods(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand("methods", "every energy, method and flow by name");
+void add_methods(CLI::App* verb, Command& chosen) {
   auto json = std::make_shared<bool>(false);
   verb->add_flag("--json", *json, "one JSON object on standard output");
   verb->final_callback([json, &chosen] { chosen = [json] { return run(*json); }; });
@@ -87,7 +86,8 @@ void add_methods(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> methods() {
-  static constexpr Verb kRows[] = {{"methods", add_methods, 23}};
+  static constexpr Verb kRows[] = {
+      {"methods", "every energy, method and flow by name", add_methods, 23}};
   return kRows;
 }
 

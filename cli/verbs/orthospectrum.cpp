@@ -94,7 +94,7 @@ Reply spectrum_one(const OrthospectrumCommand& command, const std::string& input
   const Subject subject =
       load_solvable_subject(input, interruptible(), require_boundary_beside_cusps_with_remedy);
   structure::SolveOptions solve;
-  solve.stop_requested = &stop_flag();
+  solve.stop = &stop_flag();
   solve.time_limit = seconds_left();
   const structure::Report report = structure::solve(subject.triangulation, solve);
   if (report.outcome != structure::Outcome::kGeometric) {
@@ -187,9 +187,7 @@ void add_outputs(CLI::App& verb, OrthospectrumCommand& command) {
       ->excludes(batch);
 }
 
-void add_orthospectrum(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand(
-      "orthospectrum", "geodesic arcs orthogonal to the boundary at both ends, by length");
+void add_orthospectrum(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<OrthospectrumCommand>();
   add_common_options(*verb, command->common);
   verb->get_option("--threads")->description("threads (default: all cores)");
@@ -219,7 +217,9 @@ void add_orthospectrum(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> orthospectrum() {
-  static constexpr Verb kRows[] = {{"orthospectrum", add_orthospectrum, 16}};
+  static constexpr Verb kRows[] = {
+      {"orthospectrum", "geodesic arcs orthogonal to the boundary at both ends, by length",
+       add_orthospectrum, 16}};
   return kRows;
 }
 

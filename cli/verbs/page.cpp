@@ -81,9 +81,7 @@ int run(const PageCommand& command) {
   return kSuccess;
 }
 
-void add_page(CLI::App& program, Command& chosen) {
-  CLI::App* verb =
-      program.add_subcommand("page", "the page that computes and draws in a browser, as a file");
+void add_page(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<PageCommand>();
   verb->add_option("-o,--output", command->output, "file to write")
       ->option_text("FILE.html")
@@ -98,7 +96,8 @@ void add_page(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> page() {
-  static constexpr Verb kRows[] = {{"page", add_page, 22}};
+  static constexpr Verb kRows[] = {
+      {"page", "the page that computes and draws in a browser, as a file", add_page, 22}};
   return kRows;
 }
 

@@ -110,9 +110,7 @@ int run(ParameteriseCommand& command) {
                        [&](const std::string& input) { return parameterise_one(command, input); });
 }
 
-void add_parameterise(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand(
-      "parameterise", "the harmonic map of a solid onto its hyperbolic manifold");
+void add_parameterise(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<ParameteriseCommand>();
   add_common_options(*verb, command->common);
   CLI::Option* batch = verb->get_option("--batch");
@@ -173,7 +171,9 @@ void add_parameterise(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> parameterise() {
-  static constexpr Verb kRows[] = {{"parameterise", add_parameterise, 18}};
+  static constexpr Verb kRows[] = {{"parameterise",
+                                    "the harmonic map of a solid onto its hyperbolic manifold",
+                                    add_parameterise, 18}};
   return kRows;
 }
 

@@ -43,7 +43,7 @@ Reply prove_one(const ProveCommandOptions& command, const std::string& input) {
       load_ideal_subject(input, Balls::kRefused, interruptible(), require_with_remedy);
   structure::SolveOptions solve;
   solve.cone_angles = subject.cone_angles;
-  solve.stop_requested = &stop_flag();
+  solve.stop = &stop_flag();
   solve.time_limit = seconds_left();
   structure::Report report = structure::solve(subject.triangulation, solve);
   Context context = interruptible();
@@ -63,9 +63,7 @@ Reply prove_one(const ProveCommandOptions& command, const std::string& input) {
   return {text + proof_table(proof), metric ? kSuccess : kNoAnswer};
 }
 
-void add_prove(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand(
-      "prove", "a proof that the metric exists, to as many digits as wanted");
+void add_prove(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<ProveCommandOptions>();
   add_common_options(*verb, command->common);
   verb->add_option("--digits", command->digits,
@@ -97,7 +95,8 @@ void add_prove(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> prove() {
-  static constexpr Verb kRows[] = {{"prove", add_prove, 11}};
+  static constexpr Verb kRows[] = {
+      {"prove", "a proof that the metric exists, to as many digits as wanted", add_prove, 11}};
   return kRows;
 }
 

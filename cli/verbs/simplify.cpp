@@ -149,7 +149,7 @@ Reply simplify_one(const SimplifyCommand& command, const std::string& input) {
 
   Progress progress(!command.common.quiet && command.common.batch.empty());
   topology::SimplifyOptions options = command.options;
-  options.stop_requested = &stop_flag();
+  options.stop = &stop_flag();
   options.progress = [&](std::string_view stage, std::size_t tetrahedra) {
     if (progress.due()) progress.show(fmt::format("{}: {} tetrahedra", stage, tetrahedra));
   };
@@ -176,8 +176,7 @@ CLI::Validator effort_number() {
           ""};
 }
 
-void add_simplify(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand("simplify", "a small triangulation of the same manifold");
+void add_simplify(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<SimplifyCommand>();
   add_common_options(*verb, command->common);
   verb->add_option("--seed", command->options.seed,
@@ -218,7 +217,8 @@ void add_simplify(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> simplify() {
-  static constexpr Verb kRows[] = {{"simplify", add_simplify, 3}};
+  static constexpr Verb kRows[] = {
+      {"simplify", "a small triangulation of the same manifold", add_simplify, 3}};
   return kRows;
 }
 

@@ -236,9 +236,7 @@ int run(SolveCommandOptions& command) {
       failed);
 }
 
-void add_solve(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand(
-      "solve", "find the metric: volume, boundary area, edge lengths, dihedral angles");
+void add_solve(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<SolveCommandOptions>();
   add_common_options(*verb, command->common);
   structure::SolveOptions& solve = command->solve;
@@ -324,7 +322,9 @@ void add_solve(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> solve() {
-  static constexpr Verb kRows[] = {{"solve", add_solve, 2}};
+  static constexpr Verb kRows[] = {
+      {"solve", "find the metric: volume, boundary area, edge lengths, dihedral angles", add_solve,
+       2}};
   return kRows;
 }
 

@@ -109,7 +109,7 @@ int run(StudyCommandOptions command) {
   studies::RunOptions options;
   options.folder = command.folder;
   options.threads = thread_count(command.threads);
-  options.stop_requested = &interrupt_requested();
+  options.stop = &interrupt_requested();
   const auto rest = [](std::size_t done, std::size_t total) {
     return fmt::format(
         ": {}; the same command goes on from there",
@@ -146,9 +146,7 @@ std::string study_list() {
          "CSV files are the same for any number of threads, timing columns aside.\n\n";
 }
 
-void add_study(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand(
-      "study", "a comparison of methods, triangulations or starts, with a report");
+void add_study(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<StudyCommandOptions>();
   verb->add_option("NAME", command->name, "which study")->option_text(" ")->required();
   verb->add_option("INPUT", command->inputs, "what to study")
@@ -192,7 +190,8 @@ void add_study(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> study() {
-  static constexpr Verb kRows[] = {{"study", add_study, 14}};
+  static constexpr Verb kRows[] = {
+      {"study", "a comparison of methods, triangulations or starts, with a report", add_study, 14}};
   return kRows;
 }
 

@@ -206,8 +206,7 @@ int run(const TableCommand& command) {
   return kSuccess;
 }
 
-void add_table(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand("table", "tables of knots, links and handlebody-knots");
+void add_table(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<TableCommand>();
   verb->add_option("TABLE", command->table, "knots, links, theta-curves, handlebody-knots or all")
       ->option_text(" ")
@@ -232,7 +231,8 @@ void add_table(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> table() {
-  static constexpr Verb kRows[] = {{"table", add_table, 21}};
+  static constexpr Verb kRows[] = {
+      {"table", "tables of knots, links and handlebody-knots", add_table, 21}};
   return kRows;
 }
 

@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "base/output_file.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "cli/describe.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/interrupt.hpp"
@@ -64,7 +64,7 @@ meshing::TubeOptions options_of(const TubeCommand& command, Progress& progress) 
   if (command.radius > 0) options.radius = command.radius;
   if (command.triangles > 0) options.triangles = std::size_t(command.triangles);
   if (command.around > 0) options.edges_around = command.around;
-  options.stop_requested = &stop_flag();
+  options.stop = &stop_flag();
   options.progress = [&](std::string_view activity) {
     if (progress.due()) progress.show(std::string(activity));
   };
@@ -161,8 +161,7 @@ int run(const TubeCommand& command) {
   return kSuccess;
 }
 
-void add_tube(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand("tube", "surface of the tube around a graph in space");
+void add_tube(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<TubeCommand>();
   verb->add_option("GRAPH", command->graph, "file with a graph in space, or -")
       ->option_text(" ")
@@ -196,7 +195,8 @@ void add_tube(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> tube() {
-  static constexpr Verb kRows[] = {{"tube", add_tube, 19}};
+  static constexpr Verb kRows[] = {
+      {"tube", "surface of the tube around a graph in space", add_tube, 19}};
   return kRows;
 }
 

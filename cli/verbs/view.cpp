@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/output_file.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/describe.hpp"
@@ -173,7 +173,7 @@ struct Developed {
   viewer::Scene scene(std::size_t cells, viewer::Model model) const {
     embedding::UniversalCoverOptions options;
     options.max_cells = cells;
-    options.stop_requested = &stop_flag();
+    options.stop = &stop_flag();
     const auto cover = embedding::universal_cover(embedding, subject.triangulation, options);
     viewer::Scene scene =
         viewer::make_scene(printable(subject.name.empty() ? subject.input : subject.name),
@@ -309,7 +309,7 @@ int run(ViewCommand& command) {
   command.picture.cut_away = command.cut_away;
   command.picture.faces = !command.no_faces;
   command.picture.truncations = !command.no_truncations;
-  command.picture.stop_requested = &stop_flag();
+  command.picture.stop = &stop_flag();
   return answer_inputs(command.common,
                        [&](const std::string& input) { return view_one(command, input); });
 }
@@ -381,9 +381,7 @@ void read_discs(const CLI::Option& discs, CLI::Option& input, ViewCommand& comma
   command.common.input = command.discs;
 }
 
-void add_view(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand(
-      "view", "see the universal cover: window, picture or page for a browser");
+void add_view(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<ViewCommand>();
   auto* input = verb->add_option("INPUT", command->common.input,
                                  "an isomorphism signature, a file, or - for standard input")
@@ -441,7 +439,8 @@ void add_view(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> view() {
-  static constexpr Verb kRows[] = {{"view", add_view, 17}};
+  static constexpr Verb kRows[] = {
+      {"view", "see the universal cover: window, picture or page for a browser", add_view, 17}};
   return kRows;
 }
 

@@ -28,8 +28,7 @@ Reply volume_of(const CommonOptions& options, const std::string& input) {
   return {fmt::to_string(out), status};
 }
 
-void add_volume(CLI::App& program, Command& chosen) {
-  CLI::App* verb = program.add_subcommand("volume", "the volume alone");
+void add_volume(CLI::App* verb, Command& chosen) {
   auto options = std::make_shared<CommonOptions>();
   add_common_options(*verb, *options);
   verb->final_callback([options, &chosen] {
@@ -45,7 +44,7 @@ void add_volume(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> volume() {
-  static constexpr Verb kRows[] = {{"volume", add_volume}};
+  static constexpr Verb kRows[] = {{"volume", "the volume alone", add_volume}};
   return kRows;
 }
 

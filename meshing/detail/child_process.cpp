@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 
 extern char** environ;
 
@@ -104,10 +104,9 @@ ChildProcess::~ChildProcess() {
   }
 }
 
-bool ChildProcess::wait_ready(short events, double deadline,
-                              const std::atomic<bool>* stop_requested) {
+bool ChildProcess::wait_ready(short events, double deadline, const Stop& stop) {
   for (;;) {
-    throw_if_stopped(stop_requested);
+    throw_if_stopped(stop);
     if (now_in_seconds() > deadline) return false;
     pollfd wanted[2] = {{socket_, events, 0}, {errors_, POLLIN, 0}};
     if (poll(wanted, 2, kPatienceMilliseconds) <= 0) continue;
@@ -134,10 +133,10 @@ void ChildProcess::hear() {
 }
 
 ChildProcess::Transfer ChildProcess::send(const void* data, std::size_t size, double deadline,
-                                          const std::atomic<bool>* stop_requested) {
+                                          const Stop& stop) {
   const auto* bytes = static_cast<const char*>(data);
   while (size > 0) {
-    if (!wait_ready(POLLOUT, deadline, stop_requested)) return Transfer::kTimeOut;
+    if (!wait_ready(POLLOUT, deadline, stop)) return Transfer::kTimeOut;
     const ssize_t count = ::send(socket_, bytes, size, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (count <= 0) return Transfer::kClosed;
@@ -148,10 +147,10 @@ ChildProcess::Transfer ChildProcess::send(const void* data, std::size_t size, do
 }
 
 ChildProcess::Transfer ChildProcess::receive(void* data, std::size_t size, double deadline,
-                                             const std::atomic<bool>* stop_requested) {
+                                             const Stop& stop) {
   auto* bytes = static_cast<char*>(data);
   while (size > 0) {
-    if (!wait_ready(POLLIN, deadline, stop_requested)) return Transfer::kTimeOut;
+    if (!wait_ready(POLLIN, deadline, stop)) return Transfer::kTimeOut;
     const ssize_t count = ::recv(socket_, bytes, size, MSG_DONTWAIT);
     if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (count <= 0) return Transfer::kClosed;

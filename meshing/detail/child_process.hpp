@@ -1,10 +1,11 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <string>
 
 #include <sys/types.h>
+
+#include "base/stop.hpp"
 
 namespace tripus::meshing::detail {
 
@@ -21,12 +22,10 @@ class ChildProcess {
 
   enum class Transfer { kDone, kClosed, kTimeOut };
 
-  /// Both throw Stopped when `stop_requested` is set, and give up at `deadline` (seconds of
+  /// Both throw Stopped when `stop` is set, and give up at `deadline` (seconds of
   /// now_in_seconds).
-  Transfer send(const void* data, std::size_t size, double deadline,
-                const std::atomic<bool>* stop_requested);
-  Transfer receive(void* data, std::size_t size, double deadline,
-                   const std::atomic<bool>* stop_requested);
+  Transfer send(const void* data, std::size_t size, double deadline, const Stop& stop);
+  Transfer receive(void* data, std::size_t size, double deadline, const Stop& stop);
 
   /// How it ended, once it closed the socket: "ended with status 1", "was ended by signal 11".
   /// With its last words on standard error, if it had some.
@@ -35,7 +34,7 @@ class ChildProcess {
   int signal() const;
 
  private:
-  bool wait_ready(short events, double deadline, const std::atomic<bool>* stop_requested);
+  bool wait_ready(short events, double deadline, const Stop& stop);
   void hear();
 
   pid_t process_ = -1;

@@ -5,23 +5,23 @@
 #include <unordered_map>
 #include <vector>
 
-#include "base/bignum.hpp"
+#include "base/big_number.hpp"
 #include "meshing/surface_mesh.hpp"
 
 namespace tripus::meshing::detail {
 
 /// A point with rational coordinates, and the nearest doubles.
 struct RationalPoint {
-  std::array<Rational, 3> exact;
+  std::array<BigRational, 3> exact;
   Point near{};
 
-  explicit RationalPoint(std::array<Rational, 3> coordinates);
+  explicit RationalPoint(std::array<BigRational, 3> coordinates);
   explicit RationalPoint(const Point& p);
 };
 
 /// The points where n . x + d is 0, with n . x + d > 0 on its positive side.
 struct RationalPlane {
-  std::array<Rational, 4> exact;
+  std::array<BigRational, 4> exact;
   std::array<double, 4> near{};
 
   RationalPlane(const Point& a, const Point& b, const Point& c);

@@ -12,7 +12,7 @@
 #include <random>
 
 #include "base/error.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "meshing/detail/child_process.hpp"
 #include "meshing/detail/convex_cells.hpp"
 #include "meshing/detail/triangle_tree.hpp"
@@ -45,14 +45,13 @@ Box bounds_with_margin(const SurfaceMesh& surface) {
 
 class PlaneFiller {
  public:
-  PlaneFiller(const Region& region, std::uint64_t memory_limit, double deadline,
-              const std::atomic<bool>* stop_requested)
+  PlaneFiller(const Region& region, std::uint64_t memory_limit, double deadline, const Stop& stop)
       : region_(region),
         box_(bounds_with_margin(region.surface)),
         cells_(box_.low, box_.high),
         most_cells_(memory_limit / kBytesPerCell),
         deadline_(deadline),
-        stop_requested_(stop_requested) {}
+        stop_(stop) {}
 
   TetrahedralMesh make() {
     name_planes();
@@ -71,21 +70,21 @@ class PlaneFiller {
   using Polygon = std::vector<RationalPoint>;
 
   void tick() const {
-    throw_if_stopped(stop_requested_);
+    throw_if_stopped(stop_);
     if (now_in_seconds() > deadline_ || cells_.cells().size() > most_cells_) throw OutOfBudget{};
   }
 
   /// Triangles in one plane share it.
   void name_planes() {
-    std::map<std::array<Rational, 4>, std::uint32_t> names;
+    std::map<std::array<BigRational, 4>, std::uint32_t> names;
     const SurfaceMesh& surface = region_.surface;
     for (const Triangle& t : surface.triangles) {
       RationalPlane plane(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]);
-      std::array<Rational, 4> form = plane.exact;
+      std::array<BigRational, 4> form = plane.exact;
       const auto first =
-          std::find_if(form.begin(), form.end(), [](const Rational& x) { return x != 0; });
+          std::find_if(form.begin(), form.end(), [](const BigRational& x) { return x != 0; });
       if (*first < 0)
-        for (Rational& x : form) x = -x;
+        for (BigRational& x : form) x = -x;
       const auto [name, fresh] =
           names.emplace(std::move(form), static_cast<std::uint32_t>(planes_.size()));
       if (fresh) {
@@ -186,9 +185,9 @@ class PlaneFiller {
     const double area = (b.near[u] - a.near[u]) * (c.near[v] - a.near[v]) -
                         (b.near[v] - a.near[v]) * (c.near[u] - a.near[u]);
     if (std::fabs(area) > kAreaRounding * size * size) return area > 0 ? 1 : -1;
-    const Rational exact = (b.exact[u] - a.exact[u]) * (c.exact[v] - a.exact[v]) -
-                            (b.exact[v] - a.exact[v]) * (c.exact[u] - a.exact[u]);
-    return sgn(exact);
+    const BigRational exact = (b.exact[u] - a.exact[u]) * (c.exact[v] - a.exact[v]) -
+                              (b.exact[v] - a.exact[v]) * (c.exact[u] - a.exact[u]);
+    return sign_of(exact);
   }
 
   /// An axis along which a plane is not seen edge on.
@@ -213,7 +212,7 @@ class PlaneFiller {
     for (std::size_t i = 0; inside && i < loop.size(); ++i)
       inside = area_sign(corner(i), corner(i + 1), near, axis) == way;
     if (inside) return near;
-    std::array<Rational, 3> sum;
+    std::array<BigRational, 3> sum;
     for (std::size_t k = 0; k < 3; ++k)
       sum[k] = (corner(0).exact[k] + corner(1).exact[k] + corner(third).exact[k]) / 3;
     return RationalPoint(std::move(sum));
@@ -332,7 +331,7 @@ class PlaneFiller {
   ConvexCells cells_;
   std::uint64_t most_cells_;
   double deadline_;
-  const std::atomic<bool>* stop_requested_;
+  Stop stop_;
   std::vector<RationalPlane> planes_;
   std::vector<std::uint32_t> plane_of_;                   // [triangles]
   std::vector<std::vector<std::uint32_t>> triangles_on_;  // [planes]
@@ -344,10 +343,9 @@ class PlaneFiller {
 }  // namespace
 
 std::optional<TetrahedralMesh> fill_by_planes(const Region& region, std::uint64_t memory_limit,
-                                              double deadline,
-                                              const std::atomic<bool>* stop_requested) {
+                                              double deadline, const Stop& stop) {
   try {
-    return PlaneFiller(region, memory_limit, deadline, stop_requested).make();
+    return PlaneFiller(region, memory_limit, deadline, stop).make();
   } catch (const OutOfBudget&) {
     return std::nullopt;
   }

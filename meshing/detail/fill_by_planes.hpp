@@ -1,9 +1,9 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <optional>
 
+#include "base/stop.hpp"
 #include "meshing/tetrahedral_mesh.hpp"
 #include "meshing/validate.hpp"
 
@@ -17,7 +17,6 @@ namespace tripus::meshing::detail {
 /// The points of the surface are the first ones.
 /// Throws Stopped.
 std::optional<TetrahedralMesh> fill_by_planes(const Region& region, std::uint64_t memory_limit,
-                                              double deadline,
-                                              const std::atomic<bool>* stop_requested);
+                                              double deadline, const Stop& stop);
 
 }  // namespace tripus::meshing::detail

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "base/stop.hpp"
 #include "base/tolerances.hpp"
 #include "meshing/detail/triangle_tree.hpp"
 #include "meshing/predicates.hpp"
@@ -234,8 +235,7 @@ std::vector<Triangle> boundary_faces(const TetrahedralMesh& mesh) {
   return once;
 }
 
-std::string boundary_fault(const TetrahedralMesh& mesh, const Region& region,
-                           const std::atomic<bool>* stop_requested) {
+std::string boundary_fault(const TetrahedralMesh& mesh, const Region& region, const Stop& stop) {
   const SurfaceMesh& surface = region.surface;
   if (mesh.points.size() < surface.points.size() ||
       !std::equal(surface.points.begin(), surface.points.end(), mesh.points.begin()))
@@ -251,7 +251,7 @@ std::string boundary_fault(const TetrahedralMesh& mesh, const Region& region,
                                   return projection_axis(mesh.points[t[0]], mesh.points[t[1]],
                                                          mesh.points[t[2]]) >= 0;
                                 }) &&
-                    !first_self_intersection(boundary, stop_requested);
+                    !first_self_intersection(boundary, stop);
   return good ? "" : fault;
 }
 

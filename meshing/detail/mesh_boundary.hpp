@@ -1,9 +1,9 @@
 #pragma once
 
-#include <atomic>
 #include <string>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "meshing/tetrahedral_mesh.hpp"
 #include "meshing/validate.hpp"
 
@@ -22,7 +22,6 @@ std::vector<Triangle> boundary_faces(const TetrahedralMesh& mesh);
 /// points of, so it runs once around that; and it has its genus (Waldhausen 1968, as for tubes in
 /// tube/tube_surface.cpp).
 /// Exact but for "up to rounding", which is tolerance::kOnSurface.
-std::string boundary_fault(const TetrahedralMesh& mesh, const Region& region,
-                           const std::atomic<bool>* stop_requested);
+std::string boundary_fault(const TetrahedralMesh& mesh, const Region& region, const Stop& stop);
 
 }  // namespace tripus::meshing::detail

@@ -4,10 +4,10 @@
 #include <csignal>
 
 #include "base/error.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "meshing/detail/child_process.hpp"
-#include "meshing/find_tetgen.hpp"
 #include "meshing/detail/tetgen_protocol.hpp"
+#include "meshing/find_tetgen.hpp"
 
 namespace tripus::meshing::detail {
 namespace {
@@ -30,10 +30,10 @@ class TetgenTalk {
     send(items.data(), items.size() * sizeof(Item));
   }
   void send(const void* data, std::size_t size) {
-    require(child_.send(data, size, question_.deadline, question_.stop_requested));
+    require(child_.send(data, size, question_.deadline, question_.stop));
   }
   void receive(void* data, std::size_t size) {
-    require(child_.receive(data, size, question_.deadline, question_.stop_requested));
+    require(child_.receive(data, size, question_.deadline, question_.stop));
   }
 
  private:
@@ -42,7 +42,7 @@ class TetgenTalk {
     if (transfer == Transfer::kTimeOut) throw BrokenOff{"TetGen was not done in time"};
     const std::string ending = child_.ending();
     if (child_.signal() == SIGXCPU) throw BrokenOff{"TetGen was not done in time"};
-    throw_if_stopped(question_.stop_requested);
+    throw_if_stopped(question_.stop);
     if (child_.signal() == SIGINT || child_.signal() == SIGTERM) throw Stopped();
     throw BrokenOff{"the mesher " + quoted(find_tetgen(), 200) + " " + ending, true};
   }

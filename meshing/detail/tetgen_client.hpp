@@ -1,11 +1,11 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "meshing/tetrahedral_mesh.hpp"
 
 namespace tripus::meshing::detail {
@@ -20,7 +20,7 @@ struct TetgenQuestion {
   std::uint64_t memory_limit = 0;       ///< bytes
   std::uint64_t processor_seconds = 0;  ///< at most
   double deadline = 0;                  ///< of now_in_seconds
-  const std::atomic<bool>* stop_requested = nullptr;
+  Stop stop{};
 };
 
 /// A mesh of which nothing is promised but that its numbers are those of points, or why there is

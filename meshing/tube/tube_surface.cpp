@@ -234,7 +234,7 @@ std::size_t usual_triangles(const TubeStrands& strands, double radius, double ed
 
 /// Tells what is going on now, and again as often as it is called.
 Pulse start(const TubeOptions& options, const std::string& activity) {
-  Pulse pulse(options.stop_requested, [&options, activity] {
+  Pulse pulse(options.stop, [&options, activity] {
     if (options.progress) options.progress(activity);
   });
   pulse();
@@ -242,7 +242,7 @@ Pulse start(const TubeOptions& options, const std::string& activity) {
 }
 
 /// What is wrong with a surface, if anything; exact.
-std::string fault_of(const Tube& tube, const std::atomic<bool>* stop) {
+std::string fault_of(const Tube& tube, const Stop& stop) {
   if (euler_characteristics(tube.surface) != tube.euler_characteristics)
     return "does not have the components and genera that the graph has";
   if (const auto pair = first_self_intersection(tube.surface, stop))
@@ -259,7 +259,7 @@ bool make_pipes(const TubeStrands& strands, const TubeOptions& options, Tube& tu
   if (!surface) return false;
   tube.surface = *std::move(surface);
   start(options, "checking " + std::to_string(tube.surface.triangles.size()) + " triangles");
-  if (!fault_of(tube, options.stop_requested).empty()) return false;
+  if (!fault_of(tube, options.stop).empty()) return false;
   tube.radius = HUGE_VAL;
   tube.thickest = 0;
   for (const Pipe& pipe : plan.pipes)
@@ -303,7 +303,7 @@ bool make_surface(const TubeStrands& strands, const Clearance& clearance,
     relax(surface, region, kSweepsAfter, pulse);
     tube.surface = surface.mesh();
     start(options, "checking " + std::to_string(tube.surface.triangles.size()) + " triangles");
-    if (const std::string fault = fault_of(tube, options.stop_requested); !fault.empty())
+    if (const std::string fault = fault_of(tube, options.stop); !fault.empty())
       throw InternalError("the tube's surface " + fault + "; please report this graph");
     tube.thickest = tube.radius;
     tube.sampled = true;

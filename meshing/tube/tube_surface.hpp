@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -8,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "meshing/surface_mesh.hpp"
 #include "meshing/tube/spatial_graph.hpp"
 
@@ -21,7 +21,7 @@ struct TubeOptions {
   std::optional<double> edges_around = {};    ///< triangle edges around the tube; else 10
   /// Called at the start of each step with what is going on, and why it may take long.
   std::function<void(std::string_view activity)> progress = {};
-  const std::atomic<bool>* stop_requested = nullptr;  ///< throws Stopped when set
+  Stop stop{};  ///< throws Stopped when set
 };
 
 /// A tube's surface and what was found on the way.

@@ -1,6 +1,7 @@
 #include "orthospectrum/detail/stage.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <exception>
 #include <limits>

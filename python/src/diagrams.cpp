@@ -3,7 +3,7 @@
 #include <nanobind/stl/vector.h>
 #include <tripus/tripus.hpp>
 
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "drawing/drawing.hpp"
 #include "manifold/load_diagram.hpp"
 #include "python/src/bindings.hpp"
@@ -35,13 +35,12 @@ NamedDiagram mirrored(const NamedDiagram& diagram) {
 
 Manifold exterior_of(const NamedDiagram& diagram, const Limits& limits) {
   return run(limits, [&](const Context& context) {
-    const StopFlag stop(context);
     topology::SimplifyOptions options;
-    options.stop_requested = stop.get();
+    options.stop = context.stop;
     options.progress = context.progress;
     topology::NamedGluings made = topology::small_exterior(diagram, options);
     for (const std::string& note : diagram.notes) context.note(note);
-    throw_if_stopped(stop.get());
+    throw_if_stopped(context.stop);
     return Manifold(std::move(made), topology::pd_text(diagram));
   });
 }

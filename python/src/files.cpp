@@ -27,8 +27,7 @@ Manifold from_text(const nb::bytes& given, bool notes, const Limits& limits) {
   return run(limits, [&](const Context& context) {
     topology::NamedGluings loaded = topology::read_triangulation(text);
     if (!notes) loaded.notes.clear();
-    const StopFlag stop(context);
-    make_ideal(loaded, topology::FiniteVertices::kKeep, stop.get());
+    make_ideal(loaded, topology::FiniteVertices::kKeep, context.stop);
     for (const std::string& note : loaded.notes) context.note(note);
     return Manifold(std::move(loaded));
   });
@@ -64,11 +63,10 @@ nb::tuple from_mesh(const PointArray& points, const IndexArray& cells, const nb:
   const meshing::MeshFile file = mesh_of(points, cells);
   const std::string called = as_string(name);
   meshing::MeshedManifold solid = run(limits, [&](const Context& context) {
-    const StopFlag stop(context);
     meshing::ManifoldOptions options;
     options.seed = seed;
     options.progress = context.progress;
-    options.stop_requested = stop.get();
+    options.stop = context.stop;
     meshing::MeshedManifold made = meshing::manifold_of(file, options);
     for (const std::string& note : made.notes) context.note(note);
     return made;
@@ -84,10 +82,9 @@ nb::tuple from_mesh(const PointArray& points, const IndexArray& cells, const nb:
 nb::tuple tube_around(const nb::bytes& drawing, const Limits& limits) {
   const std::string text = as_string(drawing);
   const meshing::SurfaceMesh surface = run(limits, [&](const Context& context) {
-    const StopFlag stop(context);
     meshing::TubeOptions options;
     options.progress = [&](std::string_view activity) { context.report(activity); };
-    options.stop_requested = stop.get();
+    options.stop = context.stop;
     return meshing::tube_surface(meshing::read_graph(text), options);
   });
   std::vector<double> points;

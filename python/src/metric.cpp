@@ -130,9 +130,8 @@ nb::tuple cell_mesh(const CellComplex& complex, const std::string& model, double
   };
   const geometry::Model chosen = model_of(model);
   Mesh mesh = run(limits, [&](const Context& context) {
-    const StopFlag stop(context);
     const embedding::Tessellation tessellation(complex.embedding(), complex.cells(),
-                                               {chosen, error, stop.get()});
+                                               {chosen, error, context.stop});
     Mesh made;
     for (std::size_t c = 0; c < tessellation.cells().size() && !tessellation.is_stopped(); ++c) {
       const auto first = std::uint32_t(made.points.size() / 3);

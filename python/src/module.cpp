@@ -2,7 +2,7 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "base/system_error.hpp"
 #include "base/version.hpp"
 #include "python/src/arrays.hpp"

@@ -1,13 +1,14 @@
 #include "python/src/running.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 
 #include <fmt/format.h>
 #include <pthread.h>
 
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 
 namespace tripus::python {
 namespace {
@@ -47,7 +48,7 @@ void prepare_for_work() {
 
 Work::Work(const Limits& limits) : time_limit_(limits.time_limit), progress_(limits.progress) {
   context_.threads = limits.threads;
-  context_.stop_flag = &stop_;
+  context_.stop = &stop_;
   if (limits.time_limit) {
     context_.deadline = Context::Clock::now() +
                         std::chrono::duration_cast<Context::Clock::duration>(

@@ -58,12 +58,12 @@ void fill(Row& row, const topology::Triangulation& triangulation, const structur
 /// As a line of `tripus solve --batch`, labels included.
 void answer_text(Row& row, const std::string& input, bool prove, const Context& context) {
   topology::NamedGluings loaded = load_labelled_input(input, Balls::kRefused, context);
-  const StopFlag stop(context);
-  if (loaded.cone_angles.empty()) make_ideal(loaded, topology::FiniteVertices::kRemove, stop.get());
+  if (loaded.cone_angles.empty())
+    make_ideal(loaded, topology::FiniteVertices::kRemove, context.stop);
   const topology::Triangulation triangulation(std::move(loaded.gluings));
   structure::SolveOptions options;
   options.cone_angles = std::move(loaded.cone_angles);
-  options.stop_requested = stop.get();
+  options.stop = context.stop;
   options.time_limit = context.seconds_left();
   fill(row, triangulation, structure::solve(triangulation, options), options.cone_angles, prove,
        context);

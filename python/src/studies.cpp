@@ -105,11 +105,10 @@ nb::dict run_study(const std::string& name, const std::vector<Manifold>& inputs,
   options.methods = std::move(methods);
   options.covers = std::move(covers);
   return result_dict(run(limits, [&](const Context& context) {
-    const StopFlag stop(context);
     studies::RunOptions how;
     how.folder = place;
     how.threads = std::max(1u, context.threads);
-    how.stop_requested = stop.get();
+    how.stop = context.stop;
     how.on_progress = [&](std::size_t done, std::size_t) { context.report(name, done); };
     return studies::run_study(study, options, how);
   }));

@@ -130,10 +130,9 @@ nb::tuple isomorphisms_of(const Manifold& from, const Manifold& to, const Limits
     std::vector<std::uint8_t> vertices;
   };
   Found found = run(limits, [&](const Context& context) {
-    const StopFlag stop(context);
     Found made;
-    for (const auto& each : topology::all_isomorphisms(from.triangulation().gluings(),
-                                                       to.triangulation().gluings(), stop.get())) {
+    for (const auto& each : topology::all_isomorphisms(
+             from.triangulation().gluings(), to.triangulation().gluings(), context.stop)) {
       if (!keeps_labels(from, each, to)) continue;
       ++made.count;
       const auto& images = each.tetrahedron_images;
@@ -151,12 +150,11 @@ nb::tuple isomorphisms_of(const Manifold& from, const Manifold& to, const Limits
 /// Whether there is an isomorphism that keeps the cone angles.
 bool is_isomorphic_to(const Manifold& from, const Manifold& to) {
   return run({}, [&](const Context& context) {
-    const StopFlag stop(context);
     const auto &a = from.triangulation().gluings(), &b = to.triangulation().gluings();
     if (topology::all_full(from.cone_angles()) && topology::all_full(to.cone_angles()))
       return topology::is_isomorphic(a, b);
     if (!from.triangulation().is_connected() || !to.triangulation().is_connected()) return false;
-    const auto all = topology::all_isomorphisms(a, b, stop.get());
+    const auto all = topology::all_isomorphisms(a, b, context.stop);
     return std::ranges::any_of(all, [&](const auto& each) { return keeps_labels(from, each, to); });
   });
 }

@@ -105,7 +105,7 @@ class BasisSystems {
 
 Integer common_denominator(const std::vector<Rational>& values) {
   Integer denominator = 1;
-  for (const Rational& value : values) denominator = lcm(denominator, value.get_den());
+  for (const Rational& value : values) denominator = lcm(denominator, denominator_of(value));
   return denominator;
 }
 
@@ -118,7 +118,7 @@ StrictAngles exact_angles(const Triangulation& triangulation, const AngleConstra
   for (std::size_t c = 0; c + 1 < primal.size(); ++c) {
     if (constraints.parabolic[triangulation.edge_class(c / 6, static_cast<int>(c % 6))]) continue;
     const Rational angle = primal[c] * angles.denominator + scaled_margin;
-    angles.numerator[c / 6][c % 6] = angle.get_num();
+    angles.numerator[c / 6][c % 6] = numerator_of(angle);
   }
   return angles;
 }
@@ -133,7 +133,7 @@ std::optional<std::vector<std::array<Integer, 4>>> exact_multipliers(
   const Integer denominator = common_denominator(w);
   std::vector<std::array<Integer, 4>> integers(w.size() / 4);
   for (std::size_t v = 0; v < w.size(); ++v)
-    integers[v / 4][v % 4] = Rational(w[v] * denominator).get_num();
+    integers[v / 4][v % 4] = numerator_of(Rational(w[v] * denominator));
   return integers;
 }
 

@@ -22,7 +22,7 @@ std::vector<std::array<Integer, 4>> rounded_multipliers(const std::vector<double
   std::vector<std::array<Integer, 4>> rounded(w.size() / 4);
   for (std::size_t v = 0; v < w.size(); ++v) {
     const double scaled = largest > 0 ? static_cast<double>(q) * std::max(0.0, w[v]) / largest : 0;
-    rounded[v / 4][v % 4] = std::round(scaled);
+    rounded[v / 4][v % 4] = Integer(std::round(scaled));
   }
   return rounded;
 }
@@ -43,7 +43,7 @@ std::optional<StrictAngles> rounded_angles(const Triangulation& triangulation,
       const double scaled =
           static_cast<double>(q) * std::max(0.0, angles[6 * corner.tetrahedron() + edge]);
       const double down = std::floor(scaled);
-      rounded.numerator[corner.tetrahedron()][edge] = down;
+      rounded.numerator[corner.tetrahedron()][edge] = Integer(down);
       missing -= static_cast<std::int64_t>(down);
       remainders.emplace_back(down - scaled, corner);
     }

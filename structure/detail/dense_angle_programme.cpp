@@ -44,7 +44,7 @@ double size_of(const Number& x) {
   if constexpr (std::is_same_v<Number, double>) {
     return std::fabs(x);
   } else {
-    return std::fabs(x.get_d());
+    return std::fabs(to_double(x));
   }
 }
 
@@ -64,7 +64,7 @@ struct glp_prob {
   std::vector<tripus::structure::detail::ProgrammeRow> rows;  // edge classes, then vertices
   std::vector<bool> is_zero;                                  // [6 T] corners on parabolic edges
   std::vector<double> right_side;
-  std::vector<tripus::Rational> exact_right_side;
+  std::vector<tripus::BigRational> exact_right_side;
   // The optimum.
   std::vector<double> value;          // [6 T + 1]
   std::vector<double> multiplier;     // of the rows
@@ -132,7 +132,7 @@ class DenseTable {
     if constexpr (std::is_same_v<Number, double>) {
       return x;
     } else {
-      return x.get_d();
+      return to_double(x);
     }
   }
   Number& at(std::size_t r, std::size_t c) { return table_[r * width_ + c]; }

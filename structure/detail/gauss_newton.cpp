@@ -60,7 +60,7 @@ class Search {
   double seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
 
   bool stopped() {
-    if (options_.stop_requested != nullptr && *options_.stop_requested) {
+    if (options_.stop.requested()) {
       why_ = solver::Termination::kInterrupted;
     } else if (seconds() > options_.time_limit) {
       why_ = solver::Termination::kTimeLimit;

@@ -70,9 +70,7 @@ class PreciseRun {
   }
 
  private:
-  bool stopped() const {
-    return options_.stop_requested != nullptr && options_.stop_requested->load();
-  }
+  bool stopped() const { return options_.stop.requested(); }
   std::array<Arb, 6> lengths_of(const Point& p, std::size_t t) const {
     std::array<Arb, 6> l;
     for (std::size_t e = 0; e < 6; ++e)

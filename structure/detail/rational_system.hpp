@@ -4,9 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "base/bignum.hpp"
+#include "base/big_number.hpp"
 
 namespace tripus::structure::detail {
+
+using Rational = BigRational;
 
 /// A square sparse system of linear equations over the rationals: row r says that the sum of
 /// coefficient * unknown over its entries is right_side[r].

@@ -35,7 +35,7 @@ solver::Options with_trace(const MethodRunOptions& options, std::vector<TracePoi
   solver::Options result;
   result.tolerance = options.tolerance;
   result.max_iterations = options.max_iterations;
-  if (!options.trace && options.stop == nullptr) return result;
+  if (!options.trace && !options.stop.possible()) return result;
   result.observer = [&options, &trace,
                      thinning = Thinning()](const solver::Iterate& iterate) mutable {
     if (options.trace && thinning.keeps(iterate.iteration)) {
@@ -43,7 +43,7 @@ solver::Options with_trace(const MethodRunOptions& options, std::vector<TracePoi
                        iterate.max_gradient, iterate.time,
                        std::vector<double>(iterate.x.begin(), iterate.x.end())});
     }
-    return options.stop == nullptr || !*options.stop;
+    return !options.stop;
   };
   return result;
 }

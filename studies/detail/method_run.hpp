@@ -34,7 +34,7 @@ struct MethodRunOptions {
   int max_iterations = 0;
   /// Keep every iterate up to the 100th, then those 2 % apart.
   bool trace = false;
-  const Stop* stop = nullptr;  ///< polled at every iteration
+  Stop stop{};  ///< polled at every iteration
 };
 
 /// The name is one of structure::solve_method_names.

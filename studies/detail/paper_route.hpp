@@ -162,7 +162,7 @@ class PaperRoute {
   }
 
   const topology::Triangulation& triangulation_;
-  const Stop& stop_;
+  Stop stop_;
 };
 
 }  // namespace tripus::studies::detail

@@ -83,7 +83,7 @@ double newton_order(const topology::Triangulation& triangulation, std::span<cons
     const double size = shortest(metric) * std::pow(10.0, -2.5 - 0.25 * k);
     const Vector start = shifted(metric, direction, size);
     const MethodRun run = run_method(triangulation, "newton", start,
-                                     {.tolerance = 1e-15, .max_iterations = 1, .stop = &stop});
+                                     {.tolerance = 1e-15, .max_iterations = 1, .stop = stop});
     const double error = distance(run.report.edge_lengths, metric);
     if (!(error > 1e-13 * norm(start)) || error >= size) continue;
     before.push_back(std::log(size));

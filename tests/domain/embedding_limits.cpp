@@ -149,7 +149,7 @@ TEST(Limits, InterruptionAndNumbersEndTheGrowthWithWhatIsThere) {
   const testing::Embedded tripus = testing::embedded_tripus();
   const std::atomic<bool> stop{true};
   UniversalCover cover =
-      grow_universal_cover(tripus.embedding, tripus.triangulation, {.stop_requested = &stop});
+      grow_universal_cover(tripus.embedding, tripus.triangulation, {.stop = &stop});
   EXPECT_EQ(cover.end, CoverEnd::kInterrupted);
   EXPECT_EQ(cover.cells.size(), 0u);
   cover = grow_universal_cover(tripus.embedding, tripus.triangulation,

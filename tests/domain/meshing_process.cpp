@@ -1,3 +1,4 @@
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -8,7 +9,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "meshing/tetrahedralize.hpp"
 #include "meshing/validate_tetrahedra.hpp"
 #include "tests/support/sample_surfaces.hpp"
@@ -106,7 +107,7 @@ TEST(MeshingProcess, IsStopped) {
   const FalseTetgen tetgen("exec sleep 1000");
   std::atomic<bool> stop = false;
   TetrahedralizeOptions options;
-  options.stop_requested = &stop;
+  options.stop = &stop;
   std::thread later([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     stop = true;

@@ -1,4 +1,5 @@
 // Orthospectra at the edge of what can be asked: refused by name, ended with what is complete.
+#include <atomic>
 #include <chrono>
 #include <limits>
 
@@ -79,7 +80,7 @@ TEST(OrthospectrumLimits, AStopThatCameBeforeLeavesNothing) {
   SpectrumOptions options;
   options.length = 5;
   Context context;
-  context.stop_flag = &stop;
+  context.stop = &stop;
   const Spectrum spectrum = find(tripus, options, context);
   EXPECT_EQ(spectrum.end, SpectrumEnd::kInterrupted);
   EXPECT_EQ(spectrum.length, 0);

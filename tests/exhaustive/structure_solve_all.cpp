@@ -1,5 +1,6 @@
 // Eight at a time or one by one: the same answers, on all triangulations up to four tetrahedra.
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <memory>
 

@@ -365,7 +365,7 @@ TEST(Retriangulation, CanBeInterrupted) {
   const auto triangulation = decode(kNone);
   const std::atomic<bool> stop = true;
   SolveOptions options;
-  options.stop_requested = &stop;
+  options.stop = &stop;
   const auto found = retriangulate(triangulation, solve(triangulation), options);
   EXPECT_EQ(found.end, SearchEnd::kInterrupted);
   EXPECT_EQ(found.report.outcome, Outcome::kUnresolved);
@@ -388,7 +388,7 @@ TEST(Limits, LeaveUnresolvedWhatTheyCutShort) {
     time.initial_length = 5;
     const std::atomic<bool> stop = true;
     SolveOptions interrupt;
-    interrupt.stop_requested = &stop;
+    interrupt.stop = &stop;
     interrupt.initial_length = 5;
     for (const auto& options : {iterations, time, interrupt}) {
       const Report report = solve(triangulation, options);

@@ -1,5 +1,6 @@
 // The tripus: lengths and multiplicities found by a prototype that unfolds whole cells with numpy
 // and knows no windows.
+#include <atomic>
 #include <cmath>
 
 #include <boost/multiprecision/cpp_dec_float.hpp>
@@ -59,7 +60,7 @@ TEST(OrthospectrumTripus, LengthsNear15AreGoodTo1em10) {
   double worst = 0;
   std::atomic<bool> enough = false;
   Context context;
-  context.stop_flag = &enough;
+  context.stop = &enough;
   detail::Halt halt(context);
   const auto check = [&](const detail::Find& find) {
     if (++found == 20000) enough = true;

@@ -191,7 +191,7 @@ TEST(FrontDoor, MakesTheCoverOfPermutations) {
   EXPECT_THROW(M.cover(each({})), InvalidInput);
   const std::atomic<bool> stop{true};
   Context stopped;
-  stopped.stop_flag = &stop;
+  stopped.stop = &stop;
   EXPECT_THROW(M.cover(each({1, 0}), stopped), Error);
 }
 

@@ -60,7 +60,7 @@ TEST(ConvexCells, TellSidesThatDoublesDoNot) {
   const detail::RationalPoint p(Point{1, 1e-20, 3});
   EXPECT_EQ(plane.side(p), 0);
   const detail::RationalPoint above(
-      std::array<mpq_class, 3>{p.exact[0], p.exact[1], p.exact[2] + mpq_class(1e-100)});
+      std::array<BigRational, 3>{p.exact[0], p.exact[1], p.exact[2] + BigRational(1e-100)});
   EXPECT_EQ(above.near, p.near);
   EXPECT_EQ(plane.side(above), 1);
 }

@@ -1,10 +1,11 @@
 // The laws are those of meshing/tube/README.md.
+#include <atomic>
 #include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "meshing/tube/detail/clearance.hpp"
 #include "meshing/tube/tube_surface.hpp"
 #include "tests/support/sample_graphs.hpp"
@@ -127,7 +128,7 @@ TEST(Tube, OfStraightPipesThroughTheOuterSurfaceHasTheirNumberAsGenus) {
 
 TEST(Tube, StopsWhenAsked) {
   const std::atomic<bool> stop = true;
-  EXPECT_THROW(make_tube(testing::example_graph("knotted-y"), {.stop_requested = &stop}), Stopped);
+  EXPECT_THROW(make_tube(testing::example_graph("knotted-y"), {.stop = &stop}), Stopped);
 }
 
 }  // namespace

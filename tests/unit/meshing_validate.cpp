@@ -1,10 +1,11 @@
 #include <algorithm>
+#include <atomic>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "meshing/manifold.hpp"
 #include "meshing/validate.hpp"
 #include "meshing/validate_tetrahedra.hpp"
@@ -183,7 +184,7 @@ TEST(MeshingManifold, BallsAndSolidTori) {
 TEST(MeshingManifold, StopsWhenAsked) {
   const std::atomic<bool> stop = true;
   ManifoldOptions options;
-  options.stop_requested = &stop;
+  options.stop = &stop;
   EXPECT_THROW(manifold_of(SurfaceFile{box_surface(), {}}, options), Stopped);
 }
 

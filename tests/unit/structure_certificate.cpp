@@ -88,8 +88,7 @@ TEST(CheckCertificate, NamesWhatFails) {
 TEST(CheckCertificate, IsExactForLargeIntegers) {
   const auto triangulation = testing::decode("dLQbcbcaekw");
   Certificate certificate = low_valence_certificate(triangulation, 1, Certificate::Kind::kSemi);
-  Integer factor;
-  mpz_ui_pow_ui(factor.get_mpz_t(), 10, 400);
+  const Integer factor = big_integer("1" + std::string(400, '0'));
   for (Integer& u : certificate.edge) u *= factor;
   for (auto& four : certificate.vertex)
     for (Integer& w : four) w *= factor;
@@ -135,7 +134,7 @@ TEST(CertificateJson, IsWrittenAsDocumented) {
   Certificate certificate;
   certificate.kind = Certificate::Kind::kSemi;
   certificate.edge = {0, -1};
-  certificate.vertex = {{1, 2, 3, Integer("123456789012345678901234567890")}};
+  certificate.vertex = {{1, 2, 3, big_integer("123456789012345678901234567890")}};
   const std::string json =
       R"({"kind": "semi", "edge": [0, -1], "vertex": [[1, 2, 3, 123456789012345678901234567890]]})";
   EXPECT_EQ(to_json(certificate), json);

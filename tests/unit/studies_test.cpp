@@ -1,4 +1,5 @@
 // The shared parts of the studies: tables, the row store, runs, figures.
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <sstream>

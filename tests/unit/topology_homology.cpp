@@ -103,7 +103,7 @@ TEST(SmithForm, OfManyEqualFactors) {
   for (std::uint32_t i = 0; i < kCount; ++i) rows.push_back({{i, 6}});
   const auto form = detail::smith_form(rows, kCount);
   EXPECT_EQ(form.rank, kCount);
-  EXPECT_EQ(form.factors, std::vector<detail::BigInteger>(kCount, 6));
+  EXPECT_EQ(form.factors, std::vector<BigInteger>(kCount, 6));
 }
 
 TEST(DualGraph, SpanningForestHasAParentForAllButOne) {

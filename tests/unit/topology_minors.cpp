@@ -11,7 +11,6 @@
 namespace tripus::topology {
 namespace {
 
-using detail::BigInteger;
 using Dense = std::vector<std::vector<std::int64_t>>;
 
 /// The determinant of the rows and columns whose bits are set, by the first of these rows.

@@ -121,7 +121,7 @@ TEST(Simplify, StopsWithWhatItHas) {
     std::atomic<bool> stop = false;
     int seen = 0;
     SimplifyOptions options;
-    options.stop_requested = &stop;
+    options.stop = &stop;
     options.progress = [&](std::string_view, std::size_t) { stop = ++seen >= looks; };
     const Simplified result = simplify(fine, options);
     const ManifoldInvariants after{Triangulation(result.gluings)};

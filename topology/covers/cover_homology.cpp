@@ -69,7 +69,7 @@ AbelianGroup first_homology(const Presentation& presentation, const TransitiveAc
   const detail::SmithForm form = detail::smith_form(std::move(rows), arrows.count);
   AbelianGroup group;
   group.rank = arrows.count - form.rank;
-  for (const auto& factor : form.factors) group.invariant_factors.push_back(factor.str());
+  for (const auto& factor : form.factors) group.invariant_factors.push_back(to_decimal(factor));
   return group;
 }
 

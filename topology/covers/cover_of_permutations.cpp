@@ -2,7 +2,7 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 #include "topology/covers/covers.hpp"
 
 namespace tripus::topology {
@@ -27,13 +27,13 @@ std::vector<std::uint32_t> inverse_of(const std::vector<std::uint32_t>& images, 
 
 /// Throws InvalidInput unless every relator leaves every sheet where it is.
 void require_action(const Presentation& presentation, const Permutations& images,
-                    const std::atomic<bool>* stop_requested) {
+                    const Stop& stop) {
   const std::size_t degree = images.front().size();
   Permutations inverses;
   for (std::size_t g = 0; g < images.size(); ++g)
     inverses.push_back(inverse_of(images[g], degree, g));
   for (std::size_t r = 0; r < presentation.relators.size(); ++r) {
-    throw_if_stopped(stop_requested);
+    throw_if_stopped(stop);
     for (std::uint32_t start = 0; start < degree; ++start) {
       std::uint32_t sheet = start;
       for (const Letter letter : presentation.relators[r])
@@ -48,7 +48,7 @@ void require_action(const Presentation& presentation, const Permutations& images
 }  // namespace
 
 Gluings cover_of_permutations(const Triangulation& base, const Permutations& images,
-                              const std::atomic<bool>* stop_requested) {
+                              const Stop& stop) {
   const FundamentalGroup group = fundamental_group(base);
   const std::size_t count = group.presentation.generator_count;
   if (images.size() != count)
@@ -60,10 +60,10 @@ Gluings cover_of_permutations(const Triangulation& base, const Permutations& ima
   if (degree > kMaxTetrahedra / base.tetrahedron_count())
     throw InvalidInput(std::to_string(degree) + " sheets are too many: the cover would have " +
                        "more than " + std::to_string(kMaxTetrahedra) + " tetrahedra");
-  if (!images.empty()) require_action(group.presentation, images, stop_requested);
-  throw_if_stopped(stop_requested);
+  if (!images.empty()) require_action(group.presentation, images, stop);
+  throw_if_stopped(stop);
   Gluings cover = cover_of_action(base.gluings(), group, {degree, images, 0});
-  throw_if_stopped(stop_requested);
+  throw_if_stopped(stop);
   if (!Triangulation(cover).is_connected())
     throw InvalidInput("the permutations do not join all sheets: the cover is not connected");
   return cover;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "base/stop.hpp"
 #include "topology/covers/cyclic_classes.hpp"
 #include "topology/cyclic_cover.hpp"
 
@@ -62,7 +63,7 @@ Gluings cover_of_action(const Gluings& base, const FundamentalGroup& group,
 }
 
 SearchEnd for_each_cover(const Triangulation& base, std::size_t degree, const VisitCover& visit,
-                         const std::atomic<bool>* stop_requested) {
+                         const Stop& stop) {
   require_size(base, degree);
   const FundamentalGroup group = fundamental_group(base);
   const ReducedPresentation short_form = reduced(group.presentation);
@@ -75,18 +76,18 @@ SearchEnd for_each_cover(const Triangulation& base, std::size_t degree, const Vi
                       {},
                       permutations_of(action, short_form, group.face_letters)});
       },
-      stop_requested);
+      stop);
 }
 
 SearchEnd for_each_cyclic_cover(const Triangulation& base, std::size_t degree,
-                                const VisitCover& visit, const std::atomic<bool>* stop_requested) {
+                                const VisitCover& visit, const Stop& stop) {
   require_size(base, degree);
   const CyclicClasses classes(base, degree);
   return classes.for_each(
       [&](std::span<const std::int64_t> values) {
         return visit(make_cyclic(base, classes, degree, values));
       },
-      stop_requested);
+      stop);
 }
 
 Cover orientable_double_cover(const Triangulation& base) {

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "topology/covers/transitive_actions.hpp"
 
 namespace tripus::topology {
@@ -40,18 +40,17 @@ using VisitCover = std::function<bool(const Cover&)>;
 /// Visits all connected covers with `degree` sheets, one of each isomorphism class of covers (maps
 /// that keep the base pointwise; two of them may still be homeomorphic). They are made one by one
 /// and not kept. Their number grows like a power of degree!: expect up to 7 sheets or so.
-/// Polls `stop_requested` (may be null).
+/// Polls `stop`.
 /// Throws InvalidInput if the base is not connected or the degree is not in
 /// 1..kLargestSearchDegree, or gives more than kMaxTetrahedra tetrahedra.
 SearchEnd for_each_cover(const Triangulation& base, std::size_t degree, const VisitCover& visit,
-                         const std::atomic<bool>* stop_requested = nullptr);
+                         const Stop& stop = {});
 
 /// Visits all connected covers whose deck group is cyclic of order `degree`, one of each
 /// isomorphism class: the classes in Hom(H1, Z/degree) that are onto, up to units.
 /// Throws InvalidInput as above, but for any degree >= 1, and Unsupported as CyclicClasses.
 SearchEnd for_each_cyclic_cover(const Triangulation& base, std::size_t degree,
-                                const VisitCover& visit,
-                                const std::atomic<bool>* stop_requested = nullptr);
+                                const VisitCover& visit, const Stop& stop = {});
 
 /// The cyclic cover of one class, given by its values on the basis of CyclicClasses.
 /// Throws InvalidInput as CyclicClasses::shifts, and if the class is not onto.
@@ -64,10 +63,10 @@ Cover orientable_double_cover(const Triangulation& base);
 
 /// The connected cover on whose sheets the generators of `fundamental_group(base)` act by the
 /// permutations [generators][d]. Throws InvalidInput, naming what is wrong, if they are no
-/// permutations, no action or not transitive; Stopped. Polls `stop_requested` (may be null).
+/// permutations, no action or not transitive; Stopped. Polls `stop`.
 Gluings cover_of_permutations(const Triangulation& base,
                               const std::vector<std::vector<std::uint32_t>>& images,
-                              const std::atomic<bool>* stop_requested = nullptr);
+                              const Stop& stop = {});
 
 /// The cover of an action of the fundamental group.
 Gluings cover_of_action(const Gluings& base, const FundamentalGroup& group,

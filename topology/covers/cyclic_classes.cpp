@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/stop.hpp"
 #include "topology/covers/detail/abelianization.hpp"
 
 namespace tripus::topology {
@@ -45,15 +46,14 @@ class ClassSearch {
     }
   }
 
-  SearchEnd run(const CyclicClasses::Visit& visit, const std::atomic<bool>* stop_requested) {
-    const bool all = best_[0] != modulus_ || choose(0, 1, visit, stop_requested);
+  SearchEnd run(const CyclicClasses::Visit& visit, const Stop& stop) {
+    const bool all = best_[0] != modulus_ || choose(0, 1, visit, stop);
     return all ? SearchEnd::kComplete : SearchEnd::kStopped;
   }
 
  private:
-  bool choose(std::size_t i, std::int64_t m, const CyclicClasses::Visit& visit,
-              const std::atomic<bool>* stop_requested) {
-    if (stop_requested != nullptr && stop_requested->load(std::memory_order_relaxed)) return false;
+  bool choose(std::size_t i, std::int64_t m, const CyclicClasses::Visit& visit, const Stop& stop) {
+    if (stop.requested()) return false;
     if (i == values_.size()) return visit(values_);
     for (const std::int64_t factor : factors_[i]) {
       const std::int64_t order = modulus_ / factor;
@@ -65,7 +65,7 @@ class ClassSearch {
         std::int64_t unit = residue;
         while (std::gcd(unit, order) != 1) unit += period;
         values_[i] = remainder(factor * unit, modulus_);
-        if (!choose(i + 1, now, visit, stop_requested)) return false;
+        if (!choose(i + 1, now, visit, stop)) return false;
       }
     }
     return true;
@@ -89,15 +89,14 @@ CyclicClasses::CyclicClasses(const Triangulation& triangulation, std::size_t mod
   homology_.rank = abelian.rank;
   orders_.assign(abelian.rank, modulus_);
   for (const auto& factor : abelian.factors) {
-    homology_.invariant_factors.push_back(factor.str());
-    orders_.push_back(gcd(factor, detail::BigInteger(modulus_)).convert_to<std::int64_t>());
+    homology_.invariant_factors.push_back(to_decimal(factor));
+    orders_.push_back(to_int64(gcd(factor, BigInteger(modulus_))));
   }
   coordinates_.reserve(abelian.coordinates.size());
   for (const auto& row : abelian.coordinates) {
     coordinates_.emplace_back();
-    for (const detail::BigInteger& x : row)
-      coordinates_.back().push_back(
-          remainder(detail::BigInteger(x % modulus_).convert_to<std::int64_t>(), modulus_));
+    for (const BigInteger& x : row)
+      coordinates_.back().push_back(remainder(to_int64(x % modulus_), modulus_));
   }
   face_letters_ = std::move(group.face_letters);
 }
@@ -132,9 +131,8 @@ std::int64_t CyclicClasses::common_divisor(std::span<const std::int64_t> values)
   return divisor;
 }
 
-SearchEnd CyclicClasses::for_each(const Visit& visit,
-                                  const std::atomic<bool>* stop_requested) const {
-  return ClassSearch(modulus_, orders_).run(visit, stop_requested);
+SearchEnd CyclicClasses::for_each(const Visit& visit, const Stop& stop) const {
+  return ClassSearch(modulus_, orders_).run(visit, stop);
 }
 
 }  // namespace tripus::topology

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "topology/covers/transitive_actions.hpp"
 #include "topology/homology.hpp"
 
@@ -42,7 +42,7 @@ class CyclicClasses {
   /// Visits the classes that are onto, one of each orbit of the units of Z/N: values in 0..N-1,
   /// from the left the least of its orbit but for zeros, which come last. No step of the search is
   /// in vain: the time is linear in the number of classes.
-  SearchEnd for_each(const Visit& visit, const std::atomic<bool>* stop_requested = nullptr) const;
+  SearchEnd for_each(const Visit& visit, const Stop& stop = {}) const;
 
  private:
   std::int64_t modulus_;

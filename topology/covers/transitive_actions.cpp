@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/stop.hpp"
 
 namespace tripus::topology {
 namespace {
@@ -192,11 +193,10 @@ class ActionSearch {
   ActionSearch(const Presentation& presentation, std::size_t degree)
       : table_(presentation, degree), degree_(degree) {}
 
-  SearchEnd run(const VisitAction& visit, const std::atomic<bool>* stop_requested) {
+  SearchEnd run(const VisitAction& visit, const Stop& stop) {
     if (!reached(0, visit)) return SearchEnd::kStopped;
     while (!choices_.empty()) {
-      if (stop_requested != nullptr && stop_requested->load(std::memory_order_relaxed))
-        return SearchEnd::kStopped;
+      if (stop.requested()) return SearchEnd::kStopped;
       Choice& choice = choices_.back();
       table_.wind_back(choice.known, choice.sheets);
       if (choice.next >= std::min(choice.sheets + 1, degree_)) {
@@ -229,13 +229,12 @@ class ActionSearch {
 }  // namespace
 
 SearchEnd for_each_transitive_action(const Presentation& presentation, std::size_t degree,
-                                     const VisitAction& visit,
-                                     const std::atomic<bool>* stop_requested) {
+                                     const VisitAction& visit, const Stop& stop) {
   if (degree == 0 || degree > kLargestSearchDegree)
     throw InvalidInput("degree " + std::to_string(degree) +
                        "; all covers are searched for from 1 to " +
                        std::to_string(kLargestSearchDegree) + " sheets");
-  return ActionSearch(presentation, degree).run(visit, stop_requested);
+  return ActionSearch(presentation, degree).run(visit, stop);
 }
 
 TransitiveAction extended(const TransitiveAction& action, const ReducedPresentation& reduced) {

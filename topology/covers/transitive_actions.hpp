@@ -1,11 +1,11 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "topology/covers/presentation.hpp"
 
 namespace tripus::topology {
@@ -38,12 +38,11 @@ using VisitAction = std::function<bool(const TransitiveAction&)>;
 /// C. Sims' low-index search: sheets are numbered in the order in which the table of images,
 /// read row by row, first meets them; relators are followed wherever a new image lies on them, and
 /// of the d tables with another sheet as number 0 only the smallest goes on. Memory is that of one
-/// table. Deterministic. Polls `stop_requested` (may be null) at every step.
+/// table. Deterministic. Polls `stop` at every step.
 /// Throws InvalidInput if degree is not in 1..kLargestSearchDegree.
 /// Source: C. C. Sims, Computation with Finitely Presented Groups (1994), chapter 5.
 SearchEnd for_each_transitive_action(const Presentation& presentation, std::size_t degree,
-                                     const VisitAction& visit,
-                                     const std::atomic<bool>* stop_requested = nullptr);
+                                     const VisitAction& visit, const Stop& stop = {});
 
 /// The same action by images of the old generators of a reduced presentation.
 TransitiveAction extended(const TransitiveAction& action, const ReducedPresentation& reduced);

@@ -1,15 +1,13 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include <boost/multiprecision/cpp_int.hpp>
+#include "base/big_number.hpp"
+#include "base/stop.hpp"
 
 namespace tripus::topology::detail {
-
-using BigInteger = boost::multiprecision::cpp_int;
 
 template <class Integer>
 struct Entry {
@@ -31,8 +29,8 @@ struct SmithForm {
 };
 
 /// The Smith normal form of a sparse integer matrix. Any size of number; no overflow. Polls
-/// `stop_requested` (may be null); throws Stopped.
+/// `stop`; throws Stopped.
 SmithForm smith_form(std::vector<SparseRow<std::int64_t>> rows, std::size_t column_count,
-                     const std::atomic<bool>* stop_requested = nullptr);
+                     const Stop& stop = {});
 
 }  // namespace tripus::topology::detail

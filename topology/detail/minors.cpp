@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "base/stopped.hpp"
+#include "base/stop.hpp"
 
 namespace tripus::topology::detail {
 namespace {
@@ -44,12 +44,10 @@ Residue residue(std::int64_t x, std::uint32_t p) {
   const auto signed_p = static_cast<std::int64_t>(p);
   return static_cast<Residue>((x % signed_p + signed_p) % signed_p);
 }
-Residue residue(const BigInteger& x, std::uint32_t p) {
-  return residue(static_cast<std::int64_t>(x % p), p);
-}
+Residue residue(const BigInteger& x, std::uint32_t p) { return residue(to_int64(x % p), p); }
 
 double bits_of(double x) { return std::log2(std::max(x, 1.0)); }
-double bits_of(const BigInteger& x) { return x == 0 ? 0 : static_cast<double>(msb(x)) + 1; }
+double bits_of(const BigInteger& x) { return static_cast<double>(binary_digits(x)); }
 
 /// The determinant of a square matrix modulo p, by Gauss's elimination.
 Residue determinant(ResidueMatrix matrix, std::uint32_t p) {
@@ -106,11 +104,11 @@ struct Regular {
 /// The same modulo p: columns are brought to echelon form one by one, until there are enough.
 template <class Integer>
 Regular regular_modulo(const Columns<Integer>& columns, std::size_t height, std::uint32_t p,
-                       const std::atomic<bool>* stop_requested) {
+                       const Stop& stop) {
   Regular found;
   ResidueMatrix basis(height);  // by first place, where it is 1
   for (std::size_t j = 0; j < columns.index.size() && found.rows.size() < height; ++j) {
-    throw_if_stopped(stop_requested);
+    throw_if_stopped(stop);
     std::vector<Residue> vector(height, 0);
     for (const auto& entry : columns.entries[j]) vector[entry.column] = residue(entry.value, p);
     for (std::size_t first = 0; first < height; ++first) {
@@ -193,14 +191,13 @@ Residue determinant_of_product(const Rows<Integer>& rows, const Signs& signs, st
 /// above every minor, then all the larger minors would be 0.
 template <class Integer>
 Regular regular_part(const Rows<Integer>& rows, std::size_t column_count,
-                     const std::vector<std::uint32_t>& primes,
-                     const std::atomic<bool>* stop_requested) {
+                     const std::vector<std::uint32_t>& primes, const Stop& stop) {
   const Columns<Integer> columns = columns_of(rows, column_count);
   const std::size_t most = std::min(rows.size(), columns.index.size());
   Regular best;
   for (const std::uint32_t p : primes) {
     if (best.rows.size() == most) break;
-    Regular found = regular_modulo(columns, rows.size(), p, stop_requested);
+    Regular found = regular_modulo(columns, rows.size(), p, stop);
     if (found.rows.size() > best.rows.size()) best = std::move(found);
   }
   return best;
@@ -212,7 +209,8 @@ BigInteger least_absolute_value(const std::vector<Residue>& residues_of_x,
   BigInteger x = 0, modulus = 1;
   for (std::size_t i = 0; i < primes.size(); ++i) {
     const std::uint32_t p = primes[i];
-    const auto at = static_cast<Residue>(x % p), step = static_cast<Residue>(modulus % p);
+    const auto at = static_cast<Residue>(to_int64(x % p));
+    const auto step = static_cast<Residue>(to_int64(modulus % p));
     const Residue times = (residues_of_x[i] + p - at) % p * inverse(step, p) % p;
     x += modulus * times;
     modulus *= p;
@@ -225,14 +223,14 @@ BigInteger least_absolute_value(const std::vector<Residue>& residues_of_x,
 
 template <class Integer>
 Minors minors(const std::vector<SparseRow<Integer>>& rows, std::size_t column_count,
-              const std::atomic<bool>* stop_requested) {
+              const Stop& stop) {
   constexpr int kMost = 8;
   Minors result;
   if (rows.empty()) return result;
   // In rows * signs the sum of a row's absolute values is at most three times what it was.
   const auto primes =
       primes_for(bits_of_minors(rows) + static_cast<double>(rows.size()) * std::log2(3));
-  const Regular regular = regular_part(rows, column_count, primes, stop_requested);
+  const Regular regular = regular_part(rows, column_count, primes, stop);
   result.rank = regular.rows.size();
   if (result.rank == 0) return result;
   Rows<Integer> independent;
@@ -246,7 +244,7 @@ Minors minors(const std::vector<SparseRow<Integer>>& rows, std::size_t column_co
     if (tried > 0) signs.scatter(random);
     std::vector<Residue> determinants;
     for (const std::uint32_t p : primes) {
-      throw_if_stopped(stop_requested);
+      throw_if_stopped(stop);
       determinants.push_back(determinant_of_product(independent, signs, p));
     }
     result.multiple = gcd(result.multiple, least_absolute_value(determinants, primes));
@@ -254,9 +252,7 @@ Minors minors(const std::vector<SparseRow<Integer>>& rows, std::size_t column_co
   return result;
 }
 
-template Minors minors(const std::vector<SparseRow<std::int64_t>>&, std::size_t,
-                       const std::atomic<bool>*);
-template Minors minors(const std::vector<SparseRow<BigInteger>>&, std::size_t,
-                       const std::atomic<bool>*);
+template Minors minors(const std::vector<SparseRow<std::int64_t>>&, std::size_t, const Stop&);
+template Minors minors(const std::vector<SparseRow<BigInteger>>&, std::size_t, const Stop&);
 
 }  // namespace tripus::topology::detail

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "topology/detail/integer_matrix.hpp"
 
 namespace tripus::topology::detail {
@@ -20,13 +21,12 @@ struct Minors {
 /// are combined from all by fixed pseudo-random numbers. Calculated modulo as many primes as
 /// Hadamard's bound asks for, so that numbers do not grow. Exact, whatever the pseudo-random
 /// numbers are; takes (k^2 n) times the number of digits of the largest minor for k rows and n
-/// columns. Polls `stop_requested` (may be null); throws Stopped.
+/// columns. Polls `stop`; throws Stopped.
 template <class Integer>
 Minors minors(const std::vector<SparseRow<Integer>>& rows, std::size_t column_count,
-              const std::atomic<bool>* stop_requested);
+              const Stop& stop);
 extern template Minors minors(const std::vector<SparseRow<std::int64_t>>&, std::size_t,
-                              const std::atomic<bool>*);
-extern template Minors minors(const std::vector<SparseRow<BigInteger>>&, std::size_t,
-                              const std::atomic<bool>*);
+                              const Stop&);
+extern template Minors minors(const std::vector<SparseRow<BigInteger>>&, std::size_t, const Stop&);
 
 }  // namespace tripus::topology::detail

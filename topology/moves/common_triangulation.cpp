@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <queue>
 #include <unordered_map>
 #include <vector>
 
 #include "topology/isosig.hpp"
+#include "topology/moves/best_first.hpp"
 #include "topology/moves/moves.hpp"
 #include "topology/orientation.hpp"
 
@@ -26,9 +26,8 @@ class Neighbourhood {
   /// `visit` gets every new signature and returns true to stop.
   template <class Visit>
   bool grow(Visit&& visit) {
-    if (open_.empty()) return false;
-    const Gluings here = std::move(gluings_[open_.top().second]);
-    open_.pop();
+    if (!search_.has_open()) return false;
+    const Gluings here = std::move(search_[search_.next()]);
     const Triangulation triangulation(here);
     for (const Move& move : all_moves(triangulation, kMoves)) {
       const auto size =
@@ -56,17 +55,15 @@ class Neighbourhood {
     const auto [entry, is_new] = known_.try_emplace(signature.isosig, signature);
     if (!is_new) return nullptr;
     if (first_ == nullptr) first_ = &entry->second;
-    open_.emplace(gluings.tetrahedron_count(), gluings_.size());
-    gluings_.push_back(std::move(gluings));
+    const std::size_t size = gluings.tetrahedron_count();
+    search_.add(size, std::move(gluings));
     return &entry->second;
   }
 
-  using Entry = std::pair<std::size_t, std::size_t>;
   std::size_t limit_;
-  std::vector<Gluings> gluings_;
+  BestFirst<Gluings> search_;
   std::unordered_map<std::string, Isosig> known_;
   const Isosig* first_ = nullptr;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
 };
 
 CommonTriangulation meeting(const Isosig& first, const Isosig& second) {
@@ -91,7 +88,7 @@ std::optional<CommonTriangulation> common_triangulation(const Gluings& first, co
   for (bool growing = true; growing && !found;) {
     growing = false;
     for (std::size_t k = 0; k < 2 && !found; ++k) {
-      if (options.stop_requested != nullptr && *options.stop_requested) return std::nullopt;
+      if (options.stop.requested()) return std::nullopt;
       if (sides[k].size() >= options.budget) continue;
       growing |= sides[k].grow([&](const Isosig& here) {
         const Isosig* there = sides[1 - k].find(here.isosig);

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <optional>
 #include <string>
 
+#include "base/stop.hpp"
 #include "topology/gluings.hpp"
 
 namespace tripus::topology {
@@ -12,7 +12,7 @@ namespace tripus::topology {
 struct CommonTriangulationOptions {
   std::size_t budget = 3000;  ///< triangulations to look at on each side
   std::size_t extra = 2;      ///< tetrahedra beyond those of the larger of the two starts
-  const std::atomic<bool>* stop_requested = nullptr;
+  Stop stop{};
 };
 
 /// A triangulation that moves reach from both of two others, so that all three are of one manifold.

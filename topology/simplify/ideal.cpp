@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/stop.hpp"
 #include "topology/cone.hpp"
 #include "topology/orientation.hpp"
 #include "topology/simplify/simplify.hpp"
@@ -31,7 +32,7 @@ Links count_links(const Triangulation& triangulation) {
 }  // namespace
 
 IdealTriangulation ideal_triangulation(const Gluings& gluings, FiniteVertices finite_vertices,
-                                       const std::atomic<bool>* stop_requested) {
+                                       const Stop& stop) {
   IdealTriangulation result;
   result.given = gluings.tetrahedron_count();
   result.coned_faces = open_face_count(gluings);
@@ -40,7 +41,7 @@ IdealTriangulation ideal_triangulation(const Gluings& gluings, FiniteVertices fi
   const Links before = count_links(Triangulation(result.gluings));
   if (before.spheres == 0 || before.others == 0) return result;
   SimplifyOptions options;
-  options.stop_requested = stop_requested;
+  options.stop = stop;
   Simplified simplified = simplify(oriented(result.gluings), options);
   result.finite_vertices = before.spheres - count_links(Triangulation(simplified.gluings)).spheres;
   if (result.finite_vertices > 0) result.gluings = std::move(simplified.gluings);

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 
+#include "base/stop.hpp"
 #include "topology/gluings.hpp"
 
 namespace tripus::topology {
@@ -26,6 +26,6 @@ enum class FiniteVertices {
 /// nothing to do. When stopped, some finite vertices may be left. Throws InvalidInput as
 /// cone_boundary and the constructor of Triangulation.
 IdealTriangulation ideal_triangulation(const Gluings& gluings, FiniteVertices finite_vertices,
-                                       const std::atomic<bool>* stop_requested = nullptr);
+                                       const Stop& stop = {});
 
 }  // namespace tripus::topology

@@ -109,8 +109,7 @@ class Simplifier {
   bool looks_stopped(std::string_view stage) {
     if (++steps_ % kStepsBetweenLooks != 1) return result_.stopped;
     if (options_->progress) options_->progress(stage, m_->tetrahedron_count());
-    if (options_->stop_requested != nullptr && options_->stop_requested->load())
-      result_.stopped = true;
+    if (options_->stop.requested()) result_.stopped = true;
     return result_.stopped;
   }
   std::size_t finite_vertices_to_go() const { return m_->finite_vertex_count() - finite_to_keep_; }

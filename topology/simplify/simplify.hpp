@@ -1,11 +1,11 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string_view>
 
+#include "base/stop.hpp"
 #include "topology/gluings.hpp"
 
 namespace tripus::topology {
@@ -18,7 +18,7 @@ struct SimplifyOptions {
   /// Called now and then with what is going on ("collapse", "reduce", "search") and with T.
   std::function<void(std::string_view stage, std::size_t tetrahedra)> progress = {};
   /// Where it becomes true, simplify returns soon, with what it has.
-  const std::atomic<bool>* stop_requested = nullptr;
+  Stop stop{};
 };
 
 struct Simplified {
@@ -28,7 +28,7 @@ struct Simplified {
   std::size_t reduced = 0;    ///< T after the moves that make it smaller
   /// Finite vertices that should have gone: 0 unless the run was stopped or the search gave up.
   std::size_t finite_vertices_left = 0;
-  bool stopped = false;  ///< by stop_requested
+  bool stopped = false;  ///< by stop
 
   std::size_t tetrahedron_count() const { return gluings.tetrahedron_count(); }
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/stop.hpp"
 #include "topology/isosig.hpp"
 #include "topology/orientation.hpp"
 #include "topology/simplify/simplify.hpp"
@@ -10,14 +11,14 @@
 namespace tripus::topology {
 
 std::vector<Gluings> small_triangulations(const Gluings& closed, std::size_t seeds,
-                                          const std::atomic<bool>* stop_requested, double effort) {
+                                          const Stop& stop, double effort) {
   const Gluings start = oriented(closed);
   std::vector<std::string> found;
   for (std::size_t seed = 0; seed < seeds; ++seed) {
     SimplifyOptions options;
     options.seed = seed;
     options.effort = effort;
-    options.stop_requested = stop_requested;
+    options.stop = stop;
     const Simplified simplified = simplify(start, options);
     if (simplified.stopped) return {};
     found.push_back(full_isosig(simplified.gluings).oriented());

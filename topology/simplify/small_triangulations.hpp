@@ -1,9 +1,9 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "topology/gluings.hpp"
 
 namespace tripus::topology {
@@ -14,7 +14,6 @@ namespace tripus::topology {
 /// orientable connected manifold the orientation is kept, and the table oriented. Empty if stopped.
 /// Throws what `simplify` throws.
 std::vector<Gluings> small_triangulations(const Gluings& closed, std::size_t seeds,
-                                          const std::atomic<bool>* stop_requested = nullptr,
-                                          double effort = 1.0);
+                                          const Stop& stop = {}, double effort = 1.0);
 
 }  // namespace tripus::topology

@@ -27,7 +27,7 @@ class OffscreenRenderer {
   OffscreenRenderer& operator=(const OffscreenRenderer&) = delete;
 
   /// The picture of a scene; alpha is 255. What is kept from the last scene makes the next picture
-  /// of it faster. When options.stop_requested ends it early, Image::cells_left cells are not
+  /// of it faster. When options.stop ends it early, Image::cells_left cells are not
   /// drawn. Throws InvalidInput for what cannot be drawn (require_drawable).
   Image draw(const Scene& scene, const PictureOptions& options, int width, int height,
              Pixels pixels = Pixels::kColours);

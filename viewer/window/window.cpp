@@ -95,8 +95,7 @@ class Viewer {
         }
       }
       if (failure_) std::rethrow_exception(failure_);
-      const std::atomic<bool>* const stop = options_.picture.stop_requested;
-      if (stop != nullptr && stop->load()) return;
+      if (options_.picture.stop.requested()) return;
     }
   }
 

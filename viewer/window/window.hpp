@@ -23,7 +23,7 @@ struct WindowOptions {
 /// The scene with so many cells, in a model: called when the user asks for more or another model.
 using SceneSource = std::function<Scene(std::size_t cells, Model model)>;
 
-/// Shows a window until it is closed, or picture.stop_requested is true. On screen is what the
+/// Shows a window until it is closed, or picture.stop is true. On screen is what the
 /// mouse and the keys do. Throws InvalidInput for what cannot be drawn, and NoOpenGl where there is
 /// no display or no OpenGL.
 void show_window(const SceneSource& scene_of, const WindowOptions& options);

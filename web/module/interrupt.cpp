@@ -77,7 +77,7 @@ void set_last_words(std::string_view,
 
 Context interruptible() {
   Context context;
-  context.stop_flag = &state().stop;
+  context.stop = &state().stop;
   // One is always set: who works then looks at the clock, and the clock polls.
   context.deadline = state().deadline_of_line ? state().deadline_of_line
                      : state().deadline       ? state().deadline

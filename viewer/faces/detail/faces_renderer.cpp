@@ -129,7 +129,7 @@ std::size_t FacesRenderer::draw(const PictureOptions& options, const Frame& fram
   const std::vector<std::size_t> order = nearest_first(set_.cell_balls(), view.eye);
   const auto is_clear = [&](std::size_t cell) { return is_transparent(options, cell); };
   for (std::size_t done = 0; done < order.size();) {
-    if (options.stop_requested != nullptr && done > 0) glFinish();
+    if (options.stop.possible() && done > 0) glFinish();
     if (is_stopped(options)) return order.size() - done;
     const std::size_t end = std::min(done + kCellsBetweenWaits, order.size());
     for (; done < end; ++done)

@@ -87,7 +87,7 @@ std::size_t OpenCsgRenderer::Implementation::draw(const PictureOptions& options,
   const std::vector<std::size_t> order = nearest_first(balls, view.eye);
   for (std::size_t i = 0; i < order.size(); ++i) {
     // Else the queue of drawing commands, seconds long, would have to be waited for.
-    if (options.stop_requested != nullptr && i % kCellsBetweenWaits == 0) glFinish();
+    if (options.stop.possible() && i % kCellsBetweenWaits == 0) glFinish();
     if (is_stopped(options)) return order.size() - i;
     draw_cell(order[i], options, frame, view, options.cut_away ? &cut : nullptr);
   }

@@ -1,5 +1,6 @@
 #include "structure/horospheres.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -29,9 +30,17 @@ std::vector<double> horosphere_areas(const Triangulation& triangulation,
     std::array<double, 4> d;
     for (std::size_t v = 0; v < 4; ++v)
       d[v] = diagonal_of(links[triangulation.vertex_class(t, static_cast<int>(v))].kind);
+    if (std::ranges::find(d, 0.0) == d.end()) continue;
+    std::array<double, 6> entries;
+    for (std::size_t e = 0; e < 6; ++e) {
+      const auto ends = topology::kEdgeEnds[e];
+      entries[e] = geometry::gram_entry(x[triangulation.edge_class(t, static_cast<int>(e))],
+                                        d[static_cast<std::size_t>(ends[0])],
+                                        d[static_cast<std::size_t>(ends[1])])
+                       .minus_gram;
+    }
     const auto minus_gram = [&](std::size_t i, std::size_t j) {
-      const int e = topology::kEdgeNumber[i][j];
-      return geometry::gram_entry(x[triangulation.edge_class(t, e)], d[i], d[j]).minus_gram;
+      return entries[static_cast<std::size_t>(topology::kEdgeNumber[i][j])];
     };
     for (std::size_t i = 0; i < 4; ++i) {
       if (d[i] != 0) continue;
@@ -74,6 +83,23 @@ void remove_horosphere_shifts(const Triangulation& triangulation, const energies
   for (std::size_t v = 0; v < column.size(); ++v)
     if (energy.links()[v].kind == VertexKind::kIdeal) column[v] = cusps++;
   if (cusps == 0) return;
+  const auto ends_at = [&](std::size_t e, int cusp) {
+    const auto corner = triangulation.corners(e)[0];
+    const auto ends = topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())];
+    return static_cast<double>(std::ranges::count_if(ends, [&](int end) {
+      return column[triangulation.vertex_class(corner.tetrahedron(), end)] == cusp;
+    }));
+  };
+  if (cusps == 1) {
+    double products = 0, along = 0;
+    for (std::size_t e = 0; e < g.size(); ++e) {
+      const double ends = ends_at(e, 0);
+      products += ends * ends;
+      along += ends * g[e];
+    }
+    for (std::size_t e = 0; e < g.size(); ++e) g[e] -= ends_at(e, 0) * along / products;
+    return;
+  }
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t e = 0; e < g.size(); ++e) {
     const auto corner = triangulation.corners(e)[0];

@@ -157,6 +157,9 @@ Reply embed_one(const EmbedCommand& command, const std::string& input) {
   }
   embedding::Embedding placed = embedding::embed(subject.triangulation, report.edge_lengths,
                                                  {subject.cone_angles, command.area});
+  if (command.area > 0 && placed.horosphere_area == 0)
+    throw InvalidInput("--horosphere-area: " + tripus::quoted(subject.input) +
+                       " has no cusp, and so no horosphere; leave the option out");
   if (circles || (file && extension_of(file->path()) == "svg")) require_circles(placed);
   embedding::UniversalCover cover = cells_of(command, subject, placed);
   EmbeddedSubject embedded{subject, report, std::move(placed), std::move(cover)};

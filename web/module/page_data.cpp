@@ -48,7 +48,8 @@ Reply page_data_of(const PageDataCommand& command, const std::string& input) {
                              .isosig = subject.isosig.value_or(""),
                              .cells = command.cells,
                              .model = command.model,
-                             .discs = discs ? &*discs : nullptr},
+                             .discs = discs ? &*discs : nullptr,
+                             .gallery = {}},
                             subject.triangulation, solved.report, embedding),
           kSuccess};
 }

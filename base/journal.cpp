@@ -56,7 +56,7 @@ void AppendFile::lock() {
     if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
       if (errno != EWOULDBLOCK) return;  // a file system without locks
       const std::string holder = holder_of(file_);
-      throw InvalidInput(quoted(path_) + " is in use by " +
+      throw InvalidInput(tripus::quoted(path_) + " is in use by " +
                          (holder.empty() ? "another process" : "process " + holder) +
                          "; wait for its end, or choose another file");
     }
@@ -70,7 +70,7 @@ AppendFile::AppendFile(std::string path) : path_(std::move(path)) {
     lock();
     struct stat there {};
     if (::fstat(file_, &there) != 0) fail("cannot read");
-    if (!S_ISREG(there.st_mode)) throw InvalidInput(quoted(path_) + " is no ordinary file");
+    if (!S_ISREG(there.st_mode)) throw InvalidInput(tripus::quoted(path_) + " is no ordinary file");
     size_ = static_cast<std::uint64_t>(there.st_size);
   } catch (...) {
     if (file_ >= 0) ::close(file_);
@@ -100,7 +100,7 @@ void AppendFile::cut(std::uint64_t bytes) {
 }
 
 void AppendFile::append(std::string_view text) {
-  if (failed_) throw IoError("cannot write " + quoted(path_) + " after an earlier failure");
+  if (failed_) throw IoError("cannot write " + tripus::quoted(path_) + " after an earlier failure");
   for (std::string_view rest = text; !rest.empty();) {
     const ssize_t bytes = ::write(file_, rest.data(), rest.size());
     if (bytes < 0 && errno == EINTR) continue;

@@ -191,9 +191,7 @@ Grouping group_arcs(const Spectrum& spectrum, const topology::Triangulation& tri
     for (last = first + 1; last < arcs.size() &&
                            arcs[last].length - arcs[last - 1].length <= tolerance::kSameArcLength;)
       ++last;
-    const auto begin = result.order.begin() + static_cast<std::ptrdiff_t>(first);
-    std::ranges::stable_sort(begin, result.order.begin() + static_cast<std::ptrdiff_t>(last), {},
-                             ends_of);
+    std::ranges::stable_sort(std::span(result.order).subspan(first, last - first), {}, ends_of);
     for (std::size_t n = first; n < last; ++n) {
       const auto ends = ends_of(result.order[n]);
       if (n == first || ends != result.groups.back().ends)

@@ -5,14 +5,13 @@
 #include <string_view>
 #include <vector>
 
-#include <gmpxx.h>
-
+#include "base/bignum.hpp"
 #include "topology/cone_angle.hpp"
 #include "topology/triangulation.hpp"
 
 namespace tripus::structure {
 
-using Integer = mpz_class;
+using tripus::Integer;
 
 /// Exact proof that a triangulation has no strict angle structure with given cone angles, and so no
 /// metric. Source: docs/theory.md (43) and (81), where the letters u, w, a, R are defined.

@@ -30,7 +30,7 @@ std::string corner_name(const Triangulation& triangulation, std::size_t t, std::
 
 /// What the labels say, computed from the definitions (76) and (81).
 struct Labels {
-  std::vector<mpq_class> edge_sum;  ///< [E] units of pi
+  std::vector<Rational> edge_sum;  ///< [E] units of pi
   std::vector<bool> ideal;          ///< [V]
   bool is_parabolic(std::size_t e) const { return edge_sum[e] == 0; }
 };
@@ -51,11 +51,11 @@ std::string read_labels(const Triangulation& triangulation,
   for (std::size_t e = 0; e < edges; ++e) {
     if (!cone_angles[e].is_rational())
       return fmt::format("the cone angle of edge class {} is not a fraction of pi", e);
-    labels.edge_sum[e] = mpq_class(static_cast<long>(cone_angles[e].numerator()),
+    labels.edge_sum[e] = Rational(static_cast<long>(cone_angles[e].numerator()),
                                    static_cast<long>(cone_angles[e].denominator()));
   }
   // Twice the Euler characteristic: 2 chi(link) - sum over edge ends of (2 - k_e).
-  std::vector<mpq_class> twice(triangulation.vertex_count());
+  std::vector<Rational> twice(triangulation.vertex_count());
   for (std::size_t v = 0; v < twice.size(); ++v)
     twice[v] = 2 * triangulation.link(v).euler_characteristic;
   for (std::size_t e = 0; e < edges; ++e) {
@@ -63,7 +63,7 @@ std::string read_labels(const Triangulation& triangulation,
     for (const int end : kEdgeEnds[static_cast<std::size_t>(corner.edge())])
       twice[triangulation.vertex_class(corner.tetrahedron(), end)] += labels.edge_sum[e] - 2;
   }
-  for (const mpq_class& each : twice) labels.ideal.push_back(each == 0);
+  for (const Rational& each : twice) labels.ideal.push_back(each == 0);
   return {};
 }
 
@@ -72,7 +72,7 @@ bool is_ideal(const Triangulation& triangulation, const Labels& labels, std::siz
   return labels.ideal[triangulation.vertex_class(t, static_cast<int>(v))];
 }
 
-std::string shown(const mpq_class& value) {
+std::string shown(const Rational& value) {
   return value.get_den() == 1 ? shown(value.get_num())
                               : shown(value.get_num()) + "/" + shown(value.get_den());
 }
@@ -113,7 +113,7 @@ CheckResult check(const Triangulation& triangulation, const Certificate& certifi
     return fails(std::move(*reason));
 
   bool something_positive = false;
-  mpq_class r = 0;
+  Rational r = 0;
   for (std::size_t t = 0; t < tetrahedra; ++t) {
     for (std::size_t v = 0; v < 4; ++v) {
       const Integer& w = certificate.vertex[t][v];

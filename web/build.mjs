@@ -2,10 +2,10 @@
 //
 //   node build.mjs --module FOLDER --output FILE.html [--version X]
 //
-// FOLDER holds the module for browsers: tripus.js with load(), and tripus.wasm.
+// FOLDER holds what emscripten made: tripus-module.js and tripus-module.wasm.
 import * as esbuild from 'esbuild';
 import {readFileSync, writeFileSync, mkdirSync} from 'node:fs';
-import {dirname, join} from 'node:path';
+import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {parseArgs} from 'node:util';
 import {gzipSync, constants} from 'node:zlib';
@@ -34,16 +34,25 @@ const viewerPlugin = {
     build.onResolve({filter: /^viewer$/}, () => ({path: 'viewer', namespace: 'viewer'}));
     build.onLoad({filter: /.*/, namespace: 'viewer'}, () => {
       const names = viewerList('SCRIPTS').filter((name) => !['dump.js', 'start.js'].includes(name));
-      return {contents: names.map((name) => text(viewer, name)).join('\n') + '\nexport {Page, fold, shown};\n',
+      return {contents: names.map((name) => text(viewer, name)).join('\n') + '\nexport {Page, fold, kContextOptions, shown};\n',
               loader: 'js'};
     });
   },
 };
 
-async function bundle(entry, alias = {}) {
+/** The front door of the package, on the module that was built. */
+const modulePlugin = {
+  name: 'module',
+  setup(build) {
+    build.onResolve({filter: /^tripus$/}, () => ({path: join(here, 'tripus', 'tripus.js')}));
+    build.onResolve({filter: /^\.\/module\.js$/}, () => ({path: resolve(options.module, 'tripus-module.js')}));
+  },
+};
+
+async function bundle(entry) {
   const {outputFiles} = await esbuild.build({
     entryPoints: [join(here, 'page', entry)], bundle: true, write: false, format: 'iife', target: 'es2022',
-    minify: true, legalComments: 'none', charset: 'utf8', plugins: [viewerPlugin], alias, logLevel: 'warning',
+    minify: true, legalComments: 'none', charset: 'utf8', plugins: [viewerPlugin, modulePlugin], logLevel: 'warning',
   });
   return outputFiles[0].text;
 }
@@ -71,9 +80,9 @@ const values = {
   controls: text(viewer, 'controls.html'),
   help: text(viewer, 'help.html'),
   shaders,
-  worker: inScript(await bundle('worker.ts', {tripus: join(options.module, 'tripus.js')})),
+  worker: inScript(await bundle('worker.ts')),
   script: inScript(await bundle('main.ts')),
-  module: gzipSync(readFileSync(join(options.module, 'tripus.wasm')), {level: constants.Z_BEST_COMPRESSION}).toString('base64'),
+  module: gzipSync(readFileSync(join(options.module, 'tripus-module.wasm')), {level: constants.Z_BEST_COMPRESSION}).toString('base64'),
 };
 const page = text(here, 'page', 'page.html').replaceAll(/\{\{([\w-]+)\}\}/g, (_, key) => {
   if (!(key in values)) throw new Error(`page.html asks for ${key}`);

@@ -161,8 +161,9 @@ std::vector<DiagramRow> chosen_rows(std::vector<DiagramRow> rows,
     const auto [found, mirrored] = topology::find_diagram_up_to_mirror(name);
     const std::size_t before = chosen.size();
     if (found != nullptr)
-      std::ranges::copy_if(rows, std::back_inserter(chosen),
-                           [&](const DiagramRow& row) { return row.name == found->name; });
+      std::ranges::copy_if(
+          rows, std::back_inserter(chosen),
+          [&, &is = found->name](const DiagramRow& row) { return row.name == is; });
     const bool is_short = chosen.size() == before;  // "5_1" for "5_1 theta" and "5_1 handcuff"
     for (const DiagramRow& row : rows)
       if (is_short && row.name.starts_with(name + " ")) chosen.push_back(row);

@@ -316,7 +316,7 @@ int run(ViewCommand& command) {
 
 void add_picture_options(CLI::App& verb, ViewCommand& command) {
   const auto flag = [&](const char* name, bool& wanted, const char* what) {
-    verb.add_flag(name, wanted, what)->option_text(" ");
+    verb.add_flag(name, wanted, what)->option_text(" ")->disable_flag_override();
   };
   verb.add_option("--cells", command.cells, "cells of the universal cover (default: 20)")
       ->option_text("N")

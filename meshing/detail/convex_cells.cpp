@@ -14,13 +14,13 @@ namespace {
 /// Of a sum of four products of numbers that are each off by 2^-53 of themselves, or truncated.
 constexpr double kSumRounding = 0x1p-48;
 
-std::array<mpq_class, 3> rational(const Point& p) {
-  return {mpq_class(p[0]), mpq_class(p[1]), mpq_class(p[2])};
+std::array<Rational, 3> rational(const Point& p) {
+  return {Rational(p[0]), Rational(p[1]), Rational(p[2])};
 }
 
 }  // namespace
 
-RationalPoint::RationalPoint(std::array<mpq_class, 3> coordinates) : exact(std::move(coordinates)) {
+RationalPoint::RationalPoint(std::array<Rational, 3> coordinates) : exact(std::move(coordinates)) {
   for (std::size_t k = 0; k < 3; ++k) near[k] = exact[k].get_d();
 }
 
@@ -28,7 +28,7 @@ RationalPoint::RationalPoint(const Point& p) : exact(rational(p)), near(p) {}
 
 RationalPlane::RationalPlane(const Point& a, const Point& b, const Point& c) {
   const auto o = rational(a), p = rational(b), q = rational(c);
-  std::array<mpq_class, 3> u, v;
+  std::array<Rational, 3> u, v;
   for (std::size_t k = 0; k < 3; ++k) {
     u[k] = p[k] - o[k];
     v[k] = q[k] - o[k];
@@ -39,8 +39,8 @@ RationalPlane::RationalPlane(const Point& a, const Point& b, const Point& c) {
     exact[3] -= exact[k] * o[k];
   }
   // One form for each plane and direction.
-  mpq_class size = 0;
-  for (std::size_t k = 0; k < 3; ++k) size = std::max<mpq_class>(size, abs(exact[k]));
+  Rational size = 0;
+  for (std::size_t k = 0; k < 3; ++k) size = std::max<Rational>(size, abs(exact[k]));
   for (std::size_t k = 0; k < 4; ++k) {
     exact[k] /= size;
     near[k] = exact[k].get_d();
@@ -54,19 +54,19 @@ int RationalPlane::side(const RationalPoint& p) const {
     size += std::fabs(near[k] * p.near[k]);
   }
   if (std::fabs(sum) > kSumRounding * size) return sum > 0 ? 1 : -1;
-  mpq_class value = exact[3];
+  Rational value = exact[3];
   for (std::size_t k = 0; k < 3; ++k) value += exact[k] * p.exact[k];
   return sgn(value);
 }
 
 RationalPoint crossing(const RationalPlane& plane, const RationalPoint& p, const RationalPoint& q) {
-  mpq_class at_p = plane.exact[3], at_q = plane.exact[3];
+  Rational at_p = plane.exact[3], at_q = plane.exact[3];
   for (std::size_t k = 0; k < 3; ++k) {
     at_p += plane.exact[k] * p.exact[k];
     at_q += plane.exact[k] * q.exact[k];
   }
-  const mpq_class t = at_p / (at_p - at_q);
-  std::array<mpq_class, 3> result;
+  const Rational t = at_p / (at_p - at_q);
+  std::array<Rational, 3> result;
   for (std::size_t k = 0; k < 3; ++k) result[k] = p.exact[k] + t * (q.exact[k] - p.exact[k]);
   return RationalPoint(std::move(result));
 }

@@ -5,24 +5,23 @@
 #include <unordered_map>
 #include <vector>
 
-#include <gmpxx.h>
-
+#include "base/bignum.hpp"
 #include "meshing/surface_mesh.hpp"
 
 namespace tripus::meshing::detail {
 
 /// A point with rational coordinates, and the nearest doubles.
 struct RationalPoint {
-  std::array<mpq_class, 3> exact;
+  std::array<Rational, 3> exact;
   Point near{};
 
-  explicit RationalPoint(std::array<mpq_class, 3> coordinates);
+  explicit RationalPoint(std::array<Rational, 3> coordinates);
   explicit RationalPoint(const Point& p);
 };
 
 /// The points where n . x + d is 0, with n . x + d > 0 on its positive side.
 struct RationalPlane {
-  std::array<mpq_class, 4> exact;
+  std::array<Rational, 4> exact;
   std::array<double, 4> near{};
 
   RationalPlane(const Point& a, const Point& b, const Point& c);

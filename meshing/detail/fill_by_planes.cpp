@@ -77,15 +77,15 @@ class PlaneFiller {
 
   /// Triangles in one plane share it.
   void name_planes() {
-    std::map<std::array<mpq_class, 4>, std::uint32_t> names;
+    std::map<std::array<Rational, 4>, std::uint32_t> names;
     const SurfaceMesh& surface = region_.surface;
     for (const Triangle& t : surface.triangles) {
       RationalPlane plane(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]);
-      std::array<mpq_class, 4> form = plane.exact;
+      std::array<Rational, 4> form = plane.exact;
       const auto first =
-          std::find_if(form.begin(), form.end(), [](const mpq_class& x) { return x != 0; });
+          std::find_if(form.begin(), form.end(), [](const Rational& x) { return x != 0; });
       if (*first < 0)
-        for (mpq_class& x : form) x = -x;
+        for (Rational& x : form) x = -x;
       const auto [name, fresh] =
           names.emplace(std::move(form), static_cast<std::uint32_t>(planes_.size()));
       if (fresh) {
@@ -186,7 +186,7 @@ class PlaneFiller {
     const double area = (b.near[u] - a.near[u]) * (c.near[v] - a.near[v]) -
                         (b.near[v] - a.near[v]) * (c.near[u] - a.near[u]);
     if (std::fabs(area) > kAreaRounding * size * size) return area > 0 ? 1 : -1;
-    const mpq_class exact = (b.exact[u] - a.exact[u]) * (c.exact[v] - a.exact[v]) -
+    const Rational exact = (b.exact[u] - a.exact[u]) * (c.exact[v] - a.exact[v]) -
                             (b.exact[v] - a.exact[v]) * (c.exact[u] - a.exact[u]);
     return sgn(exact);
   }
@@ -213,7 +213,7 @@ class PlaneFiller {
     for (std::size_t i = 0; inside && i < loop.size(); ++i)
       inside = area_sign(corner(i), corner(i + 1), near, axis) == way;
     if (inside) return near;
-    std::array<mpq_class, 3> sum;
+    std::array<Rational, 3> sum;
     for (std::size_t k = 0; k < 3; ++k)
       sum[k] = (corner(0).exact[k] + corner(1).exact[k] + corner(third).exact[k]) / 3;
     return RationalPoint(std::move(sum));

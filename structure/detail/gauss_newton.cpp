@@ -33,8 +33,7 @@ class Search {
  public:
   Search(const topology::Triangulation& triangulation, energies::CoVolume& energy,
          const SolveOptions& options)
-      : triangulation_(triangulation),
-        energy_(energy),
+      : energy_(energy),
         options_(options),
         n_(static_cast<Eigen::Index>(triangulation.edge_count())),
         gradient_(n_),
@@ -153,7 +152,6 @@ class Search {
     best_ = x;
   }
 
-  const topology::Triangulation& triangulation_;
   energies::CoVolume& energy_;
   const SolveOptions& options_;
   Eigen::Index n_;

@@ -4,11 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include <gmpxx.h>
+#include "base/bignum.hpp"
 
 namespace tripus::structure::detail {
-
-using Rational = mpq_class;
 
 /// A square sparse system of linear equations over the rationals: row r says that the sum of
 /// coefficient * unknown over its entries is right_side[r].

@@ -23,6 +23,7 @@ class LiveBrowser:
         self.number = 0
         self.session = None
         self.rest = b""
+        self.events = []  # that came while something was asked
 
     def __enter__(self):
         chromium = shutil.which("chromium")
@@ -77,6 +78,8 @@ class LiveBrowser:
                 if "error" in answer:
                     raise AssertionError(f"{method}: {answer['error']}")
                 return answer["result"]
+            if "method" in answer:
+                self.events.append(answer)
 
     def open(self, path, fragment=""):
         """Loads a page, and waits until it has drawn."""

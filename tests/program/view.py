@@ -23,19 +23,20 @@ def read_png(data):
         packed += body if kind == b"IDAT" else b""
         at += 12 + length
     width, height, depth, colour, _, _, interlaced = size
-    assert (depth, colour, interlaced) == (8, 6, 0), "not 8-bit RGBA"
-    raw, stride, rows = zlib.decompress(packed), 4 * width, []
+    assert depth == 8 and colour in (2, 6) and interlaced == 0, "not 8-bit RGB or RGBA"
+    n = 3 if colour == 2 else 4  # bytes of a pixel
+    raw, stride, rows = zlib.decompress(packed), n * width, []
     before = bytearray(stride)
     for y in range(height):
         kind = raw[y * (stride + 1)]
         row = bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
         for i in range(stride):
-            left = row[i - 4] if i >= 4 else 0
-            up, corner = before[i], before[i - 4] if i >= 4 else 0
+            left = row[i - n] if i >= n else 0
+            up, corner = before[i], before[i - n] if i >= n else 0
             guess = left + up - corner
-            paeth = min((abs(guess - v), n, v) for n, v in enumerate((left, up, corner)))[2]
+            paeth = min((abs(guess - v), k, v) for k, v in enumerate((left, up, corner)))[2]
             row[i] = (row[i] + (0, left, up, (left + up) // 2, paeth)[kind]) & 255
-        rows.append([tuple(row[4 * x:4 * x + 3]) for x in range(width)])
+        rows.append([tuple(row[n * x:n * x + 3]) for x in range(width)])
         before = row
     return width, height, rows
 

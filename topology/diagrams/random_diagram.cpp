@@ -72,7 +72,7 @@ Diagram random_diagram(std::size_t nodes, std::uint64_t seed, std::size_t vertic
     }
     if (inner) {
       if (!path.empty()) join(path.back().node, path.back().next++, made, 0);
-      path.push_back({made++, 1, 1 + engine() % 3});
+      path.push_back({made++, 1, static_cast<std::size_t>(1 + engine() % 3)});
     } else {
       ends.push_back({path.back().node, path.back().next++, false});
     }

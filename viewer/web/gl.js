@@ -1,11 +1,15 @@
 // The little of WebGL2 that both views share: programs, data textures, a target to draw into.
 class GraphicsProblem extends Error {}
 
+/// A canvas has one context; it may have been made before.
+const kContextOptions = {
+  antialias: false, alpha: false, depth: false, powerPreference: 'high-performance',
+};
+
 class Graphics {
   constructor(canvas) {
     this.canvas = canvas;
-    const gl = canvas.getContext('webgl2', {antialias: false, alpha: false, depth: false,
-                                            powerPreference: 'high-performance'});
+    const gl = canvas.getContext('webgl2', kContextOptions);
     if (!gl) throw new GraphicsProblem('WebGL2 is missing in this browser, or switched off.');
     this.gl = gl;
     this.target = this.drawn = null;

@@ -1,6 +1,8 @@
 // Tubes around edges, as viewer/faces/tubes.cpp makes them for the desktop: each edge once, in pieces
 // that are nearly straight in the model, with a record of numbers for the shaders (tubes.vert.glsl).
-const kTubeRadius = 0.025, kSingularTubeRadius = 0.05, kThinnestTube = 1.5;
+const kTubeRadius = 0.025, kSingularTubeRadius = 0.05;
+// As wide as the lines of faces, in pixels: thinner tubes are left to them.
+const kThinnestTube = 1.2;
 const kTubeStraight = 1 / 16, kTubeHalvings = 5, kTubeTexels = 9;
 /// The faces at each edge.
 const kEdgeFaces = [[2, 3], [1, 3], [1, 2], [0, 3], [0, 2], [0, 1]];

@@ -39,6 +39,7 @@ export class Engine {
   private current: Waiting | null = null;
   private work: Work | null = null;
   private began = 0;
+  private started = Promise.resolve();
   private broken = '';
   version = '';
 
@@ -50,9 +51,13 @@ export class Engine {
   constructor(private readonly script: string, private readonly bytes: () => Promise<ArrayBuffer>,
               private readonly heard: (work: Work | null) => void) {}
 
-  /** Starts the worker before anything is asked. */
-  start() {
-    if (this.worker) return;
+  /** Starts the worker before anything is asked; resolves when it has what it needs. */
+  start(): Promise<void> {
+    if (!this.worker) this.started = this.begin();
+    return this.started;
+  }
+
+  private async begin(): Promise<void> {
     const address = URL.createObjectURL(new Blob([this.script], {type: 'text/javascript'}));
     const worker = this.worker = new Worker(address);
     this.ready = false;
@@ -65,8 +70,12 @@ export class Engine {
       if (worker === this.worker)
         this.fail(event.message || 'the worker of this page has ended');
     };
-    this.bytes().then((bytes) => worker === this.worker && this.tell({bytes}),
-                      (error) => this.fail(String(error.message ?? error)));
+    try {
+      const bytes = await this.bytes();
+      if (worker === this.worker) this.tell({bytes});
+    } catch (error: any) {
+      this.fail(String(error.message ?? error));
+    }
   }
 
   ask(title: string, question: Question, quiet = false): Promise<Reply> {
@@ -74,7 +83,7 @@ export class Engine {
       const first = this.queue.findIndex((one) => one.quiet);
       this.queue.splice(quiet || first < 0 ? this.queue.length : first, 0,
                         {id: this.next++, question, title, quiet, resolve, reject});
-      this.start();
+      void this.start();
       this.advance();
     });
   }
@@ -84,7 +93,7 @@ export class Engine {
     const ended = [this.current, ...this.queue];
     this.end();
     for (const one of ended) one?.reject(new Problem('stopped', 'Stopped.'));
-    this.start();
+    void this.start();
   }
 
   private end() {
@@ -151,7 +160,7 @@ export class Engine {
       const rest = this.queue;
       this.end();
       this.queue = rest;
-      this.start();
+      void this.start();
     }
     one.reject(new Problem(kind, message));
   }

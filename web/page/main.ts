@@ -53,8 +53,7 @@ async function moduleBytes(): Promise<ArrayBuffer> {
   if (document.readyState === 'loading')
     await new Promise((done) => document.addEventListener('DOMContentLoaded', done, {once: true}));
   if (typeof WebAssembly === 'undefined') throw new Error('this browser has no WebAssembly, or it is switched off');
-  const packed = fromBase64(byId('module-bytes').textContent!);
-  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+  return fromBase64(byId('module-bytes').textContent!).buffer;
 }
 
 const engine = new Engine(byId('worker-script').textContent!, moduleBytes, showWork);
@@ -130,6 +129,8 @@ async function restore() {
       return;
     }
     showScreen('workspace');  // nothing else flashes by
+    // While the worker compiles the module.
+    void engine.start().then(() => setTimeout(() => workspace.source ?? workspace.view.prepare(), 0));
     if (!(await show(source, view)) && !workspace.source) {
       const problem = byId('input-problem').textContent!;
       home();
@@ -150,7 +151,13 @@ async function take(list: FileList | undefined | null) {
     refuse(`${one.name} has ${Math.round(one.size / 1e6)} MB; a browser takes files of up to ${kLargestFile / 1e6} MB, the program any.`);
     return;
   }
-  const content = new Uint8Array(await one.arrayBuffer());
+  let content: Uint8Array;
+  try {
+    content = new Uint8Array(await one.arrayBuffer());
+  } catch {
+    refuse(`${one.name} cannot be read: is it a folder, or has it gone?`);
+    return;
+  }
   const format = surfaceFormat(one.name, content);
   if (format) {
     refuse(surfaceAdvice(one.name, format));
@@ -283,6 +290,6 @@ function showHistoryAgain() {
 }
 
 connect();
-engine.start();
 void restore();
+void engine.start();
 document.documentElement.dataset.ready = String(Math.round(performance.now()));

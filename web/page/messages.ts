@@ -6,7 +6,7 @@ export interface Source {
   file?: {name: string; content: Uint8Array | string};
 }
 
-/** A verb of the program, or "picture", the data of the viewer. */
+/** A verb of the program; the module has one more, page-data, for the picture. */
 export interface Question {
   verb: string;
   sources: Source[];

@@ -12,11 +12,12 @@ export function surfaceFormat(name: string, bytes: Uint8Array): string | null {
   if (/<VTKFile\b/.test(start)) return 'VTK XML';
   if (/^\$MeshFormat/.test(start)) return 'Gmsh';
   if (/^MeshVersionFormatted/.test(start)) return 'Medit';
-  if (/^solid\b/.test(start) && /\bfacet\b/.test(text(bytes, 2000))) return 'STL';
+  if (/^solid\b/i.test(start) && /\bfacet\b/i.test(text(bytes, 2000))) return 'STL';
   // Binary: 80 bytes of anything, a count, 50 bytes for each triangle.
   if (bytes.length >= 84) {
     const count = new DataView(bytes.buffer, bytes.byteOffset).getUint32(80, true);
-    if (bytes.length === 84 + 50 * count) return 'STL';
+    const whole = 84 + 50 * count;
+    if (bytes.length === whole || (/\.stl$/i.test(name) && bytes.length > whole)) return 'STL';
   }
   if (/\.obj$/i.test(name) && /^\s*(v|vn|f|o|g|mtllib)\s/m.test(text(bytes, 4000))) return 'OBJ';
   if (/\.(node|ele)$/i.test(name)) return 'TetGen';

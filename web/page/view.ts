@@ -1,5 +1,5 @@
 // The picture: the viewer's own scripts, on elements that are made anew for every manifold.
-import {Page, fold} from 'viewer';
+import {Page, fold, kContextOptions} from 'viewer';
 import {byId} from './dom';
 import type {Json} from './messages';
 
@@ -8,6 +8,7 @@ const kWide = '(min-width: 1280px)';
 
 export class View {
   private page: Page | null = null;
+  private prepared = false;
 
   /** `address`: the address's fragment for a view of the manifold. */
   constructor(private readonly address: (view: string) => string) {}
@@ -15,12 +16,29 @@ export class View {
   get shown() { return this.page !== null; }
   get fragment() { return this.page?.fragment() ?? ''; }
 
-  show(data: Json, fragment: string) {
-    this.clear();
+  /** Makes the canvas and its context before there is anything to draw: the first context of a browser
+   *  takes its time, above all where software draws. */
+  prepare() {
+    if (this.prepared) return;
+    this.place();
+    byId<HTMLCanvasElement>('picture').getContext('webgl2', kContextOptions);
+    this.prepared = true;
+  }
+
+  private place() {
     for (const id of ['stage', 'controls', 'help']) {
       const template = byId<HTMLTemplateElement>(`template-${id}`);
       byId(`place-${id}`).replaceChildren(template.content.cloneNode(true));
     }
+  }
+
+  show(data: Json, fragment: string) {
+    if (!this.prepared) {
+      this.clear();
+      this.place();
+    }
+    this.prepared = false;
+    byId('no-picture').textContent = '';
     byId('workspace').dataset.picture = 'shown';
     const wishes = new URLSearchParams(fragment);
     if (!wishes.has('theme')) wishes.set('theme', document.documentElement.dataset.theme ?? 'light');
@@ -34,11 +52,12 @@ export class View {
 
   /** Takes the picture away, and says why there is none. */
   clear(reason = '') {
+    byId('workspace').dataset.picture = reason ? 'none' : 'awaited';
+    byId('no-picture').textContent = reason;
+    if (this.prepared) return;
     this.page?.stop();
     this.page = null;
     for (const id of ['stage', 'controls', 'help']) byId(`place-${id}`).replaceChildren();
-    byId('workspace').dataset.picture = reason ? 'none' : 'awaited';
-    byId('no-picture').textContent = reason;
   }
 
   setTheme(name: string) {

@@ -13,6 +13,7 @@ declare module 'viewer' {
     /** The fragment of the address that shows this view. */
     fragment(): string;
   }
+  export const kContextOptions: WebGLContextAttributes;
   /** A number for people: twelve digits where it has them. */
   export function shown(x: number): string;
   export function fold(folded: boolean): void;

@@ -36,15 +36,10 @@ function answer(id: number, {verb, sources, flags}: Question): FromWorker {
   const names = sources.map((source, i) => argumentOf(source, files, i));
   const progress = (activity: string, tetrahedra: number) =>
       scope.postMessage({id, progress: {activity, tetrahedra}});
-  if (verb === 'picture') {
-    const input = Object.keys(files).length === 0
-        ? names[0]! : {name: names[0]!, content: Object.values(files)[0]!};
-    return {id, answers: [tripus!.manifold(input, {progress}).pageData({cells: Number(flags[0])})], text: ''};
-  }
-  const isPicture = verb === 'draw';
-  const result = tripus!.run([verb, ...names, ...flags, ...(isPicture ? [] : ['--json'])], {files, progress});
-  if (isPicture && result.status === 0) return {id, answers: [result.stdout], text: result.stdout};
-  const answers = isPicture ? [] : parse(result.stdout);
+  const isDrawing = verb === 'draw';
+  const result = tripus!.run([verb, ...names, ...flags, ...(isDrawing ? [] : ['--json'])], {files, progress});
+  if (isDrawing && result.status === 0) return {id, answers: [result.stdout], text: result.stdout};
+  const answers = isDrawing ? [] : parse(result.stdout);
   const failed = answers.find((one) => one.error);
   if (failed) return {id, failure: failed.error};
   if (result.status > 1 || answers.length === 0)

@@ -141,7 +141,7 @@ export class Workspace {
     const source = this.source!;
     const draw = async () => {
       try {
-        const {answers} = await this.run('Preparing the picture of', 'picture', source, ['20']);
+        const {answers} = await this.run('Preparing the picture of', 'page-data', source, ['--cells', '20']);
         if (current()) this.view.show(answers[0], view);
       } catch (problem: any) {
         if (current()) this.view.clear(problem.message);

@@ -1,0 +1,103 @@
+// The module answers as the program does: outcomes, signatures and groups exactly, volumes to 1e-12.
+//
+//   node same_answers.mjs PACKAGE PROGRAM FOLDER [EVERY]
+//
+// PACKAGE: build/wasm/tripus. FOLDER: with triangulations-2.txt, -3, -4 and -cusped. Every EVERY-th of the
+// lists of 4 tetrahedra (default: 1, all). Exit status 77: there is no module, which ctest calls skipped.
+import {execFileSync} from 'node:child_process';
+import {existsSync, readFileSync, rmSync, writeFileSync, mkdtempSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join, resolve} from 'node:path';
+import {pathToFileURL} from 'node:url';
+
+const [place, program, folder, every = '1'] = process.argv.slice(2);
+if (!existsSync(join(place, 'index.js'))) {
+  console.log(`skipped: there is no module in ${place}; scripts/module builds it`);
+  process.exit(77);
+}
+const {Manifold, TripusError, load} = await import(pathToFileURL(resolve(place, 'index.js')));
+const tripus = await load();
+const scratch = mkdtempSync(join(tmpdir(), 'tripus-'));
+let problems = 0;
+const complain = (text) => {
+  if (++problems <= 20) console.error(text);
+};
+const expect = (holds, text) => holds || complain(text);
+
+/** Fields that are equal, and numbers that are nearly so. */
+const kSame = ['input', 'isosig', 'oriented_isosig', 'outcome', 'H1', 'edge_valences', 'signature', 'oriented_signature',
+               'decomposition', 'isometry_group', 'census', 'message', 'kind'];
+const kVolume = 1e-12;
+
+function parse(text) {
+  return text.split('\n').filter((line) => line !== '').map((line) => JSON.parse(line));
+}
+
+function compare(verb, lines, flags = []) {
+  const text = `${lines.join('\n')}\n`;
+  const list = join(scratch, 'list.txt');
+  writeFileSync(list, text);
+  const args = [verb, '--json', '--quiet', ...flags, '--batch'];
+  const begin = performance.now();
+  const run = tripus.run([...args, 'list.txt'], {files: {'list.txt': text}});
+  const seconds = (performance.now() - begin) / 1000;
+  const mine = parse(run.stdout);
+  const theirs = parse(execFileSync(program, [...args, list], {maxBuffer: 1e9}).toString());
+  expect(mine.length === lines.length && theirs.length === lines.length,
+         `${verb}: ${lines.length} lines, ${mine.length} answers of the module, ${theirs.length} of the program`);
+  theirs.forEach((theirs, i) => {
+    const found = mine[i] ?? {};
+    for (const key of kSame)
+      expect(JSON.stringify(found[key]) === JSON.stringify(theirs[key]),
+             `${verb} ${theirs.input}: ${key}: ${JSON.stringify(found[key])}, the program ${JSON.stringify(theirs[key])}`);
+    const bothNumbers = typeof found.volume === 'number' && typeof theirs.volume === 'number';
+    const isMetric = theirs.outcome === 'geometric' || theirs.outcome === 'degenerate';
+    expect(bothNumbers ? !isMetric || Math.abs(found.volume - theirs.volume) <= kVolume : found.volume === theirs.volume,
+           `${verb} ${theirs.input}: volume ${found.volume}, the program ${theirs.volume}`);
+    expect(found.error?.message === theirs.error?.message,
+           `${verb} ${theirs.input}: ${found.error?.message}, the program ${theirs.error?.message}`);
+  });
+  console.log(`${verb}: ${theirs.length} answers, ${seconds.toFixed(1)} s`);
+}
+
+const linesOf = (name) => readFileSync(join(folder, name), 'utf8').split('\n')
+  .filter((line) => line !== '' && !line.startsWith('#'));
+const thinned = (lines, step) => lines.filter((_, i) => i % step === 0);
+const step = Number(every);
+const four = thinned(linesOf('triangulations-4.txt'), step);
+for (const list of [linesOf('triangulations-2.txt'), linesOf('triangulations-3.txt'), four, linesOf('triangulations-cusped.txt')]) {
+  compare('solve', list);
+  compare('canonize', list, ['--budget', '20']);
+}
+compare('info', four);
+compare('identify', thinned(four, 5), ['--budget', '20']);
+
+// The front door.
+const M = await Manifold.from('cPcbbbihq');
+expect(Math.abs(M.volume() - 6.451990270835033) < 1e-12, `volume ${M.volume()}`);
+expect(M.isometrySignature() === 'cPcbbbihq' && M.homology() === '2 Z', 'signature or homology');
+expect(M.identify()?.name === 't2g2.8', 'identify');
+expect(M.covers(2).every((cover) => Math.abs(cover.volume() - 2 * M.volume()) < 1e-10), 'covers');
+expect(M.isIsometricTo(await Manifold.from('cPcbbbdhq')) === false, 'compare');
+expect(M.pageData({cells: 3}).face_pairings.length === 2, 'page data');
+expect(M.embedding({cells: 3}).tetrahedra.length === 2, 'embedding');
+expect(M.orthospectrum({length: 3}).arcs.length === 2, 'orthospectrum');
+const sum = (await Manifold.from('dLQbcbcmebs')).verdict();
+expect(sum === 'infeasible', `dLQbcbcmebs: ${sum}`);
+try {
+  await Manifold.from('hello');
+  complain('"hello" is a manifold');
+} catch (error) {
+  expect(error instanceof TripusError && error.kind === 'invalid-input', `hello: ${error.kind} ${error.message}`);
+}
+// A stop, and after it the module goes on.
+let asked = 0;
+const stopped = tripus.run(['simplify', 'cPcbbbihq', '--effort', '1000000', '--json'], {stop: () => ++asked > 2});
+expect(asked > 2 && stopped.status === 1, `stop: asked ${asked} times, status ${stopped.status}`);
+expect(tripus.run(['solve', 'cPcbbbihq', '--json']).status === 0, 'after a stop');
+
+rmSync(scratch, {recursive: true});
+if (problems > 0) {
+  console.error(`${problems} differences`);
+  process.exit(1);
+}

@@ -1,0 +1,353 @@
+// Tripus for JavaScript: the program in WebAssembly, and the front door on its JSON. Types: index.d.ts.
+import createModule from './module.js';
+
+export class TripusError extends Error {
+  constructor(kind, message) {
+    super(message);
+    this.name = 'TripusError';
+    this.kind = kind;
+  }
+}
+
+const kWork = '/work';
+const encoder = new TextEncoder();
+const decoder = new TextDecoder();
+
+const bytesOf = (content) => (typeof content === 'string' ? encoder.encode(content) : content);
+const isGzip = (bytes) => bytes.length > 2 && bytes[0] === 0x1f && bytes[1] === 0x8b;
+
+/** What a file holds that may be compressed by gzip. */
+export async function unpacked(content) {
+  const bytes = bytesOf(content);
+  if (!isGzip(bytes)) return bytes;
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/** The program: one run after the other, in a folder of files in memory that is empty before each. */
+class Program {
+  #compiled;
+  #module = null;
+
+  constructor(compiled) {
+    this.#compiled = compiled;
+  }
+
+  /** Makes an instance without waiting: the first, and another where one has failed. */
+  #start() {
+    const module = {
+      instantiateWasm: (imports, receive) => {
+        const instance = new WebAssembly.Instance(this.#compiled, imports);
+        receive(instance);
+        return instance.exports;
+      },
+      print() {},
+      printErr() {},
+      stdin: () => (module.tripusInput ? module.tripusInput() : null),
+    };
+    createModule(module);
+    if (!module._tripus_run) throw new TripusError('internal', 'the module does not start');
+    module.FS.mkdir(kWork);
+    module.FS.chdir(kWork);
+    return module;
+  }
+
+  get #running() {
+    this.#module ??= this.#start();
+    return this.#module;
+  }
+
+  #text(address, size) {
+    return decoder.decode(this.#module.HEAPU8.slice(address, address + size));
+  }
+
+  get version() {
+    const module = this.#running;
+    const start = module._tripus_version();
+    return this.#text(start, module.HEAPU8.indexOf(0, start) - start);
+  }
+
+  #clear(folder) {
+    const {FS} = this.#module;
+    for (const name of FS.readdir(folder)) {
+      if (name === '.' || name === '..') continue;
+      const path = `${folder}/${name}`;
+      if (FS.isDir(FS.stat(path).mode)) {
+        this.#clear(path);
+        FS.rmdir(path);
+      } else {
+        FS.unlink(path);
+      }
+    }
+  }
+
+  /** The files below a folder that were not given, by their names. */
+  #written(given, folder = kWork, found = {}) {
+    const {FS} = this.#module;
+    for (const name of FS.readdir(folder)) {
+      if (name === '.' || name === '..') continue;
+      const path = `${folder}/${name}`;
+      const short = path.slice(kWork.length + 1);
+      if (FS.isDir(FS.stat(path).mode)) this.#written(given, path, found);
+      else if (!(short in given)) found[short] = FS.readFile(path);
+    }
+    return found;
+  }
+
+  #give(files) {
+    const {FS} = this.#module;
+    for (const [name, content] of Object.entries(files)) {
+      const parts = name.split('/');
+      if (name === '' || name.startsWith('/') || parts.some((part) => part === '' || part === '..' || part === '.'))
+        throw new TripusError('usage', `${JSON.stringify(name)} is no name of a file here: give one without a path`);
+      for (let i = 1; i < parts.length; ++i) {
+        const folder = `${kWork}/${parts.slice(0, i).join('/')}`;
+        if (!FS.analyzePath(folder).exists) FS.mkdir(folder);
+      }
+      FS.writeFile(`${kWork}/${name}`, bytesOf(content));
+    }
+  }
+
+  run(args, options = {}) {
+    const given = options.files ?? {};
+    const module = this.#running;
+    this.#clear(kWork);
+    this.#give(given);
+    const words = options.timeLimit === undefined ? args : [...args, '--time-limit', String(options.timeLimit)];
+    const input = bytesOf(options.stdin ?? '');
+    let at = 0;
+    module.tripusInput = () => (at < input.length ? input[at++] : null);
+    module.tripusStop = options.stop ?? null;
+    module.tripusProgress = options.progress
+      ? (address, size, tetrahedra) => options.progress(this.#text(address, size), tetrahedra)
+      : null;
+    const bytes = encoder.encode(words.map((word) => `${word}\0`).join(''));
+    try {
+      const address = module._malloc(bytes.length || 1);
+      if (address === 0) throw new RangeError('out of memory');
+      module.HEAPU8.set(bytes, address);
+      const status = module._tripus_run(address, bytes.length);
+      const result = {
+        status,
+        stdout: this.#text(module._tripus_output(), module._tripus_output_size()),
+        stderr: this.#text(module._tripus_messages(), module._tripus_messages_size()),
+        files: this.#written(given),
+      };
+      module._free(address);
+      return result;
+    } catch (error) {
+      this.#module = null;  // the next run begins with an empty memory
+      if (!(error instanceof RangeError || error instanceof WebAssembly.RuntimeError ||
+            error instanceof WebAssembly.Exception)) throw error;
+      return failure(words, error);
+    }
+  }
+}
+
+/** What the program answers where it could not end by itself. */
+function failure(words, error) {
+  const isMemory = error instanceof RangeError || /memory|stack/i.test(error.message ?? '');
+  const kind = isMemory ? 'out_of_memory' : 'internal';
+  const message = isMemory ? 'not enough memory for this here; the program itself has more'
+                           : `the module failed: ${error.message ?? error}`;
+  const answer = {tripus: '', input: '', error: {kind, message}};
+  return {status: 3, stdout: words.includes('--json') ? `${JSON.stringify(answer)}\n` : '',
+          stderr: `tripus: ${message}\n`, files: {}};
+}
+
+/** The argument that an Input is, and the files that it needs. */
+function argument(input, number = 0) {
+  if (typeof input !== 'string') return [input.name, {[input.name]: input.content}];
+  // Only a diagram may have several lines in an argument; what else has them is a file's content.
+  if (!/^\s*[{[%<]|[\n\r]/.test(input)) return [input, {}];
+  const name = number === 0 ? 'text' : `text-${number + 1}`;
+  return [name, {[name]: input}];
+}
+
+class Module {
+  #program;
+
+  constructor(compiled) {
+    this.#program = new Program(compiled);
+    this.version = this.#program.version;
+  }
+
+  run(args, options) {
+    return this.#program.run(args, options);
+  }
+
+  ask(verb, inputs, flags = [], options = {}) {
+    const words = [];
+    const files = {...options.files};
+    [inputs].flat().forEach((input, number) => {
+      const [word, needed] = argument(input, number);
+      words.push(word);
+      Object.assign(files, needed);
+    });
+    const {status, stdout, stderr} = this.run([verb, ...words, ...flags, '--json'], {...options, files});
+    const answers = stdout.split('\n').filter((line) => line !== '').map((line) => JSON.parse(line));
+    const failed = answers.find((answer) => answer.error);
+    if (failed) throw new TripusError(failed.error.kind, failed.error.message);
+    if (status > 1) throw new TripusError(status === 2 ? 'usage' : 'internal', stderr.replace(/^tripus: /, '').trim());
+    return answers;
+  }
+
+  manifold(input, options = {}) {
+    const manifold = new Manifold(this, input);
+    manifold.info(options);
+    return manifold;
+  }
+}
+
+let source = null;
+let ready = null;
+
+/** Where the bytes of the module come from if nobody gives them. */
+export function setSource(bytes) {
+  source = bytes;
+}
+
+async function compile(bytes) {
+  if (bytes instanceof WebAssembly.Module) return bytes;
+  return WebAssembly.compile(await unpacked(bytes instanceof ArrayBuffer ? new Uint8Array(bytes) : bytes));
+}
+
+let own = null;
+export function compiled() {
+  if (!source) throw new TripusError('usage', 'load(bytes): the bytes of the module are not at hand');
+  own ??= source().then(compile);
+  return own;
+}
+
+export async function load(bytes) {
+  if (bytes !== undefined) return new Module(await compile(bytes));
+  ready ??= compiled().then((module) => new Module(module));
+  return ready;
+}
+
+/** A compact 3-manifold with a triangulation. A value: nothing is computed before it is first asked for,
+ *  and then once. */
+export class Manifold {
+  #tripus;
+  #input;
+  #known = new Map();
+
+  constructor(tripus, input) {
+    this.#tripus = tripus;
+    this.#input = input;
+  }
+
+  static async from(input, options) {
+    const content = typeof input === 'string' ? input : {...input, content: await unpacked(input.content)};
+    return (await load()).manifold(content, options);
+  }
+
+  /** The first answer of a verb; kept unless a stop or a time limit may have cut it short. */
+  #ask(verb, flags = [], options = {}) {
+    const key = [verb, ...flags].join('\0');
+    if (this.#known.has(key)) return this.#known.get(key);
+    const [answer] = this.#tripus.ask(verb, this.#input, flags, options);
+    if (!options.stop && options.timeLimit === undefined) this.#known.set(key, answer);
+    return answer;
+  }
+
+  #metric() {
+    const answer = this.solve();
+    if (answer.outcome !== 'geometric') throw new TripusError('no_metric', answer.message);
+    return answer;
+  }
+
+  /** The manifold of the gluing table or the signature in an answer. */
+  #other(answer) {
+    return this.#tripus.manifold(
+      answer.gluings ? JSON.stringify({name: answer.name ?? '', gluings: answer.gluings}) : answer.isosig);
+  }
+
+  get input() { return this.#input; }
+  toString() { return this.name(); }
+  name() { return this.info().name ?? this.info().input; }
+  info(options) { return this.#ask('info', [], options); }
+  numTetrahedra() { return this.info().tetrahedron_count; }
+  numEdges() { return this.info().edge_count; }
+  numVertices() { return this.info().vertex_count; }
+  numCusps() { return this.links().filter((link) => link.kind === 'cusp').length; }
+  numBoundaryComponents() { return this.links().filter((link) => link.kind === 'geodesic').length; }
+  isOrientable() { return this.info().orientable; }
+  isConnected() { return this.info().component_count <= 1; }
+  links() {
+    return this.info().vertices.map((vertex) => ({
+      kind: vertex.kind,
+      eulerCharacteristic: vertex.link_euler_characteristic,
+      orientable: vertex.link_orientable,
+      triangles: vertex.triangle_count,
+    }));
+  }
+  get valences() { return this.info().edge_valences; }
+  get edgeClasses() { return this.info().edge_classes; }
+  triangulationIsosig({oriented = false} = {}) {
+    const found = this.info()[oriented ? 'oriented_isosig' : 'isosig'];
+    if (found === null) throw new TripusError('undecided', 'this triangulation has no such signature');
+    return found;
+  }
+  homology() { return this.info().H1; }
+
+  solve(options) { return this.#ask('solve', [], options); }
+  verdict() { return this.solve().outcome; }
+  volume() { return this.#metric().volume; }
+  get lengths() { return this.#metric().edge_lengths; }
+  get dihedralAngles() { return this.#metric().dihedral_angles; }
+  toJSON() { return this.solve(); }
+
+  simplified({seed, effort, ...options} = {}) {
+    const flags = [...(seed === undefined ? [] : ['--seed', String(seed)]),
+                   ...(effort === undefined ? [] : ['--effort', String(effort)])];
+    return this.#other(this.#ask('simplify', flags, options));
+  }
+  retriangulated({seed, budget, ...options} = {}) {
+    const flags = ['--retriangulate', ...(seed === undefined ? [] : ['--seed', String(seed)]),
+                   ...(budget === undefined ? [] : ['--budget', String(budget)])];
+    const answer = this.#ask('solve', flags, options);
+    if (answer.outcome !== 'geometric') throw new TripusError('no_metric', answer.message);
+    return this.#other(answer);
+  }
+  covers(degree, {cyclic = false, distinct = false, limit, ...options} = {}) {
+    const flags = [cyclic ? '--cyclic' : '--degree', String(degree), ...(distinct ? ['--distinct'] : []),
+                   ...(limit === undefined ? [] : ['--limit', String(limit)])];
+    return this.#tripus.ask('cover', this.#input, flags, options)
+      .filter((answer) => answer.gluings).map((answer) => this.#other(answer));
+  }
+
+  canonical(options) { return this.#ask('canonize', [], options); }
+  isometrySignature() { return this.#canonicalPart('signature'); }
+  symmetryGroup() { return this.#canonicalPart('isometry_group'); }
+  #canonicalPart(name) {
+    const answer = this.canonical();
+    if (answer[name] === undefined || answer[name] === null) throw new TripusError('undecided', answer.message);
+    return answer[name];
+  }
+  compare(other, options) {
+    return this.#tripus.ask('compare', [this.#input, other.#input], [], options)[0];
+  }
+  isIsometricTo(other) {
+    const {verdict} = this.compare(other);
+    return verdict === 'same' ? true : verdict === 'different' ? false : undefined;
+  }
+  identify(options) { return this.#ask('identify', [], options).census ?? null; }
+  orthospectrum({length, words = false, ...options} = {}) {
+    return this.#ask('orthospectrum', [...(length === undefined ? [] : ['--length', String(length)]),
+                                       ...(words ? ['--words'] : [])], options);
+  }
+
+  embedding({cells, ...options} = {}) {
+    return this.#ask('embed', cells === undefined ? [] : ['--cells', String(cells)], options);
+  }
+  pageData({cells, model, discs, ...options} = {}) {
+    const flags = [...(cells === undefined ? [] : ['--cells', String(cells)]),
+                   ...(model === undefined ? [] : ['--model', model]),
+                   ...(discs === true ? ['--discs'] : []),
+                   ...(typeof discs === 'number' ? ['--disc-length', String(discs)] : [])];
+    const answer = this.#ask('page-data', flags, options);
+    if (!answer.face_pairings) throw new TripusError('no_metric', answer.message);
+    return answer;
+  }
+}

@@ -34,6 +34,9 @@ struct CensusEntry {
 struct Census {
   std::vector<CensusEntry> manifolds;
   std::vector<std::string> unresolved;  ///< triangulations; ascending
+  /// So many digits of every volume after the point are proved, to half a unit of the last; all
+  /// volumes are rounded to them. 0: volumes as they came out in floating point.
+  int proved_digits = 0;
 
   /// By isometry signature or by the isomorphism signature of a listed triangulation, with or
   /// without a sign, or by name; null if there is none. Linear search.
@@ -83,19 +86,21 @@ std::string to_journal(const CensusLine& line);
 /// What it says; nothing if it is not such a line.
 std::optional<CensusLine> parse_journal_line(std::string_view text);
 
-/// The table: a comment with the counts, a header line, one manifold a line; then a comment for
+/// The table: a comment with the counts, one where the volumes are proved, a header line, one
+/// manifold a line; then a comment for
 /// each unresolved triangulation, "# unresolved cPcbbbihq", with a surface behind it where the
 /// triangulation shows one that no hyperbolic manifold has (structure::closed_bigon), and one with
 /// a checksum for each line.
 std::string to_tsv(const Census& census);
 /// Line ends may be those of any system, and a table made by hand needs no comments. Throws
-/// InvalidInput, naming the line; also for a line or a count that is not as the comments say.
+/// InvalidInput, naming the line; also for a line, a count or the digits of a volume that are not
+/// as the comments say.
 Census parse_tsv(std::string_view text);
 
 /// A SQLite database with the tables manifold, triangulation, unresolved and about (the version,
-/// and the checksums of the lines), and the view hyperbolicity: yes by a metric, no by a surface,
-/// or not decided. Both throw InvalidInput with the name of the file and the
-/// library's reason, and IoError for what the system has failed in.
+/// the proved digits of the volumes, and the checksums of the lines), and the view hyperbolicity:
+/// yes by a metric, no by a surface, or not decided. Both throw InvalidInput with the name of the
+/// file and the library's reason, and IoError for what the system has failed in.
 void write_database(const Census& census, const std::string& path);
 Census read_database(const std::string& path);
 

@@ -1,3 +1,4 @@
+#include <charconv>
 #include <new>
 
 #include <fmt/format.h>
@@ -104,6 +105,27 @@ class Statement {
   int bound_ = 0;
 };
 
+bool has_about(Database& database) {
+  Statement table(database, "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'about'");
+  return table.step();
+}
+
+/// 0 if the database does not say that any are.
+int proved_digits(Database& database, const std::string& path) {
+  if (!has_about(database)) return 0;
+  Statement about(database, "SELECT value FROM about WHERE key = 'proved digits of the volumes'");
+  if (!about.step()) return 0;
+  const std::string text = about.text(0);
+  int digits = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), digits);
+  if (error != std::errc() || end != text.data() + text.size() || digits < 1 ||
+      digits > detail::kMostProvedDigits)
+    throw InvalidInput(
+        fmt::format("the database {}: the proved digits of the volumes are {}, not 1 to {}",
+                    tripus::quoted(path), quoted(text), detail::kMostProvedDigits));
+  return digits;
+}
+
 void fill(Database& database, const Census& census) {
   Statement manifold(database, "INSERT INTO manifold VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
   Statement triangulation(database, "INSERT INTO triangulation VALUES (?, ?)");
@@ -118,14 +140,15 @@ void fill(Database& database, const Census& census) {
     unresolved.bind(isosig).bind(detail::surface_in(isosig)).insert();
   Statement about(database, "INSERT INTO about VALUES (?, ?)");
   about.bind("version").bind(std::string("tripus ") + kVersion).insert();
+  if (census.proved_digits > 0)
+    about.bind("proved digits of the volumes").bind(std::to_string(census.proved_digits)).insert();
   const auto lines = detail::census_lines(census, detail::VolumeDigits::kAll);
   about.bind("checksums").bind(detail::checksums_of(lines)).insert();
 }
 
 /// Databases of other programs, and of earlier versions, have no checksums.
 void require_as_written(Database& database, const Census& census, const std::string& path) {
-  Statement table(database, "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'about'");
-  if (!table.step()) return;
+  if (!has_about(database)) return;
   Statement about(database, "SELECT value FROM about WHERE key = 'checksums'");
   const auto lines = detail::census_lines(census, detail::VolumeDigits::kAll);
   const auto damaged = about.step() ? detail::first_damaged(lines, about.text(0)) : lines.size();
@@ -177,6 +200,7 @@ Census read_database(const std::string& path) {
   }
   Statement unresolved(database, "SELECT isosig FROM unresolved ORDER BY rowid");
   while (unresolved.step()) census.unresolved.push_back(unresolved.text(0));
+  census.proved_digits = proved_digits(database, path);
   require_as_written(database, census, path);
   return census;
 }

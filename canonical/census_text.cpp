@@ -28,6 +28,9 @@ constexpr std::string_view kNotHyperbolic = "\tnot hyperbolic: ";
 
 /// The same of the line with the checksums of all others, in their order.
 constexpr std::string_view kChecksums = "# checksums of the lines: ";
+constexpr std::string_view kProvedBefore =
+    "# All volumes are proved to half a unit of their last digit, which is digit ";
+constexpr std::string_view kProvedAfter = " after the point.";
 constexpr std::string_view kTitle =
     "# Hyperbolic manifolds with geodesic boundary, by tripus census: ";
 
@@ -49,6 +52,7 @@ bool parse_number(std::string_view text, Number& value) {
 
 /// boundary, volume, homology, cells, keeping, reversing, signature: the shared columns.
 constexpr std::size_t kFacts = 7;
+constexpr std::size_t kVolumeColumn = 3;
 
 std::string facts(const CensusEntry& entry, const std::string& volume) {
   return fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}", entry.boundary, volume, entry.homology,
@@ -112,7 +116,9 @@ std::vector<std::string> census_lines(const Census& census, VolumeDigits digits)
   std::vector<std::string> lines;
   for (const CensusEntry& entry : census.manifolds) {
     const std::string volume = digits == VolumeDigits::kAll ? fmt::format("{}", entry.volume)
-                                                            : fmt::format("{:.15g}", entry.volume);
+                               : census.proved_digits > 0
+                                   ? fmt::format("{:.{}f}", entry.volume, census.proved_digits)
+                                   : fmt::format("{:.15g}", entry.volume);
     lines.push_back(fmt::format("{}\t{}\t{}\t{}", entry.name, entry.tetrahedra,
                                 facts(entry, volume), fmt::join(entry.triangulations, " ")));
   }
@@ -178,6 +184,34 @@ CensusEntry parse_entry(std::string_view line, std::size_t number) {
   return entry;
 }
 
+/// What the comment says of which digit is the last that is proved. Throws InvalidInput.
+int proved_digits_of(std::string_view line, std::size_t number) {
+  line.remove_prefix(kProvedBefore.size());
+  int digits = 0;
+  if (line.ends_with(kProvedAfter)) {
+    line.remove_suffix(kProvedAfter.size());
+    if (!parse_number(line, digits) || digits < 1 || digits > detail::kMostProvedDigits) digits = 0;
+  }
+  if (digits == 0)
+    throw InvalidInput(fmt::format("line {} of the census: the proved digits are 1 to {}", number,
+                                   detail::kMostProvedDigits));
+  return digits;
+}
+
+/// A volume that is said to be proved has the digits that are. Throws InvalidInput.
+void require_digits(std::string_view line, std::size_t number, int digits) {
+  if (digits == 0) return;
+  const std::string_view volume = split(line, '\t')[kVolumeColumn];
+  const std::size_t point = volume.find('.');
+  if (point == std::string_view::npos ||
+      volume.size() - point - 1 != static_cast<std::size_t>(digits) ||
+      volume.find_first_not_of("0123456789.") != std::string_view::npos)
+    throw InvalidInput(
+        fmt::format("line {} of the census: the volume {} has not the {} digits after the point "
+                    "that are said to be proved",
+                    number, quoted(std::string(volume)), digits));
+}
+
 /// What the comments of a table say of its lines.
 struct Claims {
   std::optional<std::string> counts, checksums;
@@ -214,7 +248,10 @@ std::string to_tsv(const Census& census) {
   for (std::size_t k = 0; k < census.unresolved.size(); ++k)
     if (const std::string surface = detail::surface_in(census.unresolved[k]); !surface.empty())
       lines[census.manifolds.size() + k] += std::string(kNotHyperbolic) + surface;
-  std::string text = fmt::format("{}{}\n{}\n", kTitle, counts_of(census), kColumns);
+  std::string text = fmt::format("{}{}\n", kTitle, counts_of(census));
+  if (census.proved_digits > 0)
+    text += fmt::format("{}{}{}\n", kProvedBefore, census.proved_digits, kProvedAfter);
+  text += fmt::format("{}\n", kColumns);
   for (const std::string& line : lines) text += line + '\n';
   return text + fmt::format("{}{}\n", kChecksums, detail::checksums_of(lines));
 }
@@ -232,6 +269,7 @@ Census parse_tsv(std::string_view text) {
     ++number;
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (line.starts_with(kTitle)) claims.counts = line.substr(kTitle.size());
+    if (line.starts_with(kProvedBefore)) census.proved_digits = proved_digits_of(line, number);
     if (line.starts_with(kChecksums)) claims.checksums = line.substr(kChecksums.size());
     if (line.starts_with(kUnresolved)) {
       const std::string_view signature = line.substr(kUnresolved.size());
@@ -246,6 +284,7 @@ Census parse_tsv(std::string_view text) {
     if (!std::exchange(header, true)) continue;
     found(line);
     census.manifolds.push_back(parse_entry(line, number));
+    require_digits(line, number, census.proved_digits);
   }
   if (!header) throw InvalidInput("the census has no line with the names of its columns");
   claims.ends_with_line_end = text.ends_with('\n') || claims.lines.empty();

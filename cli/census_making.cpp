@@ -78,6 +78,17 @@ std::string journal_of(const CensusMaking& command) {
   return {};
 }
 
+/// Rounds the volumes to what the proofs prove, or says why not; the exit status.
+int round_volumes(Census& census, const std::vector<canonical::CensusProof>& proofs) {
+  const std::vector<std::string> without = canonical::round_to_proved(census, proofs);
+  if (without.empty()) return kSuccess;
+  write_message(fmt::format(
+      "tripus: the volumes stay as they came out in floating point: {} of {} are not proved, that "
+      "of {} and so on\n",
+      without.size(), census.manifolds.size(), without.front()));
+  return kNoAnswer;
+}
+
 /// Writes the census of these lines, and says what it is.
 int finish(const CensusMaking& command, const std::vector<CensusLine>& lines,
            std::size_t refused_before, std::size_t resumed) {
@@ -87,8 +98,10 @@ int finish(const CensusMaking& command, const std::vector<CensusLine>& lines,
   if (census.manifolds.empty() && census.unresolved.empty())
     throw InvalidInput(fmt::format("all of the {} were refused: no census was made",
                                    counted(total, "triangulation", "triangulations")));
-  write_census(command, census);
-  if (command.prove && write_proofs(command, census) != kSuccess) return kNoAnswer;
+  CensusMaking outputs = command;
+  if (command.tsv.empty() && command.database.empty()) outputs.tsv = "-";
+  const int status = write_census(outputs, census);
+  if (interrupt_requested()) return status;
   const std::string summary = fmt::format(
       "{} triangulations: {} manifolds; {} carry their metric, {} after moves, {} unresolved, {} "
       "refused{}\n",
@@ -96,8 +109,7 @@ int finish(const CensusMaking& command, const std::vector<CensusLine>& lines,
       counts.refused + refused_before,
       resumed == 0 ? "" : fmt::format(" ({} known from an earlier run)", resumed));
   write_message(command.quiet ? "" : summary);
-  if (command.tsv.empty() && command.database.empty()) write_text("-", canonical::to_tsv(census));
-  return kSuccess;
+  return status;
 }
 
 }  // namespace
@@ -110,21 +122,24 @@ void declare_outputs(const CensusMaking& command) {
   if (command.prove && !command.proofs.empty()) declare_output("--proofs", command.proofs);
 }
 
-void write_census(const CensusMaking& command, const Census& census) {
+int write_census(const CensusMaking& command, Census census) {
+  const bool writes = !command.database.empty() || !command.tsv.empty();
+  int status = kSuccess;
+  if (command.prove) {
+    Context context = interruptible();
+    context.threads = command.classify.threads;
+    const auto proofs = canonical::prove_census(census, {.volumes = writes}, context);
+    if (context.stop_requested()) {
+      write_message(fmt::format("tripus: {} after {} proofs; nothing was written\n", stop_text(),
+                                proofs.size()));
+      return kNoAnswer;
+    }
+    if (writes) status = round_volumes(census, proofs);
+    write_text(command.proofs.empty() ? "-" : command.proofs, canonical::to_tsv(proofs));
+  }
   if (!command.database.empty()) canonical::write_database(census, command.database);
   if (!command.tsv.empty()) write_text(command.tsv, canonical::to_tsv(census));
-}
-
-int write_proofs(const CensusMaking& command, const Census& census) {
-  const Context context = interruptible();
-  const auto proofs = canonical::prove_census(census, context);
-  if (context.stop_requested()) {
-    write_message(fmt::format("tripus: {} after {} proofs; no proofs were written\n", stop_text(),
-                              proofs.size()));
-    return kNoAnswer;
-  }
-  write_text(command.proofs.empty() ? "-" : command.proofs, canonical::to_tsv(proofs));
-  return kSuccess;
+  return status;
 }
 
 int make_census(CensusMaking command) {
@@ -176,10 +191,9 @@ int make_census(CensusMaking command) {
   for (const CensusLine& line : lines)
     if (!line.reason.empty())
       write_message(fmt::format("tripus: {}: {}\n", printable(line.triangulation), line.reason));
-  if (const int status = finish(command, lines, inputs.refused, resumed); status != kSuccess)
-    return status;
-  if (journal && command.journal.empty()) journal->remove();
-  return kSuccess;
+  const int status = finish(command, lines, inputs.refused, resumed);
+  if (journal && command.journal.empty() && !interrupt_requested()) journal->remove();
+  return status;
 }
 
 int merge_census(const CensusMaking& command) {

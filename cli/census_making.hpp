@@ -27,9 +27,9 @@ int make_census(CensusMaking command);
 /// The census of the shards.
 int merge_census(const CensusMaking& command);
 
-/// Writes a census to the files that are named.
-void write_census(const CensusMaking& command, const canonical::Census& census);
-/// Proves the metrics of a census and writes the proofs; the exit status.
-int write_proofs(const CensusMaking& command, const canonical::Census& census);
+/// Writes a census to the files that are named; with `prove` its metrics are proved first, the
+/// volumes rounded to digits that are proved where all are, and the proofs written. The exit
+/// status.
+int write_census(const CensusMaking& command, canonical::Census census);
 
 }  // namespace tripus::cli

@@ -104,6 +104,11 @@ constexpr RecordField kFields[] = {
      [](const Solved& s) { return angle(s, false); }},
     {"largest-angle", "largest dihedral angle, radians",
      [](const Solved& s) { return angle(s, true); }},
+    {"search", "how that for other triangulations ended (--retriangulate)",
+     [](const Solved& s) {
+       return s.search() == nullptr ? std::string()
+                                    : std::string(structure::to_string(s.search()->end));
+     }},
     {"condition", "condition number of the Hessian; not with cusps",
      [](const Solved& s) { return condition(s); }},
 };

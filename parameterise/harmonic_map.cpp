@@ -136,7 +136,9 @@ HarmonicMap harmonic_map(MarkedSolid& solid, Weights weights, const MapOptions& 
       map = std::move(next);
     else
       go_on(map, std::move(next));
-    return map.termination == solver::Termination::kConverged;
+    // Rounding ends it too, and less than one step is left then.
+    return map.termination == solver::Termination::kConverged ||
+           map.termination == solver::Termination::kStalled;
   };
   const Weights convex = weights == Weights::kFiniteElements ? Weights::kCotangent : weights;
   choose_frames(solid, begin);
@@ -144,7 +146,11 @@ HarmonicMap harmonic_map(MarkedSolid& solid, Weights weights, const MapOptions& 
   choose_frames(solid, map.points);
   if (!minimise(convex, std::vector<Vector4>(map.points), weights == convex ? 0 : kRough))
     return map;
-  if (weights != convex) minimise(weights, std::vector<Vector4>(map.points), 0);
+  if (weights == convex) return map;
+  // It may lead far from there, and frames that are far off cost digits.
+  if (!minimise(weights, std::vector<Vector4>(map.points), kRough)) return map;
+  choose_frames(solid, map.points);
+  minimise(weights, std::vector<Vector4>(map.points), 0);
   return map;
 }
 

@@ -307,18 +307,19 @@ double relator_defect(const MarkedSolid& solid) {
       if (seen[6 * t + static_cast<std::size_t>(e)]) continue;
       const auto start = topology::EdgeWalk::start(t, e);
       topology::EdgeWalk walk = start;
-      Matrix4 product = Matrix4::Identity();
+      LongMatrix4 product = LongMatrix4::Identity();
       bool is_closed = true;
       do {
         seen[6 * walk.t + static_cast<std::size_t>(walk.edge())] = true;
         is_closed = !solid.gluings.is_open(walk.t, walk.c);
         if (!is_closed) break;
         const std::uint32_t value = solid.values[slot_of(walk.t, walk.c)];
-        if (value != 0) product *= solid.group->matrix(value);
+        if (value != 0) product *= solid.group->long_matrix(value);
         walk.step(solid.gluings);
       } while (walk.t != start.t || walk.a != start.a || walk.b != start.b);
       if (is_closed)
-        largest = std::max(largest, (product - Matrix4::Identity()).cwiseAbs().maxCoeff());
+        largest = std::max(largest, static_cast<double>(
+                                        (product - LongMatrix4::Identity()).cwiseAbs().maxCoeff()));
     }
   return largest;
 }

@@ -63,6 +63,8 @@ void choose_frames(MarkedSolid& solid, std::vector<Vector4>& points);
 
 /// How far the products of matrices around the edges inside the mesh are from the identity: the
 /// largest entry. As numbers of the group they are the identity, which is checked by mark_solid.
+/// The matrices are the long doubles that the words give. Those of doubles, whose entries go to
+/// some hundreds, have products that are off by the rounding of these, to the third power.
 double relator_defect(const MarkedSolid& solid);
 
 }  // namespace tripus::parameterise

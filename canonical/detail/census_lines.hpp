@@ -9,7 +9,10 @@
 
 namespace tripus::canonical::detail {
 
-/// Volumes with 15 digits, as a table shows them, or with all there are.
+/// Doubles hold a number of so many decimal digits, no less.
+inline constexpr int kMostProvedDigits = 15;
+
+/// Volumes with 15 digits or those that are proved, as a table shows them, or with all there are.
 enum class VolumeDigits { kShown, kAll };
 
 /// The lines of a table: manifolds, then what is unresolved.

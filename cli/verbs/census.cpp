@@ -65,6 +65,7 @@ void parse_volumes(const std::string& text, canonical::CensusQuery& query) {
 /// What was found as a census of its own; with what is unresolved if nothing was left out.
 Census chosen_part(const Census& census, const std::vector<const canonical::CensusEntry*>& found) {
   Census part;
+  part.proved_digits = census.proved_digits;
   for (const canonical::CensusEntry* entry : found) part.manifolds.push_back(*entry);
   if (found.size() == census.manifolds.size()) part.unresolved = census.unresolved;
   return part;
@@ -116,10 +117,8 @@ int look_up(CensusCommand& command) {
     write_message(fmt::format("tripus: nothing found: {}\n", canonical::describe(census)));
     return kNoAnswer;
   }
-  if (!command.making.database.empty() || !command.making.tsv.empty()) {
-    write_census(command.making, chosen_part(census, found));
-    return kSuccess;
-  }
+  if (command.making.prove || !command.making.database.empty() || !command.making.tsv.empty())
+    return write_census(command.making, chosen_part(census, found));
   for (const canonical::CensusEntry* entry : found) {
     if (!command.json) {
       write_output(entry_as_text(*entry));
@@ -164,11 +163,10 @@ void require_fitting(CensusCommand& command) {
   const bool makes = !making.lists.empty() || !making.shards.empty();
   if (!making.proofs.empty() && !making.prove && !command.check)
     throw CLI::RequiredError("--prove or --check, with --proofs,");
-  if (making.prove && makes && making.proofs.empty() && (making.tsv.empty() || making.tsv == "-") &&
-      making.database.empty() && command.output.empty())
+  const bool has_file = !making.tsv.empty() || !making.database.empty() || !command.output.empty();
+  if (making.prove && making.proofs.empty() && (making.tsv == "-" || (makes && !has_file)))
     throw CLI::RequiredError(
-        "--proofs FILE, with --prove and --from or --merge where the census itself goes to "
-        "standard output,");
+        "--proofs FILE, with --prove where the census itself goes to standard output,");
   if (command.shard && command.output.empty()) throw CLI::RequiredError("-o FILE, with --shard,");
   if (command.shard && making.prove) throw CLI::ExcludesError("--prove", "--shard");
   if (command.shard || command.output.empty()) return;
@@ -187,7 +185,6 @@ int run(CensusCommand& command) {
   if (!making.shards.empty()) return merge_census(making);
   if (command.check) return check_proofs(command);
   if (!making.lists.empty()) return make_census(making);
-  if (making.prove) return write_proofs(making, ChosenCensus(command.in).get());
   return look_up(command);
 }
 
@@ -276,8 +273,8 @@ void add_census(CLI::App& program, Command& chosen) {
                                "check the proof of every manifold by other code than made it")
                     ->option_text(" ");
   auto* prove = verb->add_flag("--prove", command->making.prove,
-                               "prove the metrics of all manifolds (with --from: of the "
-                               "new\ncensus), and write the proofs")
+                               "prove the metrics of all manifolds, and write the proofs; with "
+                               "--tsv\nor --database volumes are written to digits that are proved")
                     ->option_text(" ");
   check->excludes(prove);
   verb->add_option("--proofs", command->making.proofs,

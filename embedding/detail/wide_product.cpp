@@ -1,9 +1,8 @@
 #include "embedding/detail/wide_product.hpp"
 
-#include <array>
 #include <cmath>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include "embedding/detail/wide_map.hpp"
 
 namespace tripus::embedding::detail {
 namespace {
@@ -11,9 +10,6 @@ namespace {
 using geometry::Complex;
 using geometry::Matrix4;
 using geometry::MoebiusMap;
-
-namespace mp = boost::multiprecision;
-using Wide = mp::number<mp::cpp_bin_float<100>, mp::et_off>;
 
 /// A sum of products, as if calculated in twice the digits and then rounded.
 class LongSum {
@@ -45,34 +41,7 @@ Complex excess_of(const MoebiusMap& map) {
   return {re.value(), im.value()};
 }
 
-/// What std::complex promises for the types of the language only.
-struct WideComplex {
-  Wide re, im;
-
-  static WideComplex of(const Complex& w) { return {Wide(w.real()), Wide(w.imag())}; }
-  Complex rounded() const { return {static_cast<double>(re), static_cast<double>(im)}; }
-  Wide square() const { return re * re + im * im; }
-};
-
-WideComplex operator+(const WideComplex& p, const WideComplex& q) {
-  return {p.re + q.re, p.im + q.im};
-}
-WideComplex operator-(const WideComplex& p, const WideComplex& q) {
-  return {p.re - q.re, p.im - q.im};
-}
-WideComplex operator*(const WideComplex& p, const WideComplex& q) {
-  return {p.re * q.re - p.im * q.im, p.re * q.im + p.im * q.re};
-}
-WideComplex operator*(const WideComplex& p, const Wide& factor) {
-  return {p.re * factor, p.im * factor};
-}
-WideComplex conj(const WideComplex& w) { return {w.re, -w.im}; }
-
-/// Coefficients a, b, c, d, and whether the map is of the conjugate.
-struct WideMap {
-  std::array<WideComplex, 4> m;
-  bool reverses = false;
-};
+}  // namespace
 
 WideMap product(const WideMap& p, const WideMap& q) {
   const auto there = [&](std::size_t k) { return p.reverses ? conj(q.m[k]) : q.m[k]; };
@@ -81,14 +50,27 @@ WideMap product(const WideMap& p, const WideMap& q) {
           p.reverses != q.reverses};
 }
 
+WideMap inverse(const WideMap& map) {
+  const auto& [a, b, c, d] = map.m;
+  const WideComplex none{};
+  const WideMap result{{d, none - b, none - c, a}, map.reverses};
+  // w = f(conj z) gives conj z = f^-1(w).
+  return map.reverses
+             ? WideMap{{conj(result.m[0]), conj(result.m[1]), conj(result.m[2]), conj(result.m[3])},
+                       true}
+             : result;
+}
+
 /// As on_group of doubles.
-WideMap on_group(WideMap map) {
-  constexpr int kSteps = 4;  // from 1e-3 to 1e-48
+WideMap on_group(const WideMap& given) {
+  constexpr int kSteps = 5;  // from 1e-3 to 1e-96
+  WideMap map = given;
   for (int step = 0; step < kSteps; ++step) {
     const auto& [a, b, c, d] = map.m;
     WideComplex excess = a * d - b * c;
     excess.re -= 1;
-    const WideComplex along = excess * (1 / (a.square() + b.square() + c.square() + d.square()));
+    const WideComplex along =
+        excess * (WideNumber(1) / (a.square() + b.square() + c.square() + d.square()));
     map.m = {a - along * conj(d), b + along * conj(c), c + along * conj(b), d - along * conj(a)};
   }
   return map;
@@ -105,22 +87,28 @@ MoebiusMap rounded(const WideMap& map) {
           map.reverses};
 }
 
+namespace {
+
 WideMap wide_product(std::span<const MoebiusMap> maps) {
   WideMap result = widened({});
   for (const MoebiusMap& map : maps) result = product(result, widened(map));
   return result;
 }
 
+}  // namespace
+
 /// The columns are x, y, z and time: A sigma A* for each of Pauli's matrices; docs/theory.md (61).
-Matrix4 to_matrix(const WideMap& map) {
+template <class Scalar>
+Eigen::Matrix<Scalar, 4, 4> to_matrix(const WideMap& map) {
   const auto& [a, b, c, d] = map.m;
   const WideComplex ac = a * conj(c), ad = a * conj(d), bc = b * conj(c), bd = b * conj(d);
-  const Wide aa = a.square(), bb = b.square(), cc = c.square(), dd = d.square();
+  const WideNumber aa = a.square(), bb = b.square(), cc = c.square(), dd = d.square();
   const WideComplex ab = a * conj(b), cd = c * conj(d);
-  Matrix4 matrix;
-  const auto column = [&](int n, const WideComplex& across, const Wide& top, const Wide& bottom) {
-    matrix.col(n) << static_cast<double>(across.re), static_cast<double>(across.im),
-        static_cast<double>((top - bottom) / 2), static_cast<double>((top + bottom) / 2);
+  Eigen::Matrix<Scalar, 4, 4> matrix;
+  const auto column = [&](int n, const WideComplex& across, const WideNumber& top,
+                          const WideNumber& bottom) {
+    matrix.col(n) << static_cast<Scalar>(across.re), static_cast<Scalar>(across.im),
+        static_cast<Scalar>((top - bottom) / 2), static_cast<Scalar>((top + bottom) / 2);
   };
   column(0, ad + bc, 2 * ab.re, 2 * cd.re);
   // sigma_y = (0, i; -i, 0): i (a conj(d) - b conj(c)) and i (a conj(b) - conj(a) b) = -2 Im.
@@ -132,7 +120,8 @@ Matrix4 to_matrix(const WideMap& map) {
   return matrix;
 }
 
-}  // namespace
+template Eigen::Matrix<double, 4, 4> to_matrix<double>(const WideMap& map);
+template Eigen::Matrix<long double, 4, 4> to_matrix<long double>(const WideMap& map);
 
 /// Newton's steps towards a d - b c = 1, each the shortest. Scaling would do it as well, but moves
 /// a map that takes the origin far by much more than its error.
@@ -153,7 +142,7 @@ MoebiusMap on_group(const MoebiusMap& map) {
 MoebiusMap product_of(std::span<const MoebiusMap> maps) { return rounded(wide_product(maps)); }
 
 Matrix4 matrix_of_product(std::span<const MoebiusMap> maps) {
-  return to_matrix(wide_product(maps));
+  return to_matrix<double>(wide_product(maps));
 }
 
 }  // namespace tripus::embedding::detail

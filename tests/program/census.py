@@ -5,6 +5,7 @@ import csv
 import gzip
 import os
 import random
+import re
 import signal
 import subprocess
 import sys
@@ -163,6 +164,53 @@ class Shards(ProgramTest):
             result = self.run_program("census", *arguments)
             self.assertEqual((result.status, result.text), (2, ""), arguments)
             self.assertIn(says, result.err)
+
+
+class Published(ProgramTest):
+    """scripts/census_table: what is new, what is open, volumes proved."""
+
+    SCRIPT = Path(__file__).resolve().parents[2] / "scripts/census_table"
+
+    def make(self, *arguments):
+        return subprocess.run([sys.executable, self.SCRIPT, *arguments, "--program", self.command()[0]],
+                              cwd=self.folder, capture_output=True, text=True, check=False)
+
+    def test_has_what_is_new_and_what_is_open(self):
+        self.run_program("census", *LISTS, "--tsv", "all.tsv", "--quiet")
+        self.run_program("census", *LISTS[:2], "--tsv", "old.tsv", "--quiet")
+        for name in ("a", "b"):
+            made = self.make("all.tsv", "--without", "old.tsv", "-o", f"{name}.tsv.gz", "--proofs",
+                             f"{name}.proofs")
+            self.assertEqual(made.returncode, 0, made.stderr)
+        self.assertEqual((self.folder / "a.tsv.gz").read_bytes(), (self.folder / "b.tsv.gz").read_bytes())
+        # 74 of three tetrahedra are unresolved; each is counted as decided or stands in the table.
+        new, known, undecided, decided = map(int, re.findall(r"\d+", made.stdout))
+        self.assertEqual((new, known, undecided + decided), (150, 8, 74))
+        self.assertGreater(decided, 0)
+        text = gzip.decompress((self.folder / "a.tsv.gz").read_bytes()).decode()
+        self.assertIn(" 150 manifolds, ", text.split("\n")[0])
+        self.assertIn(f"{undecided} unresolved.\n# All volumes are proved", text)
+        still = [line.split()[2] for line in text.split("\n") if line.startswith("# unresolved")]
+        self.assertEqual(len(still), undecided)
+        known_not = {line.split("\t")[1] for line in (DATA / "hyperbolicity.tsv").read_text().split("\n")
+                     if line.startswith("3\t") and "\tfalse\t" in line}
+        self.assertLessEqual(set(still), known_not)  # which the package's own tests decide
+        checked = self.run_program("census", "--in", "a.tsv.gz", "--check", "--proofs", "a.proofs")
+        self.assertEqual((checked.status, checked.text), (0, "150 of 150 manifolds have a valid proof\n"))
+
+    def test_refuses_what_is_no_census(self):
+        self.write("no.tsv", "hello\n")
+        (self.folder / "torn.tsv.gz").write_bytes(b"\x1f\x8b\x08")
+        self.run_program("census", *LISTS[:2], "--tsv", "two.tsv", "--quiet")
+        for census, says, output in (("no.tsv", "no table", "x.tsv.gz"), ("none.tsv", "none.tsv", "x.tsv.gz"),
+                                     ("torn.tsv.gz", "census_table:", "x.tsv.gz"),
+                                     ("two.tsv", "no manifold", "x.tsv.gz"),
+                                     ("two.tsv", ".tsv.gz", "x.tsv")):
+            made = self.make(census, "--without", "two.tsv", "-o", output, "--proofs", "p")
+            self.assertEqual(made.returncode == 0, False)
+            self.assertIn(says, made.stderr)
+            self.assertNotIn("Traceback", made.stderr)
+        self.assertFalse((self.folder / "x.tsv.gz").exists())
 
 
 class Cusps(ProgramTest):

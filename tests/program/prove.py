@@ -133,6 +133,46 @@ class Prove(ProgramTest):
         self.assert_refused("census", "--from", "list.txt", "--prove", says="--proofs")
         self.assert_refused("census", "--from", "list.txt", "--proofs", "q.tsv", says="--prove")
 
+    def test_census_with_proved_volumes(self):
+        self.write("list.txt", "cPcbbbihq\ncMcabbjds\ndLQacccjjkg\ndLQbcccdhkw\n")
+        answer = self.run_program("census", "--from", "list.txt", "--prove", "--tsv", "c.tsv",
+                                  "--database", "c.sqlite", "--proofs", "p.tsv", "--quiet")
+        self.assertEqual((answer.status, answer.err), (0, ""))
+        lines = (self.folder / "c.tsv").read_text().split("\n")
+        self.assertIn("which is digit 13 after the point", lines[1])
+        volumes = [line.split("\t")[3] for line in lines[3:7]]
+        self.assertEqual(volumes.count("6.4519902708350"), 3)
+        for line in lines[3:7]:  # by the digits that `prove` gives
+            lower, upper = (Fraction(x) for x in self.json_answer(
+                "prove", line.split("\t")[-1].split(" ")[0], "--digits", "30")["proof"]["volume"])
+            volume, half = Fraction(line.split("\t")[3]), Fraction(1, 2 * 10**13)
+            self.assertTrue(volume - half <= lower <= upper <= volume + half)
+        # A database keeps them, and a part of a census.
+        self.assertEqual(self.run_program("census", "--in", "c.sqlite", "--tsv", "-").text,
+                         "\n".join(lines))
+        self.assertIn("\n# All volumes are proved", self.run_program(
+            "census", "--in", "c.tsv", "--boundary", "g2", "--tsv", "-").text)
+        valid = self.run_program("census", "--in", "c.tsv", "--check", "--proofs", "p.tsv")
+        self.assertEqual((valid.status, valid.text), (0, "4 of 4 manifolds have a valid proof\n"))
+        # One unit of the last digit is too much for the checker.
+        text = "\n".join(line for line in lines if not line.startswith("# checksums"))
+        self.write("wrong.tsv", text.replace("6.4519902708350", "6.4519902708351", 1))
+        wrong = self.run_program("census", "--in", "wrong.tsv", "--check", "--proofs", "p.tsv")
+        self.assertEqual(wrong.status, 1)
+        self.assertIn("the volume", wrong.text)
+        self.write("cut.tsv", text.replace("6.4519902708350", "6.451990270835", 1))
+        self.assert_refused("census", "--in", "cut.tsv", says="digits after the point")
+
+    def test_census_of_volumes_that_are_not_proved(self):
+        # A triangulation that carries no metric.
+        self.write("c.tsv", "name\ttetrahedra\tboundary\tvolume\thomology\tcells\tkeeping\treversing\t"
+                            "signature\ttriangulations\nx\t3\tg2\t7\t2 Z\t1\t1\t1\tx\tdLQbcbcaekw\n")
+        answer = self.run_program("census", "--in", "c.tsv", "--prove", "--proofs", "p.tsv", "--tsv", "-")
+        self.assertEqual(answer.status, 1)
+        self.assertIn("1 of 1 are not proved", answer.err)
+        self.assertNotIn("All volumes", answer.text)
+        self.assert_refused("census", "--in", "c.tsv", "--prove", "--tsv", "-", says="--proofs")
+
     def test_canonize_an_octahedron(self):
         proof = self.json_answer("canonize", "t4g2.98", "--prove")["proof"]
         self.assertEqual((proof["proved"], proof["unproved_faces"], len(proof["inner_faces"])),

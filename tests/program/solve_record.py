@@ -58,6 +58,12 @@ class Record(ProgramTest):
         self.assertEqual(self.records("cPcbbbihq")[0]["outcome"], "geometric")
         self.assertEqual(self.run_program("solve", "banana", "--format", "tsv").status, 2)
 
+    def test_says_how_a_search_ended(self):
+        fields = ("--fields", "outcome,search", "--retriangulate", "--budget", "5")
+        self.write("list", "cPcbbbihq\ndLQbcbcaekw\n")
+        self.assertEqual([tuple(each.values()) for each in self.records("--batch", "list", *fields)],
+                         [("geometric", ""), ("unresolved", "not hyperbolic")])
+
     def test_has_a_record_for_every_line(self):
         self.write("list", "cPcbbbihq\n-\n# a comment\n\nnowhere/file\ncPcbbbiht\n")
         records = self.records("--batch", "list")

@@ -93,6 +93,27 @@ TEST(CensusTables, KeepWhatIsUnresolved) {
   EXPECT_EQ(parse_tsv(to_tsv(census)).unresolved, census.unresolved);
 }
 
+TEST(CensusTables, SayWhichDigitsAreProved) {
+  Census census = make_census({line_of("cPcbbbihq", "cPcbbbihq")});
+  census.manifolds[0].volume = 6.5;
+  EXPECT_THAT(to_tsv(census), ::testing::Not(::testing::HasSubstr("proved")));
+  census.proved_digits = 13;
+  const std::string text = to_tsv(census);
+  EXPECT_THAT(text, ::testing::HasSubstr("digit 13 after the point"));
+  EXPECT_THAT(text, ::testing::HasSubstr("\t6.5000000000000\t"));
+  const Census back = parse_tsv(text);
+  EXPECT_EQ(back.proved_digits, 13);
+  EXPECT_EQ(back.manifolds, census.manifolds);
+  for (const auto& [from, to] : {std::pair("digit 13 after", "digit 0 after"),
+                                 std::pair("digit 13 after", "digit 99 after"),
+                                 std::pair("digit 13 after", "digit x after"),
+                                 std::pair("digit 13 after", "digit 12 after")}) {
+    std::string wrong = text;
+    wrong.replace(wrong.find(from), std::string(from).size(), to);
+    EXPECT_THROW(parse_tsv(wrong), InvalidInput) << to;
+  }
+}
+
 TEST(CensusTables, TheShippedOneHasWhatIsUnresolved) {
   const Census& census = shipped_census();
   EXPECT_EQ(census.unresolved.size(), 4915u);

@@ -92,7 +92,7 @@ try {
 }
 // A stop, and after it the module goes on.
 let asked = 0;
-const stopped = tripus.run(['simplify', 'cPcbbbihq', '--effort', '1000000', '--json'], {stop: () => ++asked > 2});
+const stopped = tripus.run(['orthospectrum', 'cPcbbbihq', '--length', '12', '--json'], {stop: () => ++asked > 2});
 expect(asked > 2 && stopped.status === 1, `stop: asked ${asked} times, status ${stopped.status}`);
 expect(tripus.run(['solve', 'cPcbbbihq', '--json']).status === 0, 'after a stop');
 

@@ -136,16 +136,16 @@ TEST(Homology, OfALongCoverWithAnyLabels) {
 TEST(Homology, OfCoversWithLongTorsion) {
   const Triangulation base(decode_isosig("cPcbbbiht"));
   const auto shifts = *primitive_class(base);
-  std::vector<detail::BigInteger> fibonacci{0, 1};
+  std::vector<BigInteger> fibonacci{0, 1};
   while (fibonacci.size() <= 5001)
     fibonacci.push_back(fibonacci.back() + fibonacci[fibonacci.size() - 2]);
   std::vector<std::size_t> degrees{999, 1000, 5000};
   for (std::size_t n = 1; n <= 150; ++n) degrees.push_back(n);
   for (const std::size_t n : degrees) {
-    const detail::BigInteger lucas = fibonacci[n - 1] + fibonacci[n + 1], &f = fibonacci[n];
+    const BigInteger lucas = fibonacci[n - 1] + fibonacci[n + 1], &f = fibonacci[n];
     std::vector<std::string> expected;
-    for (const detail::BigInteger& factor :
-         n % 2 == 1 ? std::vector{lucas, lucas} : std::vector<detail::BigInteger>{f, 5 * f})
+    for (const BigInteger& factor :
+         n % 2 == 1 ? std::vector{lucas, lucas} : std::vector<BigInteger>{f, 5 * f})
       if (factor > 1) expected.push_back(to_decimal(factor));
     const Triangulation cover(cyclic_cover(base.gluings(), shifts, n));
     const AbelianGroup found = first_homology(cover);

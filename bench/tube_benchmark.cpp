@@ -37,7 +37,7 @@ void BM_Sampling(benchmark::State& state) {
   const double cell = 9.0 / double(state.range(0));
   const tube::TubeRegion region(strands, 0.4, 0.35);
   std::size_t triangles = 0;
-  for (auto _ : state) triangles = tube::march(region, cell, 1u << 24, nullptr).triangles.size();
+  for (auto _ : state) triangles = tube::march(region, cell, 1u << 24, {}).triangles.size();
   state.counters["triangles"] = double(triangles);
   state.counters["triangles_per_s"] =
       benchmark::Counter(double(triangles), benchmark::Counter::kIsIterationInvariantRate);
@@ -48,7 +48,7 @@ void BM_SamplingDenseBaseline(benchmark::State& state) {
   const tube::TubeStrands strands = trefoil_strands();
   const double cell = 9.0 / double(state.range(0));
   const tube::TubeRegion region(strands, 0.4, 0.35);
-  const std::size_t triangles = tube::march(region, cell, 1u << 24, nullptr).triangles.size();
+  const std::size_t triangles = tube::march(region, cell, 1u << 24, {}).triangles.size();
   for (auto _ : state) {
     double sum = 0;
     const int n = int(state.range(0));

@@ -18,7 +18,7 @@ export interface RunOptions {
   timeLimit?: number;
   /** What is going on, about ten times a second; tetrahedra is 0 where that is not known. */
   progress?: (activity: string, tetrahedra: number) => void;
-  /** Files that the arguments name; what is compressed by gzip is read as what it holds. */
+  /** Files that the arguments name. What is compressed by gzip has to be unpacked before: `unpacked`. */
   files?: Record<string, Uint8Array | string>;
   /** Standard input: what INPUT "-" reads. */
   stdin?: string;
@@ -54,6 +54,9 @@ export interface Tripus {
 export function load(bytes?: WebAssembly.Module | ArrayBuffer | Uint8Array): Promise<Tripus>;
 /** The compiled module, to hand it to workers. */
 export function compiled(): Promise<WebAssembly.Module>;
+
+/** The content of a file, decompressed if it is compressed by gzip. `Manifold.from` does so by itself. */
+export function unpacked(content: Uint8Array | string): Promise<Uint8Array>;
 
 /** A signature, name, planar diagram or gluing JSON as text, or the content of a file. */
 export type Input = string | { name: string; content: Uint8Array | string };

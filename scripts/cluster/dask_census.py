@@ -63,7 +63,7 @@ def main():
     try:
         from distributed import Client, LocalCluster
     except ImportError:
-        sys.exit("dask.distributed is not installed: pip install distributed")
+        sys.exit("dask.distributed is not here: scripts/setup cluster (for /usr/bin/python3), or pip install distributed")
     into = arguments.into or arguments.list + ".census"
     if arguments.scheduler:
         with Client(arguments.scheduler) as client:

@@ -21,6 +21,8 @@ LIST = ROOT / "data" / "triangulations-4.txt"
 SHARDS = 12
 SKIPPED = 77
 PATIENCE = 240
+#: The one that sees Debian's packages.
+DEBIAN_PYTHON = Path("/usr/bin/python3")
 
 
 def skip(why):
@@ -194,7 +196,9 @@ def by_dask(program, folder):
     try:
         from distributed import Client, LocalCluster
     except ImportError:
-        skip("dask.distributed is not installed (pip install distributed)")
+        if Path(sys.executable).resolve() != DEBIAN_PYTHON.resolve() and DEBIAN_PYTHON.exists():
+            os.execv(DEBIAN_PYTHON, [DEBIAN_PYTHON, *sys.argv])
+        skip("dask.distributed is not installed (scripts/setup cluster, or pip install distributed)")
     sys.path.insert(0, str(ROOT / "scripts/cluster"))
     import threading
 

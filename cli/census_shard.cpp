@@ -52,6 +52,9 @@ std::vector<std::string> lines_of_shard(const ShardCommand& command, ShardWork& 
 bool is_there(const std::string& path, const ShardWork& work) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return false;
+  if (!std::filesystem::is_regular_file(path, error))
+    throw InvalidInput(tripus::quoted(path) +
+                       " is no ordinary file: name another one for the shard");
   const std::string text = read_file(path);
   try {
     if (canonical::parse_shard_work(text) == work) {

@@ -6,6 +6,7 @@ import gzip
 import os
 import random
 import re
+import resource
 import signal
 import subprocess
 import sys
@@ -139,9 +140,28 @@ class Shards(ProgramTest):
         self.assertEqual(self.merge(count, "--tsv", "out.tsv", "--quiet").status, 0)
         self.assertEqual((self.folder / "out.tsv").read_bytes(), whole)
 
-    def test_with_a_full_disk_are_absent(self):
-        result = self.run_program("census", *LISTS, "--shard", "1/2", "-o", "/dev/full")
-        self.assertNotEqual(result.status, 0)
+    def test_on_a_disk_that_fills_are_absent_and_go_on_with_room(self):
+        """A limit on the length of files stands for the disk. What fitted is not made again."""
+        self.shard(1, 2)
+        good = (self.folder / "1.tcs").read_bytes()
+        for limits in (range(0, len(good), len(good) // 12 + 1), [len(good) // 2, 0, len(good) - 1]):
+            (self.folder / "1.tcs").unlink()
+            for limit in limits:
+                result = self.run_program(
+                    "census", *LISTS, "--shard", "1/2", "-o", "1.tcs",
+                    preexec_fn=lambda limit=limit: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+                self.assertEqual(result.status, 3, (limit, result.err))
+                self.assertIn("File too large", result.err)
+                self.assertFalse((self.folder / "1.tcs").exists())
+            self.shard(1, 2)
+            self.assertEqual((self.folder / "1.tcs").read_bytes(), good)
+        self.assertEqual(list(self.folder.glob("*.journal")), [])
+
+    def test_that_are_no_files_are_refused(self):
+        for path in ("/dev/full", "."):
+            result = self.run_program("census", *LISTS, "--shard", "1/2", "-o", path)
+            self.assertEqual(result.status, 2)
+            self.assertIn("is no ordinary file", result.err)
 
     def test_make_tables_that_may_be_compressed(self):
         whole = self.whole()

@@ -158,10 +158,10 @@ class Shards(ProgramTest):
         self.assertEqual(list(self.folder.glob("*.journal")), [])
 
     def test_that_are_no_files_are_refused(self):
-        for path in ("/dev/full", "."):
+        for path, says in (("/dev/full", "is no ordinary file"), (".", "Is a directory")):
             result = self.run_program("census", *LISTS, "--shard", "1/2", "-o", path)
             self.assertEqual(result.status, 2)
-            self.assertIn("is no ordinary file", result.err)
+            self.assertIn(says, result.err)
 
     def test_make_tables_that_may_be_compressed(self):
         whole = self.whole()

@@ -11,7 +11,6 @@
 #include "structure/proof/digits.hpp"
 #include "structure/proof/prove_report.hpp"
 #include "structure/proof/tilt_signs.hpp"
-#include "topology/formats/regina.hpp"
 
 namespace tripus {
 namespace {
@@ -28,14 +27,6 @@ std::string gunzip(std::string_view, std::size_t) {
 void write_diagram_database(const std::vector<DiagramRow>&, const std::string&) {
   throw Unsupported("databases need the program: tripus table --database FILE");
 }
-
-namespace topology {
-
-std::string write_regina_xml(const NamedGluings&) {
-  throw Unsupported("Regina's data files need the program");
-}
-
-}  // namespace topology
 
 namespace canonical {
 

@@ -37,8 +37,8 @@ Reply page_data_of(const PageDataCommand& command, const std::string& input) {
   const Subject& subject = solved.subject;
   if (!solved.is_geometric())
     return {report_as_json(subject, solved.report, solved.search()), kNoAnswer};
-  const auto embedding = embedding::embed(subject.triangulation, solved.report.edge_lengths,
-                                          {subject.cone_angles, 0});
+  const auto embedding =
+      embedding::embed(subject.triangulation, solved.report.edge_lengths, {subject.cone_angles, 0});
   std::optional<viewer::WallDiscs> discs;
   if (command.discs || command.length > 0)
     discs = viewer::find_wall_discs(
@@ -54,10 +54,8 @@ Reply page_data_of(const PageDataCommand& command, const std::string& input) {
           kSuccess};
 }
 
-void add_page_data(CLI::App& program, Command& chosen) {
+void add_page_data(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<PageDataCommand>();
-  CLI::App* verb =
-      program.add_subcommand("page-data", "what a page needs to show the manifold, as JSON");
   add_common_options(*verb, command->common);
   add_metric_search(*verb, command->search);
   verb->add_option("--cells", command->cells, "cells shown at first (default: 20)")
@@ -80,7 +78,8 @@ void add_page_data(CLI::App& program, Command& chosen) {
 namespace registered_verbs {
 
 std::span<const Verb> page_data() {
-  static constexpr Verb kRows[] = {{"page-data", add_page_data}};
+  static constexpr Verb kRows[] = {
+      {"page-data", "what a page needs to show the manifold, as JSON", add_page_data}};
   return kRows;
 }
 

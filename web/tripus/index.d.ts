@@ -2,7 +2,7 @@
  * Tripus as a WebAssembly module: the front door of the library, for node (18 and newer) and browsers.
  *
  * Names are Python's (docs/python.md) in camelCase. Whatever is an object here is the object that the
- * program prints with --json: docs of the fields are the program's (docs/interface.md).
+ * program prints with --json: docs of the fields are the program's (docs/index.md).
  */
 
 /** What a verb of the program answers with --json: the fields of its JSON object. */

@@ -52,7 +52,7 @@ std::optional<CensusProof> prove_entry(const CensusEntry& entry, const ProveCens
     if (wanted.volumes) {
       const structure::Digits digits =
           structure::prove_digits(triangulation, proof, kVolumeDigits, context);
-      if (context.stop_requested()) return std::nullopt;
+      if (context.stop_requested() || context.expired()) return std::nullopt;
       result.volume = digits.proved ? digits.volume : text.volume.value();
     }
     return result;
@@ -131,7 +131,8 @@ std::vector<CensusProof> prove_census(const Census& census, const ProveCensusOpt
   std::exception_ptr failure;
   const auto work = [&] {
     try {
-      for (std::size_t k = next++; k < count && !context.stop_requested(); k = next++)
+      for (std::size_t k = next++; k < count && !context.stop_requested() && !context.expired();
+           k = next++)
         found[k] = prove_entry(census.manifolds[k], options, alone);
     } catch (...) {
       const std::lock_guard lock(mutex);

@@ -114,7 +114,7 @@ class Walker {
     for (std::size_t k = 0; k < most && !stopped(); ++k) {
       const State here = state_;
       const FaceKinds faces = faces_;
-      if (!detail::pass_through_planes(here, faces, go_on)) break;
+      if (!detail::pass_through_planes(here, faces, go_on, options_.stop)) break;
       if (!faces_.has_concave()) return true;
     }
     state_ = stuck;

@@ -129,7 +129,7 @@ int write_census(const CensusMaking& command, Census census) {
     Context context = interruptible();
     context.threads = command.classify.threads;
     const auto proofs = canonical::prove_census(census, {.volumes = writes}, context);
-    if (context.stop_requested()) {
+    if (context.stop_requested() || context.expired()) {
       write_message(fmt::format("tripus: {} after {} proofs; nothing was written\n", stop_text(),
                                 proofs.size()));
       return kNoAnswer;

@@ -197,7 +197,8 @@ Report judged_run(const topology::Triangulation& triangulation, const SolveOptio
   if (energy == nullptr) energy = &other.emplace(triangulation, options.cone_angles);
   Report report = assess(triangulation, *energy, run.lengths, options.tolerance, run.summary);
   report.method = method.name;
-  return detail::settled_if_thin(triangulation, options, std::move(report));
+  return detail::settled_if_thin(triangulation, options, std::move(report),
+                                 options.time_limit - run.summary.seconds);
 }
 
 /// Whether a limit that the user set, or the user, ended the run.
@@ -265,7 +266,8 @@ Report settle(const topology::Triangulation& triangulation, const SolveOptions& 
     if (certificate->kind == Certificate::Kind::kSemi && report.outcome == Outcome::kUnresolved)
       report = detail::settled_if_thin(
           triangulation, options,
-          detail::flat_minimiser(triangulation, options, report).value_or(report));
+          detail::flat_minimiser(triangulation, options, report).value_or(report),
+          options.time_limit - seconds_since(start));
     // A flat minimiser is more than a certificate says; it contradicts one of kind "none".
     if (certificate->kind == Certificate::Kind::kNone || report.outcome != Outcome::kDegenerate) {
       report.outcome = Outcome::kInfeasible;
@@ -297,6 +299,8 @@ std::optional<Report> metric_above_tolerance(const topology::Triangulation& tria
   summary.linear_iterations = report.linear_iterations;
   Report judged =
       assess(triangulation, energy, report.edge_lengths, tolerance::kMaxCurvature, summary);
+  judged = detail::settled_if_thin(triangulation, options, std::move(judged),
+                                   options.time_limit - report.seconds);
   if (judged.outcome != Outcome::kGeometric) return std::nullopt;
   judged.method = report.method;
   judged.outcome = Outcome::kUnresolved;

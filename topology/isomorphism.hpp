@@ -37,8 +37,7 @@ inline bool is_isomorphic(const Gluings& from, const Gluings& to) {
 
 /// All isomorphisms, at most 24 T of them, in the order of the image of frame (tetrahedron 0,
 /// 0123). With from == to this is the automorphism group, the identity included.
-/// Throws InvalidInput if `from` is empty or not connected; Stopped, polling `stop` (may
-/// be null).
+/// Throws InvalidInput if `from` is empty or not connected; Stopped, polling `stop`.
 std::vector<Isomorphism> all_isomorphisms(const Gluings& from, const Gluings& to,
                                           const Stop& stop = {});
 

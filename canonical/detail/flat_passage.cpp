@@ -26,8 +26,10 @@ constexpr std::size_t kMoreTetrahedra = 4, kPassageBudget = 3000;
 class Passage {
  public:
   Passage(const MetricState& stuck, const FaceKinds& faces,
-          const std::function<bool(CarriedMetric&)>& attempt)
-      : limit_(stuck.triangulation.tetrahedron_count() + kMoreTetrahedra), attempt_(attempt) {
+          const std::function<bool(CarriedMetric&)>& attempt, const Stop& stop)
+      : limit_(stuck.triangulation.tetrahedron_count() + kMoreTetrahedra),
+        attempt_(attempt),
+        stop_(stop) {
     open_.push_back(stuck);
     known_.insert(key(stuck));
     for (std::size_t t = 0; t < faces.kind.size(); ++t)
@@ -41,7 +43,7 @@ class Passage {
       const MetricState here = std::move(open_.front());
       open_.pop_front();
       for (const Move& move : first ? start_ : moves_at_flat(here)) {
-        if (left_ == 0) return false;
+        if (left_ == 0 || stop_.requested()) return false;
         if (step(here, move)) return true;
       }
     }
@@ -88,6 +90,7 @@ class Passage {
 
   const std::size_t limit_;
   const std::function<bool(CarriedMetric&)>& attempt_;
+  const Stop stop_;
   std::vector<Move> start_;
   std::deque<MetricState> open_;
   std::unordered_set<std::string> known_;
@@ -97,8 +100,8 @@ class Passage {
 }  // namespace
 
 bool pass_through_planes(const MetricState& stuck, const FaceKinds& faces,
-                         const std::function<bool(CarriedMetric&)>& attempt) {
-  return Passage(stuck, faces, attempt).run();
+                         const std::function<bool(CarriedMetric&)>& attempt, const Stop& stop) {
+  return Passage(stuck, faces, attempt, stop).run();
 }
 
 }  // namespace tripus::canonical::detail

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "base/stop.hpp"
 #include "canonical/detail/carried_metric.hpp"
 #include "canonical/tilts.hpp"
 
@@ -14,8 +15,9 @@ namespace tripus::canonical::detail {
 ///   faces    of it
 ///   attempt  is given triangulations with true tetrahedra only, lengths filled in; returns whether
 ///            the search is over
-/// Returns whether it was; false if there is nothing left to go through, or not within the budget.
+/// Returns whether it was; false if there is nothing left to go through, or not within the budget
+/// or before a stop.
 bool pass_through_planes(const MetricState& stuck, const FaceKinds& faces,
-                         const std::function<bool(CarriedMetric&)>& attempt);
+                         const std::function<bool(CarriedMetric&)>& attempt, const Stop& stop);
 
 }  // namespace tripus::canonical::detail

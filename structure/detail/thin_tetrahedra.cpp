@@ -37,7 +37,7 @@ bool has_thin_one(const Report& report) {
 }  // namespace
 
 Report settled_if_thin(const topology::Triangulation& triangulation, const SolveOptions& options,
-                       Report report) {
+                       Report report, double seconds) {
   const bool claims =
       report.outcome == Outcome::kGeometric || report.outcome == Outcome::kDegenerate;
   if (!claims || !has_cusp_or_parabolic_edge(options, report) || !has_thin_one(report))
@@ -46,7 +46,7 @@ Report settled_if_thin(const topology::Triangulation& triangulation, const Solve
       triangulation.tetrahedron_count() <= kMostTetrahedraDecided &&
       std::ranges::all_of(options.cone_angles, &topology::ConeAngle::is_rational);
   std::optional<Existence> found;
-  if (decidable) found = existence_within(options.time_limit, triangulation, options.cone_angles);
+  if (decidable) found = existence_within(seconds, triangulation, options.cone_angles);
   if (found && std::holds_alternative<StrictAngles>(*found)) return report;
   report.outcome = Outcome::kUnresolved;
   report.message =

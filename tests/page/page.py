@@ -256,9 +256,9 @@ class Files(PageTest):
     def test_are_chosen_too(self):
         self.write("gluings.json", samples.as_json(samples.tripus_cover(1)))
         self.browser.go()
-        document = self.browser.call("DOM.getDocument")["root"]["nodeId"]
-        node = self.browser.call("DOM.querySelector", nodeId=document, selector="#file")["nodeId"]
-        self.browser.call("DOM.setFileInputFiles", nodeId=node, files=[str(self.folder / "gluings.json")])
+        chooser = self.browser.call("Runtime.evaluate", expression="document.getElementById('file')")["result"]
+        self.browser.call("DOM.setFileInputFiles", objectId=chooser["objectId"],
+                          files=[str(self.folder / "gluings.json")])
         self.browser.solved()
 
 
@@ -507,6 +507,7 @@ class Tables(PageTest):
 
     def test_all_open(self):
         self.browser.go()
+        self.browser.wait("document.querySelector('#cards svg')")  # nothing moves any more
         for name, title in (("theta-curves", "5_1 theta"), ("knots", "8_19"), ("links", "L5a1")):
             self.browser.click(f"[data-table={name}]")
             self.browser.wait(f"document.getElementById('cards').textContent.includes('{title}')")

@@ -1,0 +1,40 @@
+// How fast the module for browsers and node is beside the program: processor time, one thread each.
+//
+//   node bench/module.mjs [PACKAGE] [PROGRAM]       default: build/wasm/tripus, build/release/bin/tripus
+import {execFileSync, spawnSync} from 'node:child_process';
+import {readFileSync} from 'node:fs';
+import {dirname, join, resolve} from 'node:path';
+import {fileURLToPath, pathToFileURL} from 'node:url';
+
+const root = resolve(dirname(fileURLToPath(import.meta.url)), '..');
+const place = resolve(process.argv[2] ?? join(root, 'build/wasm/tripus'));
+const program = resolve(process.argv[3] ?? join(root, 'build/release/bin/tripus'));
+const {load} = await import(pathToFileURL(join(place, 'index.js')));
+const tripus = await load();
+const kRounds = 5;
+
+const seconds = ({user, system}) => ((user + system) / 1e6);
+const times = (work) => Array.from({length: kRounds}, () => {
+  const start = process.cpuUsage();
+  work();
+  return seconds(process.cpuUsage(start));
+});
+const shown = (list) => list.map((t) => t.toFixed(2)).join(' ');
+
+/** Processor time of children, which node does not tell: by bash's own clock. */
+function timeOf(args) {
+  const {stderr} = spawnSync('bash', ['-c', 'TIMEFORMAT="%U %S"; time "$@" > /dev/null', 'bash', program, ...args]);
+  return String(stderr).trim().split('\n').pop().split(' ').map(Number).reduce((a, b) => a + b);
+}
+
+const path = join(root, 'data/triangulations-4.txt');
+const list = readFileSync(path, 'utf8');
+const words = ['solve', '--json', '--quiet', '--batch'];
+const here = times(() => tripus.run([...words, 'list'], {files: {list}}));
+const there = Array.from({length: kRounds}, () => timeOf([...words, path, '--threads', '1']));
+console.log(`solve, ${list.trim().split('\n').filter((line) => line[0] !== '#').length} lines: module ${shown(here)} s, program ${shown(there)} s, `
+            + `ratio of the least ${(Math.min(...there) / Math.min(...here)).toFixed(2)}`);
+
+const cover = JSON.parse(execFileSync(program, ['cover', 'cPcbbbihq', '--cyclic', '5000', '--limit', '1', '--json'],
+                                      {maxBuffer: 1 << 28}).toString().split('\n')[0]).isosig;
+console.log(`solve, 10,000 tetrahedra: module ${shown(times(() => tripus.run(['solve', cover, '--json'])))} s`);

@@ -44,8 +44,8 @@ const viewerPlugin = {
 const modulePlugin = {
   name: 'module',
   setup(build) {
-    build.onResolve({filter: /^tripus$/}, () => ({path: join(here, 'tripus', 'tripus.js')}));
-    build.onResolve({filter: /^\.\/module\.js$/}, () => ({path: resolve(options.module, 'tripus-module.js')}));
+    build.onResolve({filter: /^tripus$/}, () => ({path: join(here, 'tripus', 'tripus.js'), sideEffects: false}));
+    build.onResolve({filter: /^\.\/module\.js$/}, () => ({path: resolve(options.module, 'tripus-module.js'), sideEffects: false}));
   },
 };
 

@@ -1,4 +1,5 @@
 // The page: its field, what is dropped on it, its address, and what it shows.
+import {unpacked} from 'tripus';
 import {fromBase64, joinFragments, readFragment, sourceToFragment} from './address';
 import {byId, make} from './dom';
 import {Engine, type Work} from './engine';
@@ -156,6 +157,12 @@ async function take(list: FileList | undefined | null) {
     content = new Uint8Array(await one.arrayBuffer());
   } catch {
     refuse(`${one.name} cannot be read: is it a folder, or has it gone?`);
+    return;
+  }
+  try {
+    content = await unpacked(content);
+  } catch (error: any) {
+    refuse(`${one.name}: ${error.message}`);
     return;
   }
   const format = surfaceFormat(one.name, content);

@@ -90,6 +90,26 @@ try {
 } catch (error) {
   expect(error instanceof TripusError && error.kind === 'invalid-input', `hello: ${error.kind} ${error.message}`);
 }
+// What is no input is refused, and never by an error of JavaScript itself.
+const gzip = new Uint8Array([0x1f, 0x8b, 2, 255]);
+for (const [input, kind] of [[undefined, 'usage'], [null, 'usage'], [5, 'usage'], [{name: 'a'}, 'usage'],
+                             [{name: '../a', content: 'x'}, 'usage'], ['--help', 'invalid-input'],
+                             [{name: '--help', content: '?'}, 'invalid-input'], [{name: 'a', content: gzip}, 'invalid-input'],
+                             [{name: 'a', content: 'garbage\nmore'}, 'invalid-input']]) {
+  const said = await Manifold.from(input).then(() => null, (error) => error);
+  expect(said instanceof TripusError && said.kind === kind, `${JSON.stringify(input)}: ${said?.kind} ${said?.message}`);
+}
+for (const [what, ask, kind] of [['compare with a text', () => M.compare('cPcbbbihq'), 'usage'], ['no cells', () => M.pageData({cells: 0}), 'invalid-input'],
+                                 ['no sheets', () => M.covers(0), 'invalid-input'], ['no seed', () => M.retriangulated({seed: NaN}), 'usage']]) {
+  try {
+    ask();
+    complain(`${what} is answered`);
+  } catch (error) {
+    expect(error instanceof TripusError && error.kind === kind, `${what}: ${error.kind} ${error.message}`);
+  }
+}
+expect(M.covers(2).every((cover) => cover.name() === cover.triangulationIsosig()), 'names of covers');
+expect((await Manifold.from({name: '-', content: 'cPcbbbihq'})).volume() === M.volume(), 'a file with the name "-"');
 // A stop, and after it the module goes on.
 let asked = 0;
 const stopped = tripus.run(['orthospectrum', 'cPcbbbihq', '--length', '12', '--json'], {stop: () => ++asked > 2});

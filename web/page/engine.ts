@@ -156,7 +156,7 @@ export class Engine {
 
   /** A module that ran out of memory, or failed, is not asked again. */
   private refuse(one: Waiting, {kind, message}: Failure) {
-    if (kind === 'out_of_memory' || kind === 'internal') {
+    if (kind === 'out-of-memory' || kind === 'internal') {
       const rest = this.queue;
       this.end();
       this.queue = rest;

@@ -1,5 +1,5 @@
 // The worker: it holds the module, answers one question after the other, and knows nothing of the page.
-import {load, type Tripus} from 'tripus';
+import {load, type Input, type Tripus} from 'tripus';
 import type {Failure, FromWorker, Question, Source, ToWorker} from './messages';
 
 const scope = self as unknown as {
@@ -9,17 +9,10 @@ const scope = self as unknown as {
 
 let tripus: Tripus | null = null;
 
-/** The argument that names a source, and the file that it needs. */
-function argumentOf({text, file}: Source, files: Record<string, Uint8Array | string>, number: number) {
-  if (file) {
-    files[file.name] = file.content;
-    return text.startsWith(file.name) ? text : file.name;
-  }
-  // Only a planar diagram may have several lines in an argument; what else has them is a file's content.
-  if (!/^\s*[{[%<]|[\n\r]/.test(text)) return text;
-  const name = number === 0 ? 'pasted' : `pasted-${number + 1}`;
-  files[name] = text;
-  return name;
+/** The text may go on behind the name of its file with #LABEL. */
+function inputOf({text, file}: Source): Input {
+  if (!file) return text;
+  return text.startsWith(`${file.name}#`) ? {...file, label: text.slice(file.name.length + 1)} : file;
 }
 
 /** What a run printed: its JSON objects, or the problem that it tells of. */
@@ -32,12 +25,11 @@ function parse(stdout: string): any[] {
 }
 
 function answer(id: number, {verb, sources, flags}: Question): FromWorker {
-  const files: Record<string, Uint8Array | string> = {};
-  const names = sources.map((source, i) => argumentOf(source, files, i));
+  const {words, files} = tripus!.words(sources.map(inputOf));
   const progress = (activity: string, tetrahedra: number) =>
       scope.postMessage({id, progress: {activity, tetrahedra}});
   const isDrawing = verb === 'draw';
-  const result = tripus!.run([verb, ...names, ...flags, ...(isDrawing ? [] : ['--json'])], {files, progress});
+  const result = tripus!.run([verb, ...words, ...flags, ...(isDrawing ? [] : ['--json'])], {files, progress});
   if (isDrawing && result.status === 0) return {id, answers: [result.stdout], text: result.stdout};
   const answers = isDrawing ? [] : parse(result.stdout);
   const failed = answers.find((one) => one.error);
@@ -52,7 +44,7 @@ function answer(id: number, {verb, sources, flags}: Question): FromWorker {
 function failureOf(error: any): Failure {
   const message = String(error?.message ?? error);
   if (error instanceof RangeError || /memory/i.test(message))
-    return {kind: 'out_of_memory', message: 'There is not enough memory for this in a browser; the program has more.'};
+    return {kind: 'out-of-memory', message: 'There is not enough memory for this in a browser; the program has more.'};
   return {kind: error?.kind ?? 'internal', message};
 }
 

@@ -11,12 +11,13 @@ export type Answer = Record<string, any>;
 /** Whoever may end a computation, and is told how it goes. All are called or read while the module
  *  works, in the thread that it works in. */
 export interface RunOptions {
-  /** Polled about ten times a second; true ends the work with what is known by then. A thread that
-   *  works receives no messages: let it look at a SharedArrayBuffer, or end the worker. */
+  /** Polled where the work looks at its clock, at most twenty times a second; true ends it with what is
+   *  known by then. A thread that works receives no messages: let it look at a SharedArrayBuffer, or end
+   *  the worker. */
   stop?: () => boolean;
   /** Seconds after which the work ends with what is known. */
   timeLimit?: number;
-  /** What is going on, about ten times a second; tetrahedra is 0 where that is not known. */
+  /** What is going on, at most ten times a second; tetrahedra is 0 where that is not known. */
   progress?: (activity: string, tetrahedra: number) => void;
   /** Files that the arguments name. What is compressed by gzip has to be unpacked before: `unpacked`. */
   files?: Record<string, Uint8Array | string>;
@@ -42,9 +43,11 @@ export interface Tripus {
   /** Runs the program: run(["solve", "cPcbbbihq", "--json"]). Never throws for what the program
    *  answers, errors included. */
   run(args: readonly string[], options?: RunOptions): RunResult;
-  /** The JSON objects that VERB answers about an input, one a line of its output; the verbs are those of
-   *  the program. Throws TripusError for an object that holds an "error". */
-  ask(verb: string, inputs: string | readonly string[], flags?: readonly string[], options?: RunOptions): Answer[];
+  /** What names inputs in the arguments of run(), and the files that it needs. */
+  words(inputs: Input | readonly Input[]): { words: string[]; files: Record<string, Uint8Array | string> };
+  /** The JSON objects that VERB answers about an input, or about the two of "compare", one a line of its output;
+   *  the verbs are those of the program. Throws TripusError for an object that holds an "error". */
+  ask(verb: string, inputs: Input | readonly Input[], flags?: readonly string[], options?: RunOptions): Answer[];
   /** A manifold from whatever INPUT the program takes. Throws TripusError. */
   manifold(input: Input, options?: RunOptions): Manifold;
 }
@@ -58,14 +61,19 @@ export function compiled(): Promise<WebAssembly.Module>;
 /** The content of a file, decompressed if it is compressed by gzip. `Manifold.from` does so by itself. */
 export function unpacked(content: Uint8Array | string): Promise<Uint8Array>;
 
-/** A signature, name, planar diagram or gluing JSON as text, or the content of a file. */
-export type Input = string | { name: string; content: Uint8Array | string };
+/** A signature, name, planar diagram or gluing JSON as text, or the content of a file; the label names one of
+ *  several in it. */
+export type Input = string | { name: string; content: Uint8Array | string; label?: string };
 
 export type ErrorKind =
-  | "usage" | "invalid_input" | "unsupported" | "no_metric" | "io" | "internal" | "out_of_memory" | (string & {});
+  // the program's
+  | "usage" | "invalid-input" | "unsupported" | "time-limit" | "interrupted" | "system" | "internal"
+  // of the module, and of what a Manifold is asked that it has not
+  | "out-of-memory" | "no-metric" | "undecided" | (string & {});
 
 /** Bad input, or what is not there; the message is the program's and names place and remedy. */
 export class TripusError extends Error {
+  constructor(kind: ErrorKind, message: string);
   readonly kind: ErrorKind;
 }
 
@@ -84,10 +92,13 @@ export interface OrthospectrumOptions extends RunOptions { length?: number; word
 /** A compact 3-manifold with a triangulation. A value: nothing is computed before it is first asked
  *  for, and then once. Every method may throw TripusError. */
 export class Manifold {
+  private constructor();
   /** Loads the module if need be. */
   static from(input: Input, options?: RunOptions): Promise<Manifold>;
 
   // What it is
+  readonly input: Input;
+  /** Its own, or that of its input; of a text without one the signature. */
   name(): string;
   numTetrahedra(): number;
   numEdges(): number;
@@ -103,24 +114,24 @@ export class Manifold {
   /** First homology, such as "2 Z". */
   homology(): string;
   /** `tripus info --json` */
-  info(): Answer;
+  info(options?: RunOptions): Answer;
 
   // The metric on this triangulation
   /** `tripus solve --json`: outcome, volume, edge_lengths, dihedral_angles, certificate, message ... */
   solve(options?: RunOptions): Answer;
   verdict(): "geometric" | "degenerate" | "infeasible" | "unresolved";
-  /** Throws TripusError of kind "no_metric" where the triangulation carries none. */
+  /** Throws TripusError of kind "no-metric" where the triangulation carries none. */
   volume(): number;
   /** [E] */
   readonly lengths: number[];
   /** [T][6], radians */
   readonly dihedralAngles: number[][];
-  /** The answer of `tripus solve --json` without what is undefined; JSON.stringify(M) is the program's. */
+  /** The answer of `tripus solve --json`: what JSON.stringify(M) writes. */
   toJSON(): Answer;
 
   // Other triangulations and manifolds
   simplified(options?: SimplifyOptions): Manifold;
-  /** A triangulation of the same manifold that carries the metric. Kind "no_metric" if none was found. */
+  /** A triangulation of the same manifold that carries the metric. Kind "no-metric" if none was found. */
   retriangulated(options?: RetriangulateOptions): Manifold;
   covers(degree: number, options?: CoverOptions): Manifold[];
 
@@ -142,6 +153,7 @@ export class Manifold {
   /** `tripus embed --json`: tetrahedra [T] with vertices and faces in the hyperboloid, face_pairings,
    *  the universal cover. */
   embedding(options?: RunOptions & { cells?: number }): Answer;
-  /** The data of the viewer's page (viewer/page): what its script reads as TRIPUS, as an object. */
+  /** What the script of a page of `tripus view` reads as TRIPUS (viewer/web/page_data.hpp). Kind "no-metric" where
+   *  the triangulation carries none. */
   pageData(options?: RunOptions & { cells?: number; model?: "ball" | "upper" | "klein"; discs?: boolean | number }): Answer;
 }

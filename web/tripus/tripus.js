@@ -21,7 +21,11 @@ export async function unpacked(content) {
   const bytes = bytesOf(content);
   if (!isGzip(bytes)) return bytes;
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
+  try {
+    return new Uint8Array(await new Response(stream).arrayBuffer());
+  } catch (error) {
+    throw new TripusError('invalid-input', `the content begins as what gzip compressed, and is damaged: ${error.message}`);
+  }
 }
 
 /** The program: one run after the other, in a folder of files in memory that is empty before each. */
@@ -147,7 +151,7 @@ class Program {
 /** What the program answers where it could not end by itself. */
 function failure(words, error) {
   const isMemory = error instanceof RangeError || /memory|stack/i.test(error.message ?? '');
-  const kind = isMemory ? 'out_of_memory' : 'internal';
+  const kind = isMemory ? 'out-of-memory' : 'internal';
   const message = isMemory ? 'not enough memory for this here; the program itself has more'
                            : `the module failed: ${error.message ?? error}`;
   const answer = {tripus: '', input: '', error: {kind, message}};
@@ -155,12 +159,26 @@ function failure(words, error) {
           stderr: `tripus: ${message}\n`, files: {}};
 }
 
-/** The argument that an Input is, and the files that it needs. */
-function argument(input, number = 0) {
-  if (typeof input !== 'string') return [input.name, {[input.name]: input.content}];
+/** The name of the file that a text becomes. */
+const kText = 'input';
+
+function checked(input) {
+  const isContent = typeof input?.content === 'string' || ArrayBuffer.isView(input?.content);
+  if (typeof input !== 'string' && !(typeof input?.name === 'string' && isContent))
+    throw new TripusError('usage', 'an input is a text, or {name, content} of a file, the content as text or as a Uint8Array');
+  return input;
+}
+
+/** The argument that an Input is, and the file that it needs. */
+function argument(input, number) {
+  if (typeof input !== 'string') {
+    // What begins with a hyphen would be an option.
+    const word = `${input.name.startsWith('-') ? './' : ''}${input.name}`;
+    return [input.label === undefined ? word : `${word}#${input.label}`, {[input.name]: input.content}];
+  }
   // Only a diagram may have several lines in an argument; what else has them is a file's content.
-  if (!/^\s*[{[%<]|[\n\r]/.test(input)) return [input, {}];
-  const name = number === 0 ? 'text' : `text-${number + 1}`;
+  if (!/^\s*[{[%<]|[\n\r]|^\s*-./.test(input)) return [input, {}];
+  const name = number === 0 ? kText : `${kText}-${number + 1}`;
   return [name, {[name]: input}];
 }
 
@@ -176,15 +194,15 @@ class Module {
     return this.#program.run(args, options);
   }
 
+  words(inputs) {
+    const named = [inputs].flat().map((input, number) => argument(checked(input), number));
+    return {words: named.map(([word]) => word), files: Object.assign({}, ...named.map(([, files]) => files))};
+  }
+
   ask(verb, inputs, flags = [], options = {}) {
-    const words = [];
-    const files = {...options.files};
-    [inputs].flat().forEach((input, number) => {
-      const [word, needed] = argument(input, number);
-      words.push(word);
-      Object.assign(files, needed);
-    });
-    const {status, stdout, stderr} = this.run([verb, ...words, ...flags, '--json'], {...options, files});
+    const {words, files} = this.words(inputs);
+    const {status, stdout, stderr} =
+      this.run([verb, ...words, ...flags, '--json'], {...options, files: {...options.files, ...files}});
     const answers = stdout.split('\n').filter((line) => line !== '').map((line) => JSON.parse(line));
     const failed = answers.find((answer) => answer.error);
     if (failed) throw new TripusError(failed.error.kind, failed.error.message);
@@ -238,8 +256,8 @@ export class Manifold {
   }
 
   static async from(input, options) {
-    const content = typeof input === 'string' ? input : {...input, content: await unpacked(input.content)};
-    return (await load()).manifold(content, options);
+    const given = typeof checked(input) === 'string' ? input : {...input, content: await unpacked(input.content)};
+    return (await load()).manifold(given, options);
   }
 
   /** The first answer of a verb; kept unless a stop or a time limit may have cut it short. */
@@ -253,7 +271,7 @@ export class Manifold {
 
   #metric() {
     const answer = this.solve();
-    if (answer.outcome !== 'geometric') throw new TripusError('no_metric', answer.message);
+    if (answer.outcome !== 'geometric') throw new TripusError('no-metric', answer.message);
     return answer;
   }
 
@@ -265,7 +283,10 @@ export class Manifold {
 
   get input() { return this.#input; }
   toString() { return this.name(); }
-  name() { return this.info().name ?? this.info().input; }
+  name() {
+    const {name, input, isosig} = this.info();
+    return name || (input === kText && isosig) || input;
+  }
   info(options) { return this.#ask('info', [], options); }
   numTetrahedra() { return this.info().tetrahedron_count; }
   numEdges() { return this.info().edge_count; }
@@ -307,7 +328,7 @@ export class Manifold {
     const flags = ['--retriangulate', ...(seed === undefined ? [] : ['--seed', String(seed)]),
                    ...(budget === undefined ? [] : ['--budget', String(budget)])];
     const answer = this.#ask('solve', flags, options);
-    if (answer.outcome !== 'geometric') throw new TripusError('no_metric', answer.message);
+    if (answer.outcome !== 'geometric') throw new TripusError('no-metric', answer.message);
     return this.#other(answer);
   }
   covers(degree, {cyclic = false, distinct = false, limit, ...options} = {}) {
@@ -326,6 +347,7 @@ export class Manifold {
     return answer[name];
   }
   compare(other, options) {
+    if (!(other instanceof Manifold)) throw new TripusError('usage', 'compare(other): other is a Manifold');
     return this.#tripus.ask('compare', [this.#input, other.#input], [], options)[0];
   }
   isIsometricTo(other) {
@@ -347,7 +369,7 @@ export class Manifold {
                    ...(discs === true ? ['--discs'] : []),
                    ...(typeof discs === 'number' ? ['--disc-length', String(discs)] : [])];
     const answer = this.#ask('page-data', flags, options);
-    if (!answer.face_pairings) throw new TripusError('no_metric', answer.message);
+    if (!answer.face_pairings) throw new TripusError('no-metric', answer.message);
     return answer;
   }
 }

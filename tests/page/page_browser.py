@@ -114,6 +114,8 @@ class PageBrowser(LiveBrowser):
 
     def drop(self, path):
         """A file is dropped on the page, as by a hand."""
+        # A browser drops what comes before it has shown anything.
+        self.wait("performance.getEntriesByName('first-contentful-paint').length > 0", "the first frame")
         data = {"items": [], "files": [str(path)], "dragOperationsMask": 1}
         for kind in ("dragEnter", "dragOver", "drop"):
             self.call("Input.dispatchDragEvent", type=kind, x=300, y=300, data=data)

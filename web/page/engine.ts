@@ -41,7 +41,6 @@ export class Engine {
   private began = 0;
   private started = Promise.resolve();
   private broken = '';
-  version = '';
 
   /**
    *   script  of the worker
@@ -133,7 +132,7 @@ export class Engine {
 
   private hear(message: FromWorker) {
     if ('ready' in message) {
-      [this.version, this.ready] = [message.ready, true];
+      this.ready = true;
       this.advance();
       return;
     }

@@ -23,7 +23,7 @@ export interface Failure {
 export type ToWorker = {bytes: ArrayBuffer} | {id: number; question: Question};
 
 export type FromWorker =
-    | {ready: string}
+    | {ready: true}
     | {failed: string}
     | {id: number; progress: {activity: string; tetrahedra: number}}
     | {id: number; answers: Json[]; text: string}

@@ -8,7 +8,6 @@ declare module 'viewer' {
     readonly canvas: HTMLCanvasElement;
     start(): void;
     stop(): void;
-    redraw(): void;
     act(name: string): void;
     /** The fragment of the address that shows this view. */
     fragment(): string;

@@ -52,7 +52,7 @@ scope.onmessage = async ({data}) => {
   try {
     if ('bytes' in data) {
       tripus = await load(data.bytes);
-      scope.postMessage({ready: tripus.version});
+      scope.postMessage({ready: true});
     } else {
       scope.postMessage(answer(data.id, data.question));
     }

@@ -2,13 +2,19 @@
 //
 //   node bench/module.mjs [PACKAGE] [PROGRAM]       default: build/wasm/tripus, build/release/bin/tripus
 import {execFileSync, spawnSync} from 'node:child_process';
-import {readFileSync} from 'node:fs';
+import {existsSync, readFileSync} from 'node:fs';
 import {dirname, join, resolve} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), '..');
 const place = resolve(process.argv[2] ?? join(root, 'build/wasm/tripus'));
 const program = resolve(process.argv[3] ?? join(root, 'build/release/bin/tripus'));
+for (const [file, script] of [[join(place, 'index.js'), 'scripts/module'], [program, 'scripts/build']]) {
+  if (!existsSync(file)) {
+    console.error(`module.mjs: there is no ${file}; ${script} makes it`);
+    process.exit(2);
+  }
+}
 const {load} = await import(pathToFileURL(join(place, 'index.js')));
 const tripus = await load();
 const kRounds = 5;

@@ -19,6 +19,14 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 
 
+def positive(text):
+    """A whole number above 0, for argparse."""
+    number = int(text)
+    if number < 1:
+        raise ValueError(text)
+    return number
+
+
 def make_shard(program, list_file, number, count, folder):
     """Makes one shard, in a process of its own; its number. Runs on a worker."""
     command = [program, "census", "--from", list_file, "--shard", f"{number}/{count}",
@@ -51,28 +59,37 @@ def run_census(client, program, list_file, shards, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("list", help="one INPUT a line")
-    parser.add_argument("shards", type=int)
+    parser.add_argument("shards", type=positive)
     parser.add_argument("--into", help="folder of the shards (default: LIST.census)")
     where = parser.add_mutually_exclusive_group(required=True)
     where.add_argument("--scheduler", help="address, such as tcp://host:8786")
-    where.add_argument("--local", type=int, metavar="N", help="N processes of this machine")
+    where.add_argument("--local", type=positive, metavar="N", help="N processes of this machine")
     arguments = parser.parse_args()
     program = Path(os.environ.get("TRIPUS", ROOT / "build/release/bin/tripus")).resolve()
     if not program.exists():
-        sys.exit(f"there is no program {program}; build it, or name it in TRIPUS")
+        parser.error(f"there is no program {program}; build it, or name it in TRIPUS")
+    if not os.access(arguments.list, os.R_OK):
+        parser.error(f"there is no list {arguments.list}")
     try:
         from distributed import Client, LocalCluster
     except ImportError:
         sys.exit("dask.distributed is not here: scripts/setup cluster (for /usr/bin/python3), or pip install distributed")
     into = arguments.into or arguments.list + ".census"
-    if arguments.scheduler:
-        with Client(arguments.scheduler) as client:
-            print(run_census(client, program, arguments.list, arguments.shards, into))
-        return
-    with LocalCluster(n_workers=arguments.local, threads_per_worker=1, processes=True,
-                      dashboard_address=None) as cluster, Client(cluster) as client:
-        print(run_census(client, program, arguments.list, arguments.shards, into))
+    try:
+        if arguments.scheduler:
+            with Client(arguments.scheduler) as client:
+                print(run_census(client, program, arguments.list, arguments.shards, into))
+        else:
+            with LocalCluster(n_workers=arguments.local, threads_per_worker=1, processes=True,
+                              dashboard_address=None) as cluster, Client(cluster) as client:
+                print(run_census(client, program, arguments.list, arguments.shards, into))
+    except (OSError, RuntimeError, ValueError) as error:
+        print(f"dask_census.py: {error}", file=sys.stderr)
+        return 2
+    except subprocess.CalledProcessError as error:  # the program has said why
+        return error.returncode if error.returncode > 0 else 3
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -227,10 +227,37 @@ class Published(ProgramTest):
                                      ("two.tsv", "no manifold", "x.tsv.gz"),
                                      ("two.tsv", ".tsv.gz", "x.tsv")):
             made = self.make(census, "--without", "two.tsv", "-o", output, "--proofs", "p")
-            self.assertEqual(made.returncode == 0, False)
+            self.assertEqual(made.returncode, 2)
             self.assertIn(says, made.stderr)
             self.assertNotIn("Traceback", made.stderr)
         self.assertFalse((self.folder / "x.tsv.gz").exists())
+        made = self.make("two.tsv", "-o", "absent/x.tsv.gz", "--proofs", "p")  # before the proofs
+        self.assertEqual((made.returncode, made.stdout), (2, ""))
+        self.assertIn("there is no folder absent", made.stderr)
+        self.assertFalse((self.folder / "p").exists())
+
+    def test_says_that_a_census_has_no_manifold(self):
+        self.write("list", "eLAkbbcddpuchf\n")
+        self.run_program("census", "--from", "list", "--tsv", "none.tsv", "--quiet")
+        made = self.make("none.tsv", "-o", "x.tsv.gz", "--proofs", "p")
+        self.assertEqual((made.returncode, made.stderr), (2, "census_table: none.tsv has no manifold\n"))
+
+
+class Dask(ProgramTest):
+    """scripts/cluster/dask_census.py; that it makes a census is tested in tests/cluster."""
+
+    def test_refuses_what_it_cannot_do(self):
+        script = Path(__file__).resolve().parents[2] / "scripts/cluster/dask_census.py"
+        self.write("list", "cPcbbbihq\n")
+        for arguments, says in ((("none", "2", "--local", "1"), "there is no list none"),
+                                (("list", "0", "--local", "1"), "shards"),
+                                (("list", "2", "--local", "0"), "--local"), (("list", "2"), "--local")):
+            made = subprocess.run([sys.executable, script, *arguments], cwd=self.folder, text=True,
+                                  env=dict(os.environ, TRIPUS=str(self.command()[0])),
+                                  capture_output=True, check=False)
+            self.assertEqual(made.returncode, 2, made.stderr)
+            self.assertIn(says, made.stderr)
+            self.assertNotIn("Traceback", made.stderr)
 
 
 class Cusps(ProgramTest):
@@ -272,6 +299,15 @@ class Cusps(ProgramTest):
 
 
 class Package(ProgramTest):
+    def test_wants_a_name_of_a_package(self):
+        script = Path(__file__).resolve().parents[2] / "scripts/census_package"
+        for name in ("a b", "../x", "1", ""):
+            made = subprocess.run([sys.executable, script, "list.tsv", "--name", name, "--program",
+                                   self.command()[0]], cwd=self.folder, capture_output=True, text=True,
+                                  check=False)
+            self.assertEqual(made.returncode, 2)
+            self.assertIn("--name", made.stderr)
+
     def test_holds_the_census(self):
         """scripts/census_package: the wheel is the same each time, and its functions answer."""
         script = Path(__file__).resolve().parents[2] / "scripts/census_package"

@@ -2,8 +2,10 @@
 
 #include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "base/error.hpp"
 #include "solver/detail/newton_loop.hpp"
 
 namespace tripus::solver::detail {
@@ -24,11 +26,11 @@ class DenseSystem final : public NewtonSystem {
   std::span<double> values_, diagonal_, factor_;  // [nnz], [n], [n x n]
 };
 
-/// Sparse Cholesky by CHOLMOD: supernodal where that pays, ordered by AMD or METIS, whichever fills
-/// in less; analysed once, factorised at every step.
+/// Sparse Cholesky, analysed once, factorised at every step. By CHOLMOD: supernodal where that
+/// pays, ordered by AMD or METIS, whichever fills in less; by Eigen where CHOLMOD is missing.
 class SparseSystem final : public NewtonSystem {
  public:
-  /// CHOLMOD is used with 32-bit indices.
+  /// Indices have 32 bits.
   static constexpr std::size_t kMaxEntries = std::numeric_limits<int>::max();
 
   /// Throws InvalidInput where the pattern has kMaxEntries entries or more.
@@ -42,8 +44,17 @@ class SparseSystem final : public NewtonSystem {
   bool out_of_memory() const;
 
  private:
-  struct Cholmod;
-  std::unique_ptr<Cholmod> cholmod_;
+  /// The pattern, or InvalidInput.
+  static const SparsityPattern& factorisable(const Problem& problem) {
+    const SparsityPattern& pattern = problem.hessian_pattern();
+    if (pattern.row.size() >= kMaxEntries)
+      throw InvalidInput("the Hessian has " + std::to_string(pattern.row.size()) +
+                         " entries, too many for a direct solver; use newton-cg");
+    return pattern;
+  }
+
+  struct Factorisation;
+  std::unique_ptr<Factorisation> factorisation_;
   std::span<const std::uint32_t> pins_;
   std::vector<double> diagonal_;
 };

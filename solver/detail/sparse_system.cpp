@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <string>
 
 #include <cholmod.h>
 
-#include "base/error.hpp"
 #include "solver/detail/direct_systems.hpp"
 
 // CHOLMOD, spoken to in its C interface. Errors come back in Common::status; printing is off.
@@ -18,7 +16,7 @@ constexpr double kSingular = 1e-15;
 
 }  // namespace
 
-struct SparseSystem::Cholmod {
+struct SparseSystem::Factorisation {
   cholmod_common common{};
   cholmod_factor* factor = nullptr;
   cholmod_dense* solution = nullptr;
@@ -29,7 +27,7 @@ struct SparseSystem::Cholmod {
   std::vector<int> column_start, row;
   std::vector<double> values, shifted, right_values;
 
-  Cholmod() {
+  Factorisation() {
     cholmod_start(&common);
     common.print = 0;
     common.error_handler = nullptr;
@@ -37,9 +35,9 @@ struct SparseSystem::Cholmod {
     common.final_ll = 1;
     common.supernodal = CHOLMOD_AUTO;
   }
-  Cholmod(const Cholmod&) = delete;
-  Cholmod& operator=(const Cholmod&) = delete;
-  ~Cholmod() {
+  Factorisation(const Factorisation&) = delete;
+  Factorisation& operator=(const Factorisation&) = delete;
+  ~Factorisation() {
     cholmod_free_factor(&factor, &common);
     for (cholmod_dense** dense : {&solution, &work_y, &work_e}) cholmod_free_dense(dense, &common);
     cholmod_finish(&common);
@@ -47,13 +45,11 @@ struct SparseSystem::Cholmod {
 };
 
 SparseSystem::SparseSystem(const Problem& problem)
-    : cholmod_(std::make_unique<Cholmod>()), pins_(problem.pins()), diagonal_(problem.dimension()) {
-  const SparsityPattern& pattern = problem.hessian_pattern();
-  if (pattern.row.size() >= kMaxEntries) {
-    throw InvalidInput("the Hessian has " + std::to_string(pattern.row.size()) +
-                       " entries, too many for a direct solver; use newton-cg");
-  }
-  Cholmod& c = *cholmod_;
+    : factorisation_(std::make_unique<Factorisation>()),
+      pins_(problem.pins()),
+      diagonal_(problem.dimension()) {
+  const SparsityPattern& pattern = factorisable(problem);
+  Factorisation& c = *factorisation_;
   const std::size_t n = diagonal_.size();
   c.column_start.assign(pattern.column_start.begin(), pattern.column_start.end());
   c.row.assign(pattern.row.begin(), pattern.row.end());
@@ -80,10 +76,10 @@ SparseSystem::SparseSystem(const Problem& problem)
 
 SparseSystem::~SparseSystem() = default;
 
-bool SparseSystem::out_of_memory() const { return cholmod_->factor == nullptr; }
+bool SparseSystem::out_of_memory() const { return factorisation_->factor == nullptr; }
 
 std::span<const double> SparseSystem::load(const Evaluation& at) {
-  Cholmod& c = *cholmod_;
+  Factorisation& c = *factorisation_;
   at.hessian_values(c.values);
   for (std::size_t j = 0; j < diagonal_.size(); ++j) {
     diagonal_[j] = c.values[static_cast<std::size_t>(c.column_start[j])];
@@ -93,7 +89,7 @@ std::span<const double> SparseSystem::load(const Evaluation& at) {
 
 bool SparseSystem::solve(const Evaluation&, std::span<const double> shift,
                          std::span<const double> g, double, std::span<double> d) {
-  Cholmod& c = *cholmod_;
+  Factorisation& c = *factorisation_;
   if (c.factor == nullptr) return false;
   std::copy(c.values.begin(), c.values.end(), c.shifted.begin());
   for (std::size_t j = 0; j < d.size(); ++j) {

@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <limits>
-#include <string>
 
 #include <Eigen/SparseCholesky>
 
-#include "base/error.hpp"
 #include "solver/detail/direct_systems.hpp"
 
 // SparseSystem where CHOLMOD is not there: Eigen's simplicial Cholesky, ordered by minimum degree.
@@ -21,7 +19,7 @@ using Factor = Eigen::SimplicialLLT<Matrix>;
 
 }  // namespace
 
-struct SparseSystem::Cholmod {
+struct SparseSystem::Factorisation {
   Matrix matrix;  // the lower triangle
   Factor factor;
   std::vector<double> values;
@@ -34,13 +32,11 @@ struct SparseSystem::Cholmod {
 };
 
 SparseSystem::SparseSystem(const Problem& problem)
-    : cholmod_(std::make_unique<Cholmod>()), pins_(problem.pins()), diagonal_(problem.dimension()) {
-  const SparsityPattern& pattern = problem.hessian_pattern();
-  if (pattern.row.size() >= kMaxEntries) {
-    throw InvalidInput("the Hessian has " + std::to_string(pattern.row.size()) +
-                       " entries, too many for a direct solver; use newton-cg");
-  }
-  Cholmod& c = *cholmod_;
+    : factorisation_(std::make_unique<Factorisation>()),
+      pins_(problem.pins()),
+      diagonal_(problem.dimension()) {
+  const SparsityPattern& pattern = factorisable(problem);
+  Factorisation& c = *factorisation_;
   const auto n = static_cast<Eigen::Index>(diagonal_.size());
   c.values.resize(pattern.row.size());
   c.right.resize(n);
@@ -60,10 +56,10 @@ SparseSystem::SparseSystem(const Problem& problem)
 
 SparseSystem::~SparseSystem() = default;
 
-bool SparseSystem::out_of_memory() const { return cholmod_->out_of_memory; }
+bool SparseSystem::out_of_memory() const { return factorisation_->out_of_memory; }
 
 std::span<const double> SparseSystem::load(const Evaluation& at) {
-  Cholmod& c = *cholmod_;
+  Factorisation& c = *factorisation_;
   at.hessian_values(c.values);
   for (std::size_t j = 0; j < diagonal_.size(); ++j)
     diagonal_[j] = c.values[static_cast<std::size_t>(c.matrix.outerIndexPtr()[j])];
@@ -72,7 +68,7 @@ std::span<const double> SparseSystem::load(const Evaluation& at) {
 
 bool SparseSystem::solve(const Evaluation&, std::span<const double> shift,
                          std::span<const double> g, double, std::span<double> d) {
-  Cholmod& c = *cholmod_;
+  Factorisation& c = *factorisation_;
   if (c.out_of_memory) return false;
   std::copy(c.values.begin(), c.values.end(), c.matrix.valuePtr());
   for (std::size_t j = 0; j < d.size(); ++j) {

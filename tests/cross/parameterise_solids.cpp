@@ -68,20 +68,26 @@ int negative_pivots(const energies::HarmonicEnergy& energy) {
 
 class Solids : public ::testing::TestWithParam<Example> {};
 
+/// What every harmonic map of a marked solid has to be; its quality.
+Quality expect_harmonic(MarkedSolid& solid, const HarmonicMap& map) {
+  EXPECT_EQ(map.termination, solver::Termination::kConverged);
+  EXPECT_LT(map.max_gradient, 1e-10);
+  EXPECT_LT(relator_defect(solid), 1e-12);
+  EXPECT_LT(equivariance_defect(solid), 1e-10);
+  const Quality found = quality(solid, map.points);
+  EXPECT_LT(found.off_boundary, 1e-12);
+  // Once covered, whatever is turned over: the map has degree 1.
+  EXPECT_NEAR(found.image_volume, solid.report.volume, 1e-8);
+  return found;
+}
+
 TEST_P(Solids, HaveAMarkingAndAHarmonicMap) {
   const auto solid = mark_solid(read_example(GetParam().file));
   EXPECT_NEAR(solid->report.volume, GetParam().volume, 1e-11);
   EXPECT_EQ(solid->planes, 1u);
   EXPECT_LE(solid->record_bytes, 10 * solid->steps + 64);
   const HarmonicMap map = harmonic_map(*solid, Weights::kFiniteElements);
-  EXPECT_EQ(map.termination, solver::Termination::kConverged);
-  EXPECT_LT(map.max_gradient, 1e-10);
-  EXPECT_LT(relator_defect(*solid), 1e-10);
-  EXPECT_LT(equivariance_defect(*solid), 1e-10);
-  const Quality found = quality(*solid, map.points);
-  EXPECT_LT(found.off_boundary, 1e-12);
-  // Once covered, whatever is turned over: the map has degree 1.
-  EXPECT_NEAR(found.image_volume, solid->report.volume, 1e-8);
+  const Quality found = expect_harmonic(*solid, map);
   EXPECT_LT(found.inverted, solid->mesh.tetrahedra.size() / 3);
 
   // A minimum: some weights are negative, and the Hessian is positive all the same.
@@ -163,13 +169,7 @@ TEST_P(Meshes, HaveTheEnergyOfTheSolid) {
     options.tetrahedralize.tetrahedra = tetrahedra;
     const auto solid = mark_solid(read_example(GetParam()), options);
     const HarmonicMap map = harmonic_map(*solid, Weights::kFiniteElements);
-    EXPECT_EQ(map.termination, solver::Termination::kConverged);
-    EXPECT_LT(map.max_gradient, 1e-10);
-    EXPECT_LT(relator_defect(*solid), 1e-12);
-    EXPECT_LT(equivariance_defect(*solid), 1e-10);
-    const Quality found = quality(*solid, map.points);
-    EXPECT_LT(found.off_boundary, 1e-12);
-    EXPECT_NEAR(found.image_volume, solid->report.volume, 1e-8);
+    expect_harmonic(*solid, map);
     energies.push_back(map.energy);
   }
   EXPECT_LT(energies[1], energies[0]);
@@ -178,8 +178,7 @@ TEST_P(Meshes, HaveTheEnergyOfTheSolid) {
   EXPECT_LT(energies[1] - energies[2], 0.7 * (energies[0] - energies[1]));
 }
 
-INSTANTIATE_TEST_SUITE_P(Examples, Meshes,
-                         ::testing::Values("knotted-y.off", "knotted-theta.off"),
+INSTANTIATE_TEST_SUITE_P(Examples, Meshes, ::testing::Values("knotted-y.off", "knotted-theta.off"),
                          [](const auto& parameter) {
                            std::string name = parameter.param;
                            name.replace(name.find('.'), 1, "_");

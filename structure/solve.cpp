@@ -39,10 +39,6 @@ constexpr int kNewtonPatience = 100;
 /// for four is 3.4.
 constexpr int kFewSteps = 8;
 
-/// The exact decision about angle structures is a linear programme: it took 23 s at this size, 8 s
-/// at half of it.
-constexpr std::size_t kExactLimit = 10000;
-
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
@@ -248,10 +244,10 @@ std::string certificate_message(const Certificate& certificate) {
 Report settle(const topology::Triangulation& triangulation, const SolveOptions& options,
               Clock::time_point start, Report report) {
   report.advice = Advice::kRetriangulate;
-  if (triangulation.tetrahedron_count() > kExactLimit) {
+  if (triangulation.tetrahedron_count() > most_tetrahedra_decided()) {
     report.message += fmt::format(
         " Whether it has angle structures is decided exactly for up to {} tetrahedra only.",
-        kExactLimit);
+        most_tetrahedra_decided());
     return report;
   }
   auto decided = existence_within(options.time_limit - seconds_since(start), triangulation,

@@ -32,7 +32,6 @@ inline BigInteger numerator_of(const BigRational& x) { return numerator(x); }
 inline BigInteger denominator_of(const BigRational& x) { return denominator(x); }
 inline double to_double(const BigRational& x) { return x.convert_to<double>(); }
 inline int sign_of(const BigRational& x) { return x.sign(); }
-inline BigInteger big_integer(std::int64_t x) { return x; }
 /// A number that fits.
 inline std::int64_t to_int64(const BigInteger& x) { return x.convert_to<std::int64_t>(); }
 /// Of |x|; 0 for 0.
@@ -52,11 +51,6 @@ inline BigInteger numerator_of(const BigRational& x) { return x.get_num(); }
 inline BigInteger denominator_of(const BigRational& x) { return x.get_den(); }
 inline double to_double(const BigRational& x) { return x.get_d(); }
 inline int sign_of(const BigRational& x) { return sgn(x); }
-/// GMP takes `long`, which has 64 bits wherever Tripus is built with it.
-inline BigInteger big_integer(std::int64_t x) {
-  static_assert(sizeof(long) == sizeof(std::int64_t));
-  return BigInteger(static_cast<long>(x));
-}
 /// A number that fits.
 inline std::int64_t to_int64(const BigInteger& x) { return x.get_si(); }
 /// Of |x|; 0 for 0.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "geometry/kernel_choice.hpp"
 
 namespace tripus::geometry {
 

@@ -42,13 +42,8 @@ struct BatchKernels {
   void (*volumes)(std::size_t blocks, const double* lengths, const double* theta, double* volumes);
 };
 
-/// The kernels that the environment variable TRIPUS_SIMD names, or without it the fastest that this
-/// processor runs; chosen once. Throws InvalidInput as named_batch_kernels does.
+/// Those of TRIPUS_SIMD (kernel_choice.hpp), or the fastest that this processor runs; chosen once.
 const BatchKernels& batch_kernels();
-
-/// The kernels of this name; of null or an empty name the fastest. Throws InvalidInput for a name
-/// that this processor does not run, and says which it does.
-const BatchKernels& named_batch_kernels(const char* name);
 
 /// Every set of kernels that this processor runs, "portable" first: for tests and benchmarks.
 std::span<const BatchKernels> all_batch_kernels();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <span>
 #include <variant>
@@ -34,10 +33,5 @@ Existence existence(const topology::Triangulation& triangulation,
 std::optional<Existence> existence_within(double seconds,
                                           const topology::Triangulation& triangulation,
                                           std::span<const topology::ConeAngle> cone_angles = {});
-
-/// Up to how many tetrahedra an outcome waits for the decision, which takes seconds beyond: it took
-/// 23 s at 10,000, 8 s at half of them. Without GLPK (the module for browsers) fewer: what decides
-/// there is a dense table, and `existence` throws Unsupported beyond.
-std::size_t most_tetrahedra_decided();
 
 }  // namespace tripus::structure

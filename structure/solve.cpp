@@ -16,6 +16,7 @@
 #include "structure/angle_structure.hpp"
 #include "structure/assess.hpp"
 #include "structure/closed_bigon.hpp"
+#include "structure/detail/angle_programme.hpp"
 #include "structure/detail/flat_minimiser.hpp"
 #include "structure/detail/gauss_newton.hpp"
 #include "structure/detail/precise_minimiser.hpp"
@@ -244,10 +245,10 @@ std::string certificate_message(const Certificate& certificate) {
 Report settle(const topology::Triangulation& triangulation, const SolveOptions& options,
               Clock::time_point start, Report report) {
   report.advice = Advice::kRetriangulate;
-  if (triangulation.tetrahedron_count() > most_tetrahedra_decided()) {
+  if (triangulation.tetrahedron_count() > detail::most_tetrahedra_decided()) {
     report.message += fmt::format(
         " Whether it has angle structures is decided exactly for up to {} tetrahedra only.",
-        most_tetrahedra_decided());
+        detail::most_tetrahedra_decided());
     return report;
   }
   auto decided = existence_within(options.time_limit - seconds_since(start), triangulation,

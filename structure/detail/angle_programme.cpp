@@ -6,8 +6,6 @@
 
 #include <glpk.h>
 
-#include "structure/existence.hpp"
-
 // Columns of GLPK's matrix, from 1: angle - m >= 0 of each corner, then m. With the angles measured
 // from m upwards the only bounds left are signs. All coefficients are small integers, so there is
 // nothing to scale.
@@ -47,11 +45,8 @@ glp_smcp simplex_options(int milliseconds) {
 }
 
 }  // namespace
-}  // namespace tripus::structure::detail
 
-std::size_t tripus::structure::most_tetrahedra_decided() { return 10000; }
-
-namespace tripus::structure::detail {
+std::size_t most_tetrahedra_decided() { return 10000; }
 
 AngleProgramme::AngleProgramme(const topology::Triangulation& triangulation,
                                std::span<const topology::ConeAngle> cone_angles)

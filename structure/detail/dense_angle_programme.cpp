@@ -8,7 +8,6 @@
 #include "base/error.hpp"
 #include "structure/detail/angle_programme.hpp"
 #include "structure/detail/rational_system.hpp"
-#include "structure/existence.hpp"
 
 // AngleProgramme where GLPK is not there: the simplex method on a dense table, in doubles or in
 // fractions. Every row has an auxiliary variable, its right side minus its sum: >= 0 for an
@@ -59,10 +58,6 @@ struct ProgrammeRow {
 
 }  // namespace
 }  // namespace tripus::structure::detail
-
-std::size_t tripus::structure::most_tetrahedra_decided() {
-  return tripus::structure::detail::kMostTetrahedraOfTable;
-}
 
 /// What stands in the place of GLPK's object of this name.
 struct glp_prob {
@@ -245,6 +240,8 @@ class DenseTable {
 };
 
 }  // namespace
+
+std::size_t most_tetrahedra_decided() { return kMostTetrahedraOfTable; }
 
 AngleProgramme::AngleProgramme(const topology::Triangulation& triangulation,
                                std::span<const topology::ConeAngle> cone_angles)

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "base/tolerances.hpp"
+#include "structure/detail/angle_programme.hpp"
 #include "structure/existence.hpp"
 
 namespace tripus::structure::detail {

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "geometry/batch.hpp"
+#include "geometry/kernel_choice.hpp"
 #include "geometry/paper_formulae.hpp"
 #include "geometry/truncated_tetrahedron.hpp"
 #include "geometry/volume.hpp"

@@ -531,7 +531,7 @@ class Tables(PageTest):
                            "f.dispatchEvent(new Event('input')); f.dispatchEvent(new Event('change')); })()")
 
     def test_the_census_is_shown_in_pages(self):
-        program = self.program_says("census")
+        program = [row for row in self.program_says("census") if not set("TK") & set(row["boundary"])]  # without cusps
         names = [row["name"] for row in program]
         self.assertEqual(len(names), 5160)
         self.browser.go("gallery=census")

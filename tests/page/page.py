@@ -531,20 +531,20 @@ class Tables(PageTest):
                            "f.dispatchEvent(new Event('input')); f.dispatchEvent(new Event('change')); })()")
 
     def test_the_census_is_shown_in_pages(self):
-        program = [row for row in self.program_says("census") if not set("TK") & set(row["boundary"])]  # without cusps
+        program = self.program_says("census")
         names = [row["name"] for row in program]
-        self.assertEqual(len(names), 5160)
+        self.assertGreater(len(names), 5160)  # and those with cusps
         self.browser.go("gallery=census")
         self.browser.wait("document.querySelectorAll('#cards li').length > 100")
-        self.assertEqual(self.browser.text("#card-count"), "5160 of 5160 manifolds")
+        self.assertEqual(self.browser.text("#card-count"), f"{len(names)} of {len(names)} manifolds")
         size = len(self.cards())
         self.assertEqual(self.cards(), names[:size])
-        self.assertEqual(self.browser.text("#page-number"), f"1 to {size} of 5160")
+        self.assertEqual(self.browser.text("#page-number"), f"1 to {size} of {len(names)}")
         self.browser.click("#page-after")
         self.assertEqual(self.cards(), names[size:2 * size])
         self.fill("find", "2 z + z_3")
         wanted = [row for row in program if "2 Z + Z_3" in row["H1"]]
-        self.assertEqual(self.browser.text("#card-count"), f"{len(wanted)} of 5160 manifolds")
+        self.assertEqual(self.browser.text("#card-count"), f"{len(wanted)} of {len(names)} manifolds")
         self.assertEqual(self.cards(), [row["name"] for row in wanted][:size])
         self.fill("find", "t4g3.")
         self.fill("order", "volume")

@@ -219,7 +219,7 @@ void add_enumerate(CLI::App* verb, Command& chosen) {
       ->check(CLI::Range(1, static_cast<int>(topology::kMaxEnumerated)).description(""));
   verb->add_option("--links", command->links,
                    "which vertex links: geodesic (all of genus >= 2, the default), mixed\n"
-                   "(of genus >= 2 and tori, both), cusped (tori); Klein bottles count as tori")
+                   "(of genus >= 2 and tori, both), cusped (tori; or Klein bottles)")
       ->option_text("KIND");
   auto* non_orientable =
       verb->add_flag("--non-orientable", command->non_orientable, "those that are not orientable")

@@ -53,7 +53,7 @@ class Enumerate(ProgramTest):
             self.assertEqual(sorted(sum(parts, [])), sorted(self.enumerate("3", "--links", links, "--all")))
         self.assertIn("bkaaid", self.enumerate("1", "--links", "cusped", "--non-orientable"))
         for line in self.enumerate("4", "--links", "cusped", "--non-orientable", "--random", "3"):
-            self.assertFalse(self.run_json("info", line)["orientable"])
+            self.assertFalse(self.json_answer("info", line)["orientable"])
 
     def test_refuses(self):
         for arguments, says in (

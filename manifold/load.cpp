@@ -18,7 +18,7 @@
 #include "manifold/labels.hpp"
 #include "manifold/load_diagram.hpp"
 #include "manifold/prepared.hpp"
-#include "meshing/formats/foreign_meshes.hpp"
+#include "meshing/formats/formats.hpp"
 #include "meshing/formats/read_graph.hpp"
 #include "meshing/manifold.hpp"
 #include "topology/diagrams/read_diagram.hpp"

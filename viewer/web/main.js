@@ -364,7 +364,7 @@ class Page {
     const [w, h] = size.map((x) => Math.min(4096, Math.max(1, Math.round(x * scale))));
     try {
       if (count > 0) graphics.beginMean(w, h, count);
-      else graphics.begin(w, h);
+      else graphics.begin(w, h, !state.identities);
       state.jitter = count > 0 ? [2, 3].map((base) => radicalInverse(count, base) - 0.5) : [0, 0];
       const camera = state.view === 'inside' ? this.walker : this.orbit;
       this.views[state.view].draw(state, camera, w, h, scale);

@@ -42,7 +42,7 @@ struct BatchKernels {
   void (*volumes)(std::size_t blocks, const double* lengths, const double* theta, double* volumes);
 };
 
-/// The fastest kernels that this processor runs; chosen once.
+/// Those of TRIPUS_SIMD (kernel_choice.hpp), or the fastest that this processor runs; chosen once.
 const BatchKernels& batch_kernels();
 
 /// Every set of kernels that this processor runs, "portable" first: for tests and benchmarks.

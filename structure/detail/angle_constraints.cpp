@@ -17,8 +17,7 @@ AngleConstraints::AngleConstraints(const topology::Triangulation& triangulation,
     edge_sum.push_back(rational ? static_cast<double>(k.numerator()) /
                                       static_cast<double>(k.denominator())
                                 : k.radians() / std::numbers::pi);
-    if (rational)
-      exact_sum.emplace_back(static_cast<long>(k.numerator()), static_cast<long>(k.denominator()));
+    if (rational) exact_sum.emplace_back(k.numerator(), k.denominator());
   }
   const auto links = topology::orbifold_links(triangulation, cone_angles);
   for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t) {

@@ -46,6 +46,8 @@ glp_smcp simplex_options(int milliseconds) {
 
 }  // namespace
 
+std::size_t most_tetrahedra_decided() { return 10000; }
+
 AngleProgramme::AngleProgramme(const topology::Triangulation& triangulation,
                                std::span<const topology::ConeAngle> cone_angles)
     : lock_(lock_if_needed()),

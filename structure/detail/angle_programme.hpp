@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -12,6 +13,11 @@
 struct glp_prob;
 
 namespace tripus::structure::detail {
+
+/// Up to how many tetrahedra an outcome waits for the exact decision, which takes seconds beyond: it
+/// took 23 s at 10,000, 8 s at half of them. Without GLPK (the module for browsers) fewer: what
+/// decides there is a dense table, and throws Unsupported beyond.
+std::size_t most_tetrahedra_decided();
 
 /// The linear programme of the widest margin (docs/theory.md (50)), in units of pi:
 ///     max m:  angle_c >= m,  vertex sums <= 1 - m (= 1 at ideal vertices),  edge sums = cone

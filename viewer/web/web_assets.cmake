@@ -15,7 +15,8 @@ set(TRIPUS_WEB_SCRIPTS
   lorentz.js manifold.js palette.js gl.js discs.js outside.js faces.js tubes.js cameras.js inside.js panel.js
   controls.js hover.js labels.js dump.js main.js start.js)
 set(TRIPUS_WEB_TEXTS
-  page.html stage.html controls.html help.html theme.css view.css style.css gallery.html gallery.css)
+  head.html page.html stage.html controls.html help.html theme.css view.css style.css gallery.html cards.css
+  gallery.css)
 
 set(TRIPUS_WEB_ENTRIES "")
 foreach(kind Shader Desktop Script Text)

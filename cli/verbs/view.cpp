@@ -51,6 +51,7 @@ struct ViewCommand {
   std::string renderer = "faces";
   std::optional<double> cut_away;
   std::string moebius;
+  std::string inside;  ///< as typed; empty: from outside
   std::optional<std::uint32_t> transparent;
   bool labels = false;
   bool dark = false;
@@ -114,6 +115,36 @@ void parse_camera(ViewCommand& command) {
   if (numbers->size() < 6) return;
   camera.zoom = (*numbers)[3];
   camera.shift = {(*numbers)[4], (*numbers)[5]};
+}
+
+/// --inside: a place, or the tetrahedron and the frame of one who stands in it.
+viewer::InsideOptions parse_inside(const std::string& text, const viewer::InsideManifold& m) {
+  using viewer::StandingPlace;
+  viewer::InsideOptions inside;
+  if (text.empty() || text == "centre" || text == "wall" || text == "edge") {
+    inside.walker = standing_at(m, text == "wall"   ? StandingPlace::kWall
+                                   : text == "edge" ? StandingPlace::kEdge
+                                                    : StandingPlace::kCentre);
+    return inside;
+  }
+  const auto numbers = numbers_in(text, ',', 17);
+  const std::string what = "--inside " + tripus::quoted(text);
+  if (!numbers) {
+    throw InvalidInput(what +
+                       ": write centre, wall or edge, or what the key L of the window copies: the "
+                       "number of a tetrahedron and the 16 numbers of a frame in it");
+  }
+  const double t = (*numbers)[0];
+  const auto count = static_cast<double>(m.tetrahedra.size());
+  if (!(t >= 0 && t < count && t == std::floor(t)))
+    throw InvalidInput(
+        fmt::format("{}: tetrahedra go from 0 to {}", what, m.tetrahedra.size() - 1));
+  inside.walker.tetrahedron = static_cast<std::uint32_t>(t);
+  for (std::size_t k = 0; k < 16; ++k)
+    inside.walker.frame(static_cast<int>(k / 4), static_cast<int>(k % 4)) = (*numbers)[k + 1];
+  if (!stands_inside(m, inside.walker))
+    throw InvalidInput(what + ": this is no place in front of the walls of that tetrahedron");
+  return inside;
 }
 
 /// --moebius: eight numbers, the real and imaginary parts of a, b, c and d.
@@ -182,6 +213,11 @@ struct Developed {
     viewer::add_classes(scene, subject.triangulation, report.edge_lengths);
     return scene;
   }
+
+  std::shared_ptr<const viewer::InsideManifold> from_inside() const {
+    return std::make_shared<const viewer::InsideManifold>(
+        viewer::inside_manifold(embedding, subject.triangulation, report.edge_lengths, discs));
+  }
 };
 
 std::string as_json(const Subject& subject, const std::string& file, std::size_t cells) {
@@ -207,6 +243,16 @@ Reply picture_written(const Developed& developed, const ViewCommand& command, st
 }
 
 Reply draw_picture(const Developed& developed, const ViewCommand& command) {
+  if (!command.inside.empty()) {
+    const auto manifold = developed.from_inside();
+    viewer::write_png(viewer::render_inside(manifold, parse_inside(command.inside, *manifold),
+                                            command.picture, command.width, command.height),
+                      command.png);
+    if (command.common.json) return {as_json(developed.subject, command.png, 0), kSuccess};
+    return {fmt::format("{}: drawn from inside to {}\n", printable(developed.subject.input),
+                        printable(command.png)),
+            kSuccess};
+  }
   const viewer::Scene scene = viewer::moved(
       command.picture.model, developed.scene(command.cells, command.picture.model), command.motion);
   const viewer::Image image =
@@ -260,6 +306,9 @@ Reply view_one(const ViewCommand& command, const std::string& input) {
     window.height = command.height;
     window.cells = command.cells;
     window.motion = command.motion;
+    window.manifold = developed.from_inside();
+    window.is_inside = !command.inside.empty();
+    window.inside = parse_inside(command.inside, *window.manifold);
     window.command = "tripus view " + shell_word(input);
     for (const std::string& list : command.cone_orders) window.command += " --cone-order " + list;
     if (const MetricSearch& search = command.search; search.retriangulate)
@@ -343,6 +392,10 @@ void add_picture_options(CLI::App& verb, ViewCommand& command) {
                   "move all cells by w -> (aw + b)/(cw + d): real and imaginary parts\n"
                   "of a, b, c, d, eight numbers")
       ->option_text("NUMBERS");
+  verb.add_option("--inside", command.inside,
+                  "stand in the manifold and look along geodesics: at its centre, a wall\n"
+                  "or an edge (key I of the window)")
+      ->option_text("PLACE");
   flag("--no-truncations", command.no_truncations,
        "faces alone, so that one can look into the cells");
   flag("--no-faces", command.no_faces, "truncations alone: the geodesic boundary");
@@ -407,9 +460,9 @@ void add_view(CLI::App* verb, Command& chosen) {
   input->excludes(gallery);
   add_picture_options(*verb, *command);
   // A page has controls for these.
-  for (const char* name :
-       {"--size", "--colour-by", "--transparent", "--labels", "--no-lines", "--hollow", "--dark",
-        "--moebius", "--no-truncations", "--no-faces", "--cut-away", "--renderer", "--camera"})
+  for (const char* name : {"--size", "--colour-by", "--transparent", "--labels", "--no-lines",
+                           "--hollow", "--dark", "--moebius", "--inside", "--no-truncations",
+                           "--no-faces", "--cut-away", "--renderer", "--camera"})
     page->excludes(verb->get_option(name));
   verb->add_option("--cone-order", command->cone_orders,
                    "make an edge class singular of order N (cone angle 2pi/N): 0=2,1=3;\n"

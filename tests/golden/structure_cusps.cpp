@@ -1,4 +1,5 @@
 // Cusps, cone angles, finite vertices: published volumes and those of other programs.
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -6,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/volume.hpp"
 #include "structure/solve.hpp"
 #include "tests/support/data_files.hpp"
 #include "tests/support/orb_examples.hpp"
@@ -150,6 +152,37 @@ TEST(Orbifolds, UniformValencesAndOrders) {
                     1e-9);
     }
   }
+}
+
+// The same for every triangulation of the lists that has one valence, by the volume of the regular
+// tetrahedron with that angle.
+TEST(Orbifolds, EveryUniformValenceOfTheLists) {
+  std::vector<std::string> lines;
+  for (const char* list : {"triangulations-2.txt", "triangulations-3.txt", "triangulations-4.txt",
+                           "triangulations-cusped.txt"})
+    for (const std::string& isosig : testing::data_lines(list)) lines.push_back(isosig);
+  for (const auto& row : testing::data_table("cusped-census-5.tsv"))
+    lines.push_back(row.at("isosig"));
+  int uniform = 0;
+  for (const std::string& isosig : lines) {
+    const Triangulation m = decoded(isosig);
+    bool alike = true;
+    for (std::size_t e = 1; e < m.edge_count(); ++e) alike = alike && m.valence(e) == m.valence(0);
+    if (!alike) continue;
+    ++uniform;
+    SCOPED_TRACE(isosig);
+    for (int k = 2; k <= 50; ++k) {
+      const double t = 2 * std::numbers::pi / (static_cast<double>(m.valence(0)) * k);
+      const Report report =
+          solved(m, std::vector<ConeAngle>(m.edge_count(), ConeAngle::rational(2, k)));
+      ASSERT_EQ(report.outcome, Outcome::kGeometric) << k << ": " << report.message;
+      ASSERT_NEAR(report.volume,
+                  static_cast<double>(m.tetrahedron_count()) *
+                      geometry::volume(std::array<double, 6>{t, t, t, t, t, t}),
+                  1e-12);
+    }
+  }
+  EXPECT_GT(uniform, 2000);
 }
 
 }  // namespace

@@ -33,7 +33,8 @@ function cornersOfWall({corners}, wall) {
   });
 }
 
-const kNoOutline = {points: new Float64Array(0), margin: 0, middle: [0, 0, 0], radius: 0};
+const kNoOutline = {points: new Float64Array(0), margin: 0, middle: [0, 0, 0], radius: 0, sides: null,
+                    edges: new Uint16Array(0)};
 
 /// The walls of cells in a model; grows with the universal cover.
 class FaceSet {
@@ -92,23 +93,35 @@ class FaceSet {
     };
     const away = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
     const corners = around.map((x) => corner(x, 1)), points = corners.map(({p}) => p);
+    corners.forEach((each, i) => { each.number = i; });
+    const edges = new Set();
     const middle = corner(around.reduce((sum, x) => Lorentz.combine(1, sum, 1, x)), around.length);
     const size = Math.max(...points.map((p) => away(p, points[0])));
     const error = Math.max(kOutlineDetail, kOutlineTightness * size) / kOutlineSafety;
     let margin = 0;
+    const halves = new Map();  // of sides, by the numbers of their ends
+    const key = (i, j) => 4096 * Math.min(i, j) + Math.max(i, j);
+    const number = (each) => {
+      each.number = points.length;
+      points.push(each.p);
+    };
     const cut = (triangle, halvings) => {
       let [most, worst, between] = [-1, 0, null];
       for (let k = 0; k < 3; ++k) {
-        const [a, b] = [triangle[k], triangle[(k + 1) % 3]];
-        const half = corner(Lorentz.combine(1, a.x, 1, b.x), 2);
-        const leaves = away(half.p, a.p.map((x, i) => (x + b.p[i]) / 2));
+        const [a, b] = [triangle[k], triangle[(k + 1) % 3]], side = key(a.number, b.number);
+        if (!halves.has(side)) {
+          const half = corner(Lorentz.combine(1, a.x, 1, b.x), 2);
+          halves.set(side, {half, leaves: away(half.p, a.p.map((x, i) => (x + b.p[i]) / 2))});
+        }
+        const {half, leaves} = halves.get(side);
         if (leaves > most) [most, worst, between] = [leaves, k, half];
       }
       if (most <= error || halvings === kOutlineHalvings) {
         margin = Math.max(margin, kOutlineSafety * most);
+        triangle.forEach(({number: i}, k) => edges.add(key(i, triangle[(k + 1) % 3].number)));
         return;
       }
-      points.push(between.p);
+      if (between.number === undefined) number(between);
       const [a, b, c] = [0, 1, 2].map((k) => triangle[(worst + k) % 3]);
       cut([a, between, c], halvings + 1);
       cut([between, b, c], halvings + 1);
@@ -116,11 +129,28 @@ class FaceSet {
     if (corners.length === 3) {
       cut(corners, 0);
     } else {
-      points.push(middle.p);
+      number(middle);
       corners.forEach((a, k) => cut([middle, a, corners[(k + 1) % 6]], 0));
     }
     const radius = Math.max(...points.map((p) => away(p, middle.p))) + margin;
-    return {points: Float64Array.from(points.flat()), margin, middle: middle.p, radius};
+    return {points: Float64Array.from(points.flat()), margin, middle: middle.p, radius,
+            sides: this.sides(corners, corner),
+            edges: Uint16Array.from([...edges].flatMap((pair) => [pair >> 12, pair & 4095]))};
+  }
+
+  /// Of each side of a wall where it begins, its middle, and its directions there and at its end: 15
+  /// numbers.
+  sides(corners, corner) {
+    const step = 1e-4;
+    return Float64Array.from(corners.flatMap(({x: a, p}, i) => {
+      const b = corners[(i + 1) % corners.length].x;
+      const at = (share) => corner(Lorentz.combine(2 - 2 * share, a, 2 * share, b), 2).p;
+      const along = (share) => {
+        const [before, after] = [at(share - step), at(share + step)];
+        return after.map((x, k) => x - before[k]);
+      };
+      return [...p, ...at(0.5), ...along(0), ...along(0.5), ...along(1)];
+    }));
   }
 
   /// Faces whose middles are at one place are one face.
@@ -170,6 +200,164 @@ class FaceSet {
   }
 }
 
+/// The polygon of a picture around sides that are arcs of conics: one that bends inwards has its
+/// middle for a corner, if that saves enough, one that bends outwards is in its tangents.
+class RimPolygon {
+  constructor() {
+    // 6 corners, and 2 on each side; sharp ones count twice.
+    [this.x, this.y, this.inX, this.inY] = [36, 36, 36, 36].map((size) => new Float64Array(size));
+    this.ring = new Int32Array(36);
+    this.triangles = new Int32Array(102);
+    this.places = new Float64Array(6);  // of a side: begin, middle, end
+    this.ways = new Float64Array(6);    // its directions there
+    this.count = 0;
+  }
+
+  /// Returns false where there is no simple polygon.
+  build(sides, offset, shrink, axes, focal) {
+    const {places, ways} = this;
+    Object.assign(this, {sides, offset, shrink, axes, focal});
+    this.count = 0;
+    const count = sides.length / 15;
+    let turn = 0;  // twice the area of the corners and middles
+    for (let side = 0; side < count; ++side) {
+      this.look(15 * side, 0);
+      this.look(15 * side + 3, 2);
+      this.look(15 * ((side + 1) % count), 4);
+      turn += places[0] * places[3] - places[1] * places[2] + places[2] * places[5] - places[3] * places[4];
+    }
+    const saves = turn > 300 || turn < -300;
+    for (let side = 0; side < count; ++side) {
+      this.look(15 * side, 0);
+      this.look(15 * side + 3, 2);
+      this.look(15 * ((side + 1) % count), 4);
+      this.add(places[0], places[1]);
+      const dx = places[4] - places[0], dy = places[5] - places[1];
+      // How far the middle is within the chord, times the chord's length.
+      const within = (dx * (places[3] - places[1]) - dy * (places[2] - places[0])) * Math.sign(turn);
+      if (within > 0) {
+        if (saves && within > 8) this.add(places[2], places[3]);
+        continue;
+      }
+      if (within > -1e-2 * Math.hypot(dx, dy)) continue;
+      for (let k = 0; k < 3; ++k) this.lookAlong(15 * side + 6 + 3 * k, 2 * k);
+      if (!this.addMeeting(0) || !this.addMeeting(2)) return false;
+    }
+    if (turn < 0) this.reverse();
+    return this.widen() && this.cut();
+  }
+
+  /// Finds a place of the picture.
+  look(at, to) {
+    const {sides, offset, shrink, axes, focal, places} = this;
+    const px = sides[at] * shrink + offset[0], py = sides[at + 1] * shrink + offset[1],
+          pz = sides[at + 2] * shrink + offset[2];
+    const depth = axes[6] * px + axes[7] * py + axes[8] * pz;
+    places[to] = focal[0] * (axes[0] * px + axes[1] * py + axes[2] * pz) / depth;
+    places[to + 1] = focal[1] * (axes[3] * px + axes[4] * py + axes[5] * pz) / depth;
+  }
+
+  /// Finds a direction there, up to a positive factor.
+  lookAlong(at, to) {
+    const {sides, axes, focal, places, ways} = this;
+    const tx = sides[at], ty = sides[at + 1], tz = sides[at + 2];
+    const deeper = axes[6] * tx + axes[7] * ty + axes[8] * tz;
+    ways[to] = focal[0] * (axes[0] * tx + axes[1] * ty + axes[2] * tz) - places[to] * deeper;
+    ways[to + 1] = focal[1] * (axes[3] * tx + axes[4] * ty + axes[5] * tz) - places[to + 1] * deeper;
+  }
+
+  add(x, y) {
+    this.x[this.count] = x;
+    this.y[this.count++] = y;
+  }
+
+  /// Adds the place where two tangents meet, ahead of the first and behind the second.
+  addMeeting(at) {
+    const {places, ways} = this;
+    const sine = ways[at] * ways[at + 3] - ways[at + 1] * ways[at + 2];
+    const dx = places[at + 2] - places[at], dy = places[at + 3] - places[at + 1];
+    const ahead = (dx * ways[at + 3] - dy * ways[at + 2]) / sine;
+    const behind = (dx * ways[at + 1] - dy * ways[at]) / sine;
+    if (!(ahead > 0 && behind < 0)) return false;
+    this.add(places[at] + ahead * ways[at], places[at + 1] + ahead * ways[at + 1]);
+    return true;
+  }
+
+  reverse() {
+    const {x, y, count} = this;
+    for (let i = 0, j = count - 1; i < j; ++i, --j) {
+      const px = x[i], py = y[i];
+      x[i] = x[j];
+      y[i] = y[j];
+      x[j] = px;
+      y[j] = py;
+    }
+  }
+
+  /// Moves all sides outwards by what rounding in the shaders may move a pixel.
+  widen() {
+    const {count} = this, x = this.inX, y = this.inY, more = 0.08;
+    [this.inX, this.inY, this.x, this.y] = [this.x, this.y, x, y];
+    const {inX, inY} = this;
+    this.count = 0;
+    for (let n = 0; n < count; ++n) {
+      const before = n > 0 ? n - 1 : count - 1, after = n + 1 < count ? n + 1 : 0;
+      let dx = inX[n] - inX[before], dy = inY[n] - inY[before];
+      let ex = inX[after] - inX[n], ey = inY[after] - inY[n];
+      const d = Math.sqrt(dx * dx + dy * dy), e = Math.sqrt(ex * ex + ey * ey);
+      if (!(d > 1e-3 && e > 1e-3)) return false;
+      dx *= more / d;
+      dy *= more / d;
+      ex *= more / e;
+      ey *= more / e;
+      const sine = dx * ey - dy * ex, cosine = dx * ex + dy * ey, square = more * more;
+      if (cosine > -0.7 * square) {
+        // Where the two lines, moved outwards, meet.
+        const along = sine / (square + cosine);
+        this.add(inX[n] + dy + along * dx, inY[n] - dx + along * dy);
+      } else {
+        this.add(inX[n] + dy + dx, inY[n] - dx + dy);
+        this.add(inX[n] + ey - ex, inY[n] - ex - ey);
+      }
+    }
+    return true;
+  }
+
+  /// Cuts it into triangles, corner by corner; false if it crosses itself.
+  cut() {
+    const {x, y, ring, triangles} = this;
+    let left = this.count, done = 0;
+    const area = (a, b, c) => (x[b] - x[a]) * (y[c] - y[a]) - (y[b] - y[a]) * (x[c] - x[a]);
+    for (let n = 0; n < left; ++n) ring[n] = n;
+    while (left > 3) {
+      let best = -1, shortest = Infinity;
+      for (let n = 0; n < left; ++n) {
+        const a = ring[(n + left - 1) % left], b = ring[n], c = ring[(n + 1) % left];
+        const long = (x[c] - x[a]) ** 2 + (y[c] - y[a]) ** 2;
+        if (long >= shortest || !(area(a, b, c) > 0)) continue;
+        let free = true;
+        for (let k = 0; k < left && free; ++k) {
+          const p = ring[k];
+          if (p === a || p === b || p === c) continue;
+          free = area(a, b, p) < 0 || area(b, c, p) < 0 || area(c, a, p) < 0;
+        }
+        if (!free) continue;
+        best = n;
+        shortest = long;
+      }
+      if (best < 0) return false;
+      triangles[done++] = ring[(best + left - 1) % left];
+      triangles[done++] = ring[best];
+      triangles[done++] = ring[(best + 1) % left];
+      for (let k = best; k + 1 < left; ++k) ring[k] = ring[k + 1];
+      --left;
+    }
+    if (!(area(ring[0], ring[1], ring[2]) > 0)) return false;
+    for (let k = 0; k < 3; ++k) triangles[done++] = ring[k];
+    return true;
+  }
+}
+
 /// Finds where faces lie on a picture, and makes polygons around them; as in proxies.cpp.
 class ProxyMesh {
   constructor() {
@@ -177,6 +365,8 @@ class ProxyMesh {
     this.triangles = new Uint32Array(3 * 4096);
     this.reach = new Float64Array(16);
     this.offset = new Float64Array(3);
+    this.rim = new RimPolygon();
+    this.isWhole = false;  // for tests: all polygons are the whole picture
     this.clear();
   }
 
@@ -203,6 +393,11 @@ class ProxyMesh {
   /// Adds the polygon around the points, moved towards `centre` by the factor `shrink`.
   add(points, margin, centre, shrink, record) {
     const {reach} = this, {eye} = this.view;
+    if (this.isWhole) {
+      reach.fill(this.width + this.height);
+      this.addPolygon(4, 0, record);
+      return;
+    }
     const {offset} = this;
     for (let k = 0; k < 3; ++k) offset[k] = centre[k] * (1 - shrink) - eye[k];
     reach.fill(-Infinity);
@@ -221,6 +416,38 @@ class ProxyMesh {
     for (let k = 0; k < 16; ++k) reach[k] += more;
     if (area < 120) this.addPolygon(4, slanting < straight ? 2 : 0, record);
     else this.addPolygon(large ? 1 : 2, 0, record);
+  }
+
+  /// Adds the polygon around the sides of a wall that turns its outer side to the eye with all
+  /// its points; returns whether there is one.
+  ///   nearest  its least depth
+  addSides(sides, nearest, centre, shrink, record) {
+    if (this.isWhole || !(nearest > 1e-3)) return false;
+    const {rim, offset} = this, {eye} = this.view;
+    for (let k = 0; k < 3; ++k) offset[k] = centre[k] * (1 - shrink) - eye[k];
+    if (!rim.build(sides, offset, shrink, this.view.axes, this.focal)) return false;
+    const {count, x, y, triangles} = rim, {width, height} = this;
+    this.reserve(count);
+    const first = this.cornerCount;
+    let left = Infinity, right = -Infinity, low = Infinity, high = -Infinity;
+    for (let n = 0; n < count; ++n) {
+      const at = 3 * this.cornerCount++, px = 2 * x[n] / width, py = 2 * y[n] / height;
+      this.corners[at] = px;
+      this.corners[at + 1] = py;
+      this.corners[at + 2] = record;
+      left = Math.min(left, px);
+      right = Math.max(right, px);
+      low = Math.min(low, py);
+      high = Math.max(high, py);
+    }
+    if (left > 1 || right < -1 || low > 1 || high < -1) {
+      this.cornerCount = first;
+      return true;
+    }
+    for (let i = 0; i < 3 * (count - 2); ++i)
+      this.triangles[3 * this.triangleCount + i] = first + triangles[i];
+    this.triangleCount += count - 2;
+    return true;
   }
 
   /// Finds how far points reach in the even or odd ones of 16 directions; returns the least depth.
@@ -296,17 +523,49 @@ ProxyMesh.kDirections = Float64Array.from({length: 32}, (_, i) => {
   return i % 2 === 0 ? Math.cos(angle) : Math.sin(angle);
 });
 
-/// Whether some point of a face may turn its outer side to the eye; as in proxies.cpp.
-function mayFace({a, b, c, d}, points, margin, eye) {
+const kNoPoints = new Float64Array(0);
+
+/// Of the points of a face, which are joined by edges, those that may turn their outer sides to the eye,
+/// and where edges leave them; all, the very array, if all do. As in proxies.cpp.
+function facingPart({a, b, c, d}, {points, margin, edges, middle, radius}, eye) {
   const bent = 2 * (d[0] * eye[0] + d[1] * eye[1] + d[2] * eye[2]);
   const x = bent * d[0] - b[0] - 2 * a * eye[0], y = bent * d[1] - b[1] - 2 * a * eye[1],
         z = bent * d[2] - b[2] - 2 * a * eye[2];
-  const most = (margin + 1e-6) * Math.sqrt(x * x + y * y + z * z) + 2 * c + b[0] * eye[0] +
-      b[1] * eye[1] + b[2] * eye[2];
-  for (let i = 0; i < points.length; i += 3)
-    if (x * points[i] + y * points[i + 1] + z * points[i + 2] <= most) return true;
-  return false;
+  const steep = Math.sqrt(x * x + y * y + z * z), doubt = (margin + 1e-6) * steep;
+  const most = 2 * c + b[0] * eye[0] + b[1] * eye[1] + b[2] * eye[2];
+  // Most faces are on one side with the whole ball around them.
+  const around = x * middle[0] + y * middle[1] + z * middle[2] - most, reach = radius * steep + doubt;
+  if (around < -reach) return points;
+  if (around > reach) return kNoPoints;
+  const count = points.length / 3;
+  if (facingPart.beyond.length < count) facingPart.beyond = new Float64Array(2 * count);
+  if (facingPart.part.length < points.length + 3 * edges.length)
+    facingPart.part = new Float64Array(2 * (points.length + 3 * edges.length));
+  const {beyond, part} = facingPart;
+  let greatest = -Infinity;
+  for (let i = 0; i < count; ++i) {
+    const f = x * points[3 * i] + y * points[3 * i + 1] + z * points[3 * i + 2] - most;
+    beyond[i] = f - doubt;
+    if (f > greatest) greatest = f;
+  }
+  if (greatest < -doubt) return points;
+  let size = 0;
+  for (let i = 0; i < count; ++i) {
+    if (beyond[i] > 0) continue;
+    for (let k = 0; k < 3; ++k) part[size++] = points[3 * i + k];
+  }
+  if (size === 0) return kNoPoints;
+  for (let e = 0; e < edges.length; e += 2) {
+    const i = edges[e], j = edges[e + 1];
+    if (!(beyond[i] * beyond[j] < 0)) continue;
+    const share = beyond[i] / (beyond[i] - beyond[j]);
+    for (let k = 0; k < 3; ++k)
+      part[size++] = points[3 * i + k] + share * (points[3 * j + k] - points[3 * i + k]);
+  }
+  return part.subarray(0, size);
 }
+facingPart.beyond = new Float64Array(0);
+facingPart.part = new Float64Array(0);
 
 /// Draws the faces of cells in a model.
 class FaceDrawing {
@@ -435,6 +694,13 @@ class FaceDrawing {
       mesh.look(view, width, height);
     }
     const focal = height / 2 / view.tangent[1], eye = new Float64Array(3);
+    const {axes} = view;
+    const nearestOf = ({middle, radius}, ball) => {
+      let depth = -radius * shrink;
+      for (let k = 0; k < 3; ++k)
+        depth += axes[6 + k] * (ball[k] + (middle[k] - ball[k]) * shrink - view.eye[k]);
+      return depth;
+    };
     for (const cell of order) {
       const ball = set.balls[cell], radius = ball[3] * shrink;
       let square = 0;
@@ -454,10 +720,19 @@ class FaceDrawing {
         // Through a transparent partner it is seen.
         if (solid && shrink === 1 && partner < count && (clear || !isClear(partner))) continue;
         const outline = set.outlines[face];
-        if (solid && !mayFace(set.halfSpaces[face], outline.points, outline.margin, eye)) continue;
+        let {points} = outline;
+        if (solid) {
+          points = facingPart(set.halfSpaces[face], outline, eye);
+          if (points.length === 0) continue;
+        }
         const {mesh} = this.kinds[face % 8 < 4 ? 1 : 0];
-        if (small) mesh.add(outline.middle, outline.radius, ball, shrink, this.first[face]);
-        else mesh.add(outline.points, outline.margin, ball, shrink, this.first[face]);
+        const first = this.first[face];
+        if (small) {
+          mesh.add(outline.middle, outline.radius, ball, shrink, first);
+        } else if (!solid || !outline.sides || points !== outline.points ||
+                   !mesh.addSides(outline.sides, nearestOf(outline, ball), ball, shrink, first)) {
+          mesh.add(points, outline.margin, ball, shrink, first);
+        }
       }
     }
     if (state.cut !== null && solid && !clear) {

@@ -5,6 +5,8 @@
 const kMovingFrame = 40, kCoarsest = 0.15;
 /// What does not change for so many milliseconds rests.
 const kRestAfter = 180;
+const kLost = 'The graphics card has given up on this page. It will be drawn again when the browser gives the ' +
+    'graphics back; otherwise reload the page.';
 /// Samples a pixel of the resting picture inside.
 const kRefinements = 16;
 
@@ -131,8 +133,7 @@ class Page {
       if (!this.graphics) return;  // stopped
       e.preventDefault();
       this.graphics = null;
-      this.fail('The graphics card has given up on this page. It will be drawn again when the ' +
-                'browser gives the graphics back; otherwise reload the page.');
+      this.fail(kLost);
     });
     this.canvas.addEventListener('webglcontextrestored', () => this.connect());
     this.resized = new ResizeObserver(() => this.redraw());
@@ -163,9 +164,10 @@ class Page {
       this.problem = '';
       showNotice('');
     } catch (error) {
+      const isLost = this.graphics?.gl.isContextLost();
       this.graphics = null;
-      this.fail(`This page cannot draw the manifold: ${error.message}\n\n` +
-                'The numbers beside it do not need graphics.');
+      this.fail(isLost ? kLost : `This page cannot draw the manifold: ${error.message}\n\n` +
+                                 'The numbers beside it do not need graphics.');
       return;
     }
     this.redraw();
@@ -364,7 +366,7 @@ class Page {
     const [w, h] = size.map((x) => Math.min(4096, Math.max(1, Math.round(x * scale))));
     try {
       if (count > 0) graphics.beginMean(w, h, count);
-      else graphics.begin(w, h);
+      else graphics.begin(w, h, !state.identities);
       state.jitter = count > 0 ? [2, 3].map((base) => radicalInverse(count, base) - 0.5) : [0, 0];
       const camera = state.view === 'inside' ? this.walker : this.orbit;
       this.views[state.view].draw(state, camera, w, h, scale);

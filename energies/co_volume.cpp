@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
-#include <typeinfo>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -159,12 +157,7 @@ CoVolume::CoVolume(const CoVolumeAt& at, std::vector<std::size_t> flat) : CoVolu
 
 bool CoVolume::evaluate(std::span<const double> x, solver::Order order,
                         std::unique_ptr<solver::Evaluation>& into) const {
-  // As solver::reuse, without the search that a dynamic_cast makes: evaluations are of one type.
-  const solver::Evaluation* old = into.get();
-  if (old == nullptr || typeid(*old) != typeid(CoVolumeAt) ||
-      !static_cast<const CoVolumeAt*>(old)->is_of(*this))
-    into = std::make_unique<CoVolumeAt>(*this);
-  auto& at = static_cast<CoVolumeAt&>(*into);
+  auto& at = solver::reuse<CoVolumeAt>(into, *this);
   at.move_to(x, order);
   return at.is_defined();
 }
@@ -189,21 +182,22 @@ bool CoVolume::is_between_hyperideal(std::size_t e) const {
       });
 }
 
+CoVolumeAt::CoVolumeAt(const CoVolume& energy)
+    : energy_(&energy),
+      gradient_(energy.dimension()),
+      theta_(geometry::block_count(energy.triangulation_.tetrahedron_count()) * 6 * kLanes) {}
+
 void CoVolumeAt::move_to(std::span<const double> x, solver::Order order) {
   const CoVolume& energy = *energy_;
   const bool second = order == solver::Order::kSecond;
-  const topology::Triangulation& triangulation = energy.triangulation_;
-  const std::size_t blocks = geometry::block_count(triangulation.tetrahedron_count());
-  theta_ = 2 * x.size();
-  jacobian_ = theta_ + blocks * 6 * kLanes;
-  const std::size_t needed = jacobian_ + (second ? blocks * kPackedJacobian * kLanes : 0);
-  if (needed > few_.size() && needed > many_.size()) many_ = std::vector<double>(needed);
-  std::ranges::copy(x, memory());
+  x_.assign(x.begin(), x.end());
   is_defined_ = std::all_of(x.begin(), x.end(), [](double l) { return std::isfinite(l); });
   if (!is_defined_) return;
+  const topology::Triangulation& triangulation = energy.triangulation_;
+  const std::size_t blocks = geometry::block_count(triangulation.tetrahedron_count());
+  if (second) jacobian_.resize(blocks * kPackedJacobian * kLanes);
 
-  const std::span<double> gradient(memory() + x.size(), x.size());
-  std::transform(energy.cone_angles_.begin(), energy.cone_angles_.end(), gradient.begin(),
+  std::transform(energy.cone_angles_.begin(), energy.cone_angles_.end(), gradient_.begin(),
                  [](double k) { return -k; });
   flat_count_ = 0;
   alignas(64) double lengths[kChunk * 6 * kLanes];
@@ -211,19 +205,21 @@ void CoVolumeAt::move_to(std::span<const double> x, solver::Order order) {
     const std::size_t count = std::min(kChunk, blocks - begin);
     for (std::size_t b = 0; b < count; ++b)
       Block(triangulation, begin + b).gather(x, kPaddingLength, lengths + 6 * kLanes * b);
+    const double* theta = theta_.data() + 6 * kLanes * begin;
     is_defined_ = angles(begin, count, lengths, second);
     if (!is_defined_) return;
     if (!energy.held_.empty()) flatten(begin, begin + count, second);
     for (std::size_t b = 0; b < count; ++b)
-      Block(triangulation, begin + b).scatter_add(theta_block(begin + b), gradient);
+      Block(triangulation, begin + b).scatter_add(theta + 6 * kLanes * b, gradient_);
   }
 }
 
 /// Angles, and Jacobians if asked for, of blocks whose lengths have been gathered.
 bool CoVolumeAt::angles(std::size_t first_block, std::size_t count, const double* lengths,
                         bool second_derivatives) {
-  double* theta = theta_block(first_block);
-  double* jacobian = second_derivatives ? jacobian_block(first_block) : nullptr;
+  double* theta = theta_.data() + 6 * kLanes * first_block;
+  double* jacobian =
+      second_derivatives ? jacobian_.data() + kPackedJacobian * kLanes * first_block : nullptr;
   using Form = CoVolume::Form;
   switch (energy_->form_) {
     case Form::kHyperideal:
@@ -258,9 +254,9 @@ bool CoVolumeAt::finite_angles(std::size_t first_block, std::size_t count, const
     if (!geometry::general_dihedral_angles(
             l, d, angle, second_derivatives ? std::span<double>(jacobian) : std::span<double>()))
       return false;
-    for (std::size_t e = 0; e < 6; ++e) theta_block(block)[e * kLanes + lane] = angle[e];
+    for (std::size_t e = 0; e < 6; ++e) theta_[(6 * block + e) * kLanes + lane] = angle[e];
     if (!second_derivatives) continue;
-    double* packed = jacobian_block(block) + lane;
+    double* packed = jacobian_.data() + kPackedJacobian * kLanes * block + lane;
     for (std::size_t i = 0, q = 0; i < 6; ++i)
       for (std::size_t j = i; j < 6; ++j, ++q) packed[q * kLanes] = jacobian[6 * i + j];
   }
@@ -276,9 +272,11 @@ void CoVolumeAt::flatten(std::size_t first_block, std::size_t last_block, bool s
     const std::size_t block = held[k] / kLanes, lane = held[k] % kLanes;
     if (!is_flat(dihedral_angles(held[k]))) ++flat_count_;
     for (std::size_t e = 0; e < 6; ++e)
-      theta_block(block)[e * kLanes + lane] = std::min(e, 5 - e) == energy_->held_pi_[k] ? kPi : 0;
+      theta_[(block * 6 + e) * kLanes + lane] =
+          std::min(e, 5 - e) == energy_->held_pi_[k] ? kPi : 0;
     if (!second_derivatives) continue;
-    for (std::size_t q = 0; q < kPackedJacobian; ++q) jacobian_block(block)[q * kLanes + lane] = 0;
+    for (std::size_t q = 0; q < kPackedJacobian; ++q)
+      jacobian_[(block * kPackedJacobian + q) * kLanes + lane] = 0;
   }
 }
 
@@ -287,14 +285,13 @@ void CoVolumeAt::hessian_values(std::span<double> values) const {
   const ElementPattern& slots = energy_->slots();
   std::fill(values.begin(), values.end(), 0.0);
   for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t) {
-    const std::uint32_t* edge = triangulation.edge_classes().data() + 6 * t;
-    const double* jacobian = jacobian_block(t / kLanes) + t % kLanes;
     std::size_t q = 0;
-    for (std::size_t i = 0; i < 6; ++i) {
-      for (std::size_t j = i; j < 6; ++j, ++q) {
+    for (int i = 0; i < 6; ++i) {
+      for (int j = i; j < 6; ++j, ++q) {
         // Two different corners on one edge class meet in its diagonal entry from both sides.
-        const bool twice = i != j && edge[i] == edge[j];
-        const double entry = jacobian[q * kLanes];
+        const bool twice =
+            i != j && triangulation.edge_class(t, i) == triangulation.edge_class(t, j);
+        const double entry = jacobian_entry(t, q);
         values[static_cast<std::size_t>(slots.slot(t, q))] += twice ? 2 * entry : entry;
       }
     }
@@ -336,25 +333,26 @@ void CoVolumeAt::hessian_times(std::span<const double> v, std::span<double> Hv) 
 
 void CoVolumeAt::hessian_diagonal_blocks(std::size_t block_size, std::span<double> blocks) const {
   std::fill(blocks.begin(), blocks.end(), 0.0);
-  const topology::Triangulation& triangulation = energy_->triangulation_;
-  for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t) {
-    const std::uint32_t* edge = triangulation.edge_classes().data() + 6 * t;
-    const double* jacobian = jacobian_block(t / kLanes) + t % kLanes;
-    if (block_size == 1) {
-      for (std::size_t i = 0, q = 0; i < 6; ++i) {
-        blocks[edge[i]] += jacobian[q++ * kLanes];
+  if (block_size == 1) {
+    const std::uint32_t* edge = energy_->triangulation_.edge_classes().data();
+    for (std::size_t t = 0; t < energy_->triangulation_.tetrahedron_count(); ++t, edge += 6) {
+      std::size_t q = 0;
+      for (std::size_t i = 0; i < 6; ++i) {
+        blocks[edge[i]] += jacobian_entry(t, q++);
         for (std::size_t j = i + 1; j < 6; ++j, ++q)
-          if (edge[i] == edge[j]) blocks[edge[i]] += 2 * jacobian[q * kLanes];
+          if (edge[i] == edge[j]) blocks[edge[i]] += 2 * jacobian_entry(t, q);
       }
-      continue;
     }
+    return;
+  }
+  for (std::size_t t = 0; t < energy_->triangulation_.tetrahedron_count(); ++t) {
     std::size_t q = 0;
-    for (std::size_t i = 0; i < 6; ++i) {
-      const std::size_t a = edge[i];
-      for (std::size_t j = i; j < 6; ++j, ++q) {
-        const std::size_t b = edge[j];
+    for (int i = 0; i < 6; ++i) {
+      const std::size_t a = energy_->triangulation_.edge_class(t, i);
+      for (int j = i; j < 6; ++j, ++q) {
+        const std::size_t b = energy_->triangulation_.edge_class(t, j);
         if (a / block_size != b / block_size) continue;
-        const double entry = jacobian[q * kLanes];
+        const double entry = jacobian_entry(t, q);
         double* block = blocks.data() + (a / block_size) * block_size * block_size;
         block[(a % block_size) * block_size + b % block_size] += entry;
         if (i != j) block[(b % block_size) * block_size + a % block_size] += entry;
@@ -365,7 +363,7 @@ void CoVolumeAt::hessian_diagonal_blocks(std::size_t block_size, std::span<doubl
 
 std::array<double, 6> CoVolumeAt::dihedral_angles(std::size_t t) const {
   std::array<double, 6> theta;
-  const double* block = theta_block(t / kLanes);
+  const double* block = theta_.data() + 6 * kLanes * (t / kLanes);
   for (std::size_t i = 0; i < 6; ++i) theta[i] = block[i * kLanes + t % kLanes];
   return theta;
 }
@@ -414,21 +412,20 @@ double CoVolumeAt::convexity_bound() const {
     largest_inverse = std::max(largest_inverse, inverse.norm());
   }
   std::size_t least_valence = energy_->triangulation_.valence(0);
-  for (std::size_t e = 1; e < energy_->dimension(); ++e)
+  for (std::size_t e = 1; e < x_.size(); ++e)
     least_valence = std::min(least_valence, energy_->triangulation_.valence(e));
   return largest_inverse > 0 ? static_cast<double>(least_valence) / largest_inverse : 0;
 }
 
 double CoVolumeAt::value() const {
-  const std::span<const double> x = lengths();
   Sum sum;
   for (std::size_t t = 0; t < energy_->triangulation_.tetrahedron_count(); ++t) {
     const auto theta = dihedral_angles(t);
     sum.add(2 * volume_of(theta));
     for (int i = 0; i < 6; ++i)
-      sum.add(theta[static_cast<std::size_t>(i)] * x[energy_->triangulation_.edge_class(t, i)]);
+      sum.add(theta[static_cast<std::size_t>(i)] * x_[energy_->triangulation_.edge_class(t, i)]);
   }
-  for (std::size_t e = 0; e < x.size(); ++e) sum.add(-energy_->cone_angles_[e] * x[e]);
+  for (std::size_t e = 0; e < x_.size(); ++e) sum.add(-energy_->cone_angles_[e] * x_[e]);
   return sum.value();
 }
 

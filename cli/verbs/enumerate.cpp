@@ -202,9 +202,9 @@ int run(const EnumerateCommand& command) {
 constexpr const char* kEnumerateFooter =
     "\nOrientable ones, unless --non-orientable or --all says otherwise; no edge is glued to "
     "itself\n"
-    "the other way round. Each line is an isomorphism signature; mirror images count as one. The "
-    "order is fixed,\n"
-    "whatever the threads, and the shards together have every line once. The list is what\n"
+    "the other way round. Each line is an isomorphism signature; mirror images count as one. The\n"
+    "order is fixed, whatever the threads, and the shards together have every line once. The list "
+    "is what\n"
     "`tripus census --from` and --batch of other verbs take; docs/census.md tells how long it "
     "gets.\n"
     "\nExit status: 0 done, 1 interrupted (-o then leaves the old file), 2 bad usage,\n"

@@ -1,8 +1,10 @@
 // Cusps, cone angles, finite vertices: published volumes and those of other programs.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <random>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -10,6 +12,7 @@
 #include "geometry/volume.hpp"
 #include "structure/solve.hpp"
 #include "tests/support/data_files.hpp"
+#include "tests/support/frigerio.hpp"
 #include "tests/support/orb_examples.hpp"
 #include "topology/formats/formats.hpp"
 #include "topology/isosig.hpp"
@@ -109,6 +112,29 @@ TEST(Cusps, VolumesOfFrigerioMartelliPetronio) {
   EXPECT_EQ((met[{3, 1}]), 12);
   EXPECT_GE((met[{2, 1}]), 18);
   EXPECT_GE((met[{2, 2}]), 1);
+}
+
+// Of all (g, k) of the table, however many tetrahedra they take.
+TEST(Cusps, VolumesOfFrigerioMartelliPetronioForAnyGenus) {
+  std::mt19937_64 random(20261130);
+  for (const auto& row : testing::data_table("volumes-mgk.tsv")) {
+    const auto g = std::stoul(row.at("g")), k = std::stoul(row.at("k"));
+    if (g == k && g % 2 == 1) continue;
+    for (int n = 0; n < 3; ++n) {
+      const Triangulation m = testing::random_frigerio(g, k, random);
+      SCOPED_TRACE(topology::isosig(m.gluings()));
+      const Report report = solved(m);
+      const double volume = std::stod(row.at("volume"));
+      expect_volume(report, volume, std::max(1e-13, 4e-15 * volume));
+      std::size_t genus = 0, cusps = 0;
+      for (const VertexReport& vertex : report.vertices) {
+        if (vertex.kind == VertexKind::kIdeal) ++cusps;
+        if (vertex.kind == VertexKind::kHyperideal) genus += static_cast<std::size_t>(vertex.genus);
+      }
+      EXPECT_EQ(genus, g);
+      EXPECT_EQ(cusps, k);
+    }
+  }
 }
 
 TEST(Orbifolds, ExamplesOfOrbThatAreGeometric) {

@@ -220,10 +220,12 @@ struct Developed {
   }
 };
 
-std::string as_json(const Subject& subject, const std::string& file, std::size_t cells) {
+/// Without a number of cells it is a view from inside.
+std::string as_json(const Subject& subject, const std::string& file,
+                    std::optional<std::size_t> cells) {
   JsonText out;
   append_header(out, subject.input);
-  append(out, fmt::format(", \"cells\": {}, \"file\": ", cells));
+  append(out, fmt::format(", \"cells\": {}, \"file\": ", cells ? fmt::to_string(*cells) : "null"));
   append_string(out, file);
   out.push_back('}');
   return fmt::to_string(out);
@@ -248,7 +250,7 @@ Reply draw_picture(const Developed& developed, const ViewCommand& command) {
     viewer::write_png(viewer::render_inside(manifold, parse_inside(command.inside, *manifold),
                                             command.picture, command.width, command.height),
                       command.png);
-    if (command.common.json) return {as_json(developed.subject, command.png, 0), kSuccess};
+    if (command.common.json) return {as_json(developed.subject, command.png, {}), kSuccess};
     return {fmt::format("{}: drawn from inside to {}\n", printable(developed.subject.input),
                         printable(command.png)),
             kSuccess};

@@ -87,6 +87,8 @@ class Pictures(ProgramTest):
             seen.append(rows)
         identity = "0," + ",".join(str(int(i % 5 == 0)) for i in range(16))
         self.assertNotIn(self.picture(TRIPUS, "--inside", identity), seen)
+        answer = self.json_answer("view", TRIPUS, "--inside", "wall", "--png", "inside.png")
+        self.assertEqual((answer["cells"], answer["file"]), (None, "inside.png"))
         for signature in ("cPcbbbiht", "bkaaid"):  # with a cusp, and not orientable
             self.assertGreater(self.drawn(self.picture(signature, "--inside", "centre")), 200)
 

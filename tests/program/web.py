@@ -562,13 +562,27 @@ class Files(ProgramTest):
         text = page_text(page, "dump=1")
         self.assertIn("does not compile", notice(text))
 
-    def test_a_lost_context_says_so(self):
+    def losing(self, when, then=""):
+        """A page whose context is lost: with `when`, a call of it, and what comes `then`."""
         page = self.page(TRIPUS)
-        lose = ("addEventListener('load', () => document.getElementById('picture')"
-                ".getContext('webgl2').getExtension('WEBGL_lose_context').loseContext());")
+        lose = ("const lose = () => { const lost = document.getElementById('picture')"
+                ".getContext('webgl2').getExtension('WEBGL_lose_context'); lost.loseContext(); "
+                + then + "}; " + when + ";")
         page.write_text(page.read_text().replace("'use strict';\n(() => {",
                                                  "'use strict';\n" + lose + "(() => {", 1))
-        self.assertIn("has given up on this page", notice(page_text(page)))
+        return notice(page_text(page))
+
+    def test_a_lost_context_says_so(self):
+        # Before the first picture, and in the very frame of it: before the page hears of the loss.
+        for when in ("addEventListener('load', lose)", "requestAnimationFrame(lose)"):
+            with self.subTest(when):
+                self.assertIn("has given up on this page", self.losing(when))
+
+    def test_a_context_that_comes_back_is_drawn_again(self):
+        back = "setTimeout(() => lost.restoreContext(), 100);"
+        for when in ("addEventListener('load', lose)", "requestAnimationFrame(lose)"):
+            with self.subTest(when):
+                self.assertEqual(self.losing(when, back), "")
 
 
 class Large(ProgramTest):

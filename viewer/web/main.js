@@ -111,7 +111,7 @@ class Page {
     this.problem = '';
     this.quality = 1;
     this.times = [];  // of frames in the last second
-    this.stale = this.ticking = this.drew = false;
+    this.stale = this.ticking = this.drew = this.stopped = false;
     this.last = null;  // when the last tick was, while they come
     this.fineTimer = 0;
   }
@@ -130,7 +130,7 @@ class Page {
     this.controls = new Controls(this.canvas, this);
     this.hover = new Hover(this);
     this.canvas.addEventListener('webglcontextlost', (e) => {
-      if (!this.graphics) return;  // stopped
+      if (this.stopped) return;
       e.preventDefault();
       this.graphics = null;
       this.fail(kLost);
@@ -143,6 +143,7 @@ class Page {
 
   /// Gives the graphics card back, and draws no more; the elements can go then.
   stop() {
+    this.stopped = true;
     clearTimeout(this.fineTimer);
     this.resized.disconnect();
     this.controls.stop();
@@ -164,13 +165,19 @@ class Page {
       this.problem = '';
       showNotice('');
     } catch (error) {
-      const isLost = this.graphics?.gl.isContextLost();
-      this.graphics = null;
-      this.fail(isLost ? kLost : `This page cannot draw the manifold: ${error.message}\n\n` +
-                                 'The numbers beside it do not need graphics.');
+      this.giveUp(error);
       return;
     }
     this.redraw();
+  }
+
+  /// Draws no more because of an error. One of a lost context says nothing: all that is asked of it
+  /// is answered by null, before the page hears of the loss.
+  giveUp(error) {
+    const isLost = this.graphics?.gl.isContextLost();
+    this.graphics = null;
+    this.fail(isLost ? kLost : `This page cannot draw the manifold: ${error.message}\n\n` +
+                               'The numbers beside it do not need graphics.');
   }
 
   fail(text) {
@@ -372,8 +379,7 @@ class Page {
       this.views[state.view].draw(state, camera, w, h, scale);
       graphics.present();
     } catch (error) {
-      this.fail(`This page cannot draw the manifold: ${error.message}`);
-      this.graphics = null;
+      this.giveUp(error);
       return;
     }
     showState(this, Math.min(state.cells, this.views.outside.cover.cells.length));

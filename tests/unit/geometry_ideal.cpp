@@ -12,6 +12,7 @@
 #include "geometry/ideal_tetrahedron.hpp"
 #include "geometry/mixed_tetrahedron.hpp"
 #include "geometry/volume.hpp"
+#include "tests/support/lanes.hpp"
 
 namespace tripus::geometry {
 namespace {
@@ -140,12 +141,7 @@ TEST(IdealTetrahedron, EveryInstructionSetGivesTheBitsOfTheScalarKernel) {
       Six angles;
       Jacobian full;
       ideal_dihedral_angles(all[t], angles, full);
-      for (std::size_t e = 0; e < 6; ++e)
-        EXPECT_EQ(theta[(6 * (t / kLanes) + e) * kLanes + t % kLanes], angles[e]);
-      for (std::size_t i = 0, q = 0; i < 6; ++i)
-        for (std::size_t j = i; j < 6; ++j, ++q)
-          EXPECT_EQ(jacobian[(kPackedJacobian * (t / kLanes) + q) * kLanes + t % kLanes],
-                    full[6 * i + j]);
+      testing::expect_lane(theta, jacobian, t, angles, full);
     }
   }
 }

@@ -1,7 +1,6 @@
 # The page's files become strings of the library, in the order in which a page puts them together, and those
 # of the desktop's renderer of faces: as they are, but shaders and scripts without lines that are comments
-# alone. Sets TRIPUS_WEB_ASSETS_CPP, the source file
-# to compile.
+# alone. Sets TRIPUS_WEB_ASSETS_CPP, the source file to compile.
 set(TRIPUS_WEB_SHADERS
   common.glsl discs.glsl fullscreen.vert.glsl outside_camera.glsl outside_light.glsl
   outside.vert.glsl
@@ -12,8 +11,8 @@ set(TRIPUS_WEB_DESKTOPS
   ../faces/desktop.glsl ../faces/desktop_light.glsl ../faces/desktop.frag.glsl
   ../faces/desktop_tubes.frag.glsl)
 set(TRIPUS_WEB_SCRIPTS
-  lorentz.js manifold.js palette.js gl.js discs.js outside.js faces.js tubes.js cameras.js inside.js panel.js
-  controls.js hover.js labels.js dump.js main.js start.js)
+  lorentz.js manifold.js palette.js gl.js discs.js outside.js polygons.js faces.js tubes.js cameras.js inside.js
+  panel.js controls.js hover.js labels.js dump.js main.js start.js)
 set(TRIPUS_WEB_TEXTS
   head.html page.html stage.html controls.html help.html theme.css view.css style.css gallery.html cards.css
   gallery.css)

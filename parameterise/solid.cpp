@@ -25,6 +25,8 @@ using topology::TetrahedronIndex;
 
 using topology::slot_of;
 
+constexpr std::uint32_t kUnknown = 0xffffffffu;
+
 void require_hyperbolic_boundary(const meshing::MeshedManifold& manifold) {
   if (manifold.has_only_spheres())
     throw InvalidInput(
@@ -127,7 +129,7 @@ Cones cones_around(MarkedSolid& solid, const Gluings& coned, const topology::Fla
       if (f == at) continue;
       const TetrahedronIndex other = coned.neighbour(k, f);
       const std::uint32_t there = group.product(element[k], fine.values[slot_of(k, f)]);
-      if (element[other] == kNoFrame) {
+      if (element[other] == kUnknown) {
         element[other] = there;
         queue.push_back(slot_of(other, coned.gluing(k, f)(at)));
       } else if (there != element[other]) {
@@ -163,10 +165,10 @@ void make_poles(MarkedSolid& solid, const Gluings& coned, const topology::FlatCo
   DeckGroup& group = *solid.group;
   const std::size_t inside = solid.gluings.tetrahedron_count();
   solid.poles.assign(solid.mesh.points.size(), Vector4::Zero());
-  std::vector<std::uint32_t> element(coned.tetrahedron_count(), kNoFrame);
+  std::vector<std::uint32_t> element(coned.tetrahedron_count(), kUnknown);
   for (std::size_t t = 0; t < inside; ++t)
     for (int open = 0; open < 4; ++open) {
-      if (!solid.gluings.is_open(t, open) || element[coned.neighbour(t, open)] != kNoFrame)
+      if (!solid.gluings.is_open(t, open) || element[coned.neighbour(t, open)] != kUnknown)
         continue;
       const Cones cones = cones_around(solid, coned, fine, coned.neighbour(t, open),
                                        coned.gluing(t, open)(open), element);

@@ -13,9 +13,11 @@ namespace {
 
 using geometry::lorentz_product;
 
-/// As the program counts them.
-constexpr std::array<std::array<std::size_t, 2>, 6> kEnds{
-    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+/// The two faces at edge e, which are opposite to the ends of the other one.
+std::array<std::size_t, 2> faces_at(std::size_t e) {
+  const auto [k, l] = topology::kEdgeEnds[5 - e];
+  return {static_cast<std::size_t>(k), static_cast<std::size_t>(l)};
+}
 
 /// Class numbers choose colours; larger ones would not be exact in single precision.
 float as_class(std::uint32_t number) { return static_cast<float>(number % 4096); }
@@ -36,8 +38,7 @@ void write_record(float* texels, const InsideManifold& m, std::size_t t,
     put(100 + f, m.entry[t][f]);
   }
   for (std::size_t e = 0; e < 6; ++e) {
-    // The faces at an edge are those opposite to the vertices of the other one.
-    const auto [k, l] = kEnds[5 - e];
+    const auto [k, l] = faces_at(e);
     const double cosine = lorentz_product(shape.faces[k], shape.faces[l]);
     put(104 + e, cosine);
     put(128 + e, 1 / (1 - cosine * cosine));
@@ -112,11 +113,12 @@ std::string describe_inside(const InsideManifold& manifold, int kind, std::size_
   }
   if (kind != 2 || number >= 6) return {};
   const std::uint32_t edge = manifold.edge_class[tetrahedron][number];
-  std::string text = fmt::format("tetrahedron {}, edge {}{} of class {}", tetrahedron,
-                                 kEnds[number][0], kEnds[number][1], edge);
+  std::string text =
+      fmt::format("tetrahedron {}, edge {}{} of class {}", tetrahedron,
+                  topology::kEdgeEnds[number][0], topology::kEdgeEnds[number][1], edge);
   if (edge < manifold.edge_lengths.size())
     text += fmt::format(", length {:.8g}", manifold.edge_lengths[edge]);
-  const auto [k, l] = kEnds[5 - number];
+  const auto [k, l] = faces_at(number);
   const auto& faces = manifold.tetrahedra[tetrahedron].faces;
   const double cosine = -lorentz_product(faces[k], faces[l]);
   return text + fmt::format(", angle {:.6g} degrees",

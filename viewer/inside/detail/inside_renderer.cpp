@@ -50,8 +50,8 @@ InsideRenderer::InsideRenderer() {
   if (!GLEW_VERSION_3_3) {
     throw NoOpenGl(
         "the view from inside needs OpenGL 3.3; `tripus view INPUT -o page.html` writes a page "
-        "that "
-        "a browser shows");
+        "that a "
+        "browser shows");
   }
 }
 

@@ -116,6 +116,23 @@ class Pictures(ProgramTest):
         self.assertEqual(red[0], 0)
         self.assertGreater(red[1], 20)
 
+    def test_of_parabolic_edges(self):
+        seen = []
+        for arguments in (["--model", "upper"], ["--model", "ball"], ["--model", "klein"],
+                          ["--model", "klein", "--cut-away", "0"], ["--colour-by", "component"],
+                          ["--colour-by", "edge"], ["--renderer", "opencsg", "--cells", "3"],
+                          ["--inside", "centre"], ["--inside", "wall"], ["--no-faces"],
+                          ["--inside", "wall", "--colour-by", "component"], ["--transparent", "0"]):
+            for manifold in (TRIPUS + " 0=0", "dLQbcccherw 1=0"):
+                rows = self.picture(manifold, *arguments)
+                self.assertGreater(len({p for row in rows for p in row}), 200, arguments)
+                self.assertNotIn(rows, seen)
+                seen.append(rows)
+        message = self.run_program("view", TRIPUS + " 0=0", "--png", "a.png", "--model", "klein",
+                                   "--renderer", "opencsg")
+        self.assertEqual(message.status, 2)
+        self.assertIn("opencsg", message.err)
+
     def test_names_are_written_where_there_is_room(self):
         pictures = [self.picture(TRIPUS, "--cells", "2", *labels, size=size)
                     for size in ((240, 180), (40, 30)) for labels in ([], ["--labels"])]

@@ -321,7 +321,7 @@ class Pictures(PageTest):
         return dict(pair.split("=", 1) for pair in fragment.split("&"))
 
     def test_are_restored_from_a_link(self):
-        self.browser.go(f"input={TRIPUS}")
+        self.browser.go(f"input={TRIPUS}&fine=1")  # as fine on a busy machine
         self.browser.drawn()
         self.browser.drag(0.3, 700, 400)
         self.browser.value("(() => { const c = document.getElementById('cells'); c.value = 6;"
@@ -329,7 +329,7 @@ class Pictures(PageTest):
         link = self.browser.copied("#copy-link").split("#", 1)[1]
         page = self.picture()
         self.assertIn(f"input={TRIPUS}", link)
-        self.browser.go(link)
+        self.browser.go(f"{link}&fine=1")
         self.browser.drawn()
         self.assertEqual(self.browser.copied("#copy-link").split("#", 1)[1], link)
         again = self.picture()

@@ -2,7 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "meshing/formats/off.hpp"
+#include "meshing/formats/formats.hpp"
 #include "meshing/manifold.hpp"
 #include "meshing/self_intersection.hpp"
 #include "tests/support/sample_surfaces.hpp"

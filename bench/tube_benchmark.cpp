@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "meshing/self_intersection.hpp"
-#include "meshing/tube/detail/marching.hpp"
+#include "meshing/tube/detail/stages.hpp"
 #include "meshing/tube/tube_surface.hpp"
 
 // Triangles a second of a trefoil's tube in a sphere. Baseline of the sampling: the same function

@@ -1,5 +1,3 @@
-#include "cli/lengths_file.hpp"
-
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -10,6 +8,7 @@
 
 #include "base/binary.hpp"
 #include "base/error.hpp"
+#include "cli/files.hpp"
 #include "cli/numbers.hpp"
 
 namespace tripus::cli {

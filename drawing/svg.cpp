@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/svg_text.hpp"
 #include "drawing/drawing.hpp"
 
 namespace tripus::drawing {
@@ -48,7 +49,7 @@ class SvgWriter {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
         "viewBox=\"0 0 {0:.2f} {1:.2f}\" role=\"img\">\n",
         width_, height_);
-    if (!options.title.empty()) out_ += "<title>" + escaped(options.title) + "</title>\n";
+    if (!options.title.empty()) out_ += "<title>" + escaped_xml(options.title) + "</title>\n";
     out_ += fmt::format(
         "<g fill=\"none\" stroke-width=\"{:.2f}\" stroke-linecap=\"round\" "
         "stroke-linejoin=\"round\">\n",
@@ -66,11 +67,6 @@ class SvgWriter {
   }
 
  private:
-  static std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) result += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-    return result;
-  }
   Point pixel(Point p) const {
     return {(p.real() - corner_.real()) * scale_, (corner_.imag() - p.imag()) * scale_};
   }

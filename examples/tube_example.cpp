@@ -1,7 +1,7 @@
 // The surface of a ball with one straight pipe through it: meshing/tube/README.md.
 #include <iostream>
 
-#include "meshing/formats/off.hpp"
+#include "meshing/formats/formats.hpp"
 #include "meshing/tube/tube_surface.hpp"
 
 int main() {

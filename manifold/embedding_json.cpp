@@ -146,7 +146,8 @@ void append_cell(JsonText& out, const std::vector<Cell>& cells, const Cell& cell
   }
 }
 
-/// Why there are no more cells than these, in one word.
+}  // namespace
+
 std::string_view end_word(CoverEnd end) {
   switch (end) {
     case CoverEnd::kComplete:
@@ -160,8 +161,6 @@ std::string_view end_word(CoverEnd end) {
   }
   return "precision";
 }
-
-}  // namespace
 
 std::string embedding_as_json(const EmbeddedSubject& embedded) {
   JsonText out;

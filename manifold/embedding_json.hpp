@@ -20,6 +20,9 @@ struct EmbeddedSubject {
 /// The keys of solve, then tetrahedra, face_pairings, holonomy, cells and cells_end.
 std::string embedding_as_json(const EmbeddedSubject& embedded);
 
+/// Why there are no more cells than these, in one word: complete, cells, precision, interrupted.
+std::string_view end_word(embedding::CoverEnd end);
+
 /// What to say of relators that do not hold, after "the relators".
 inline constexpr std::string_view kRelatorsDoNotHold =
     "do not hold in double precision in the frame of tetrahedron 0: the fundamental domain is too "

@@ -9,11 +9,9 @@
 #include "base/error.hpp"
 #include "base/tolerances.hpp"
 #include "meshing/detail/connectivity.hpp"
-#include "meshing/detail/diagonals.hpp"
 #include "meshing/detail/faces.hpp"
-#include "meshing/detail/open_edges.hpp"
+#include "meshing/detail/mending.hpp"
 #include "meshing/detail/point_hash.hpp"
-#include "meshing/detail/touching_sheets.hpp"
 #include "meshing/predicates.hpp"
 
 // Mending is by trial: a trial changes a copy, and is kept only if every edge is then in exactly

@@ -5,6 +5,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/svg_text.hpp"
+
+#include "base/svg_text.hpp"
+
 namespace tripus::meshing {
 namespace {
 
@@ -91,14 +95,10 @@ struct Colour {
 constexpr Colour kWall{95, 140, 190}, kCut{232, 178, 96};
 
 std::string hex(const Colour& colour, double light) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string text = "#";
-  for (const double part : {colour.red, colour.green, colour.blue}) {
-    const int value = static_cast<int>(std::clamp(part * light, 0.0, 255.0));
-    text += kDigits[value / 16];
-    text += kDigits[value % 16];
-  }
-  return text;
+  const auto part = [&](double share) {
+    return static_cast<std::uint8_t>(std::clamp(share * light, 0.0, 255.0));
+  };
+  return hex_colour(part(colour.red), part(colour.green), part(colour.blue));
 }
 
 std::string head(double width, double height) {

@@ -12,10 +12,7 @@
 #include "base/error.hpp"
 #include "base/stop.hpp"
 #include "meshing/detail/child_process.hpp"
-#include "meshing/detail/fill_by_planes.hpp"
-#include "meshing/detail/mesh_boundary.hpp"
-#include "meshing/detail/split.hpp"
-#include "meshing/detail/tetgen_client.hpp"
+#include "meshing/detail/filling.hpp"
 #include "meshing/predicates.hpp"
 
 namespace tripus::meshing {

@@ -20,11 +20,11 @@ struct TetrahedralizeOptions {
 /// Fills the region with tetrahedra, by TetGen in a process of its own (the program tripus-tetgen),
 /// which is asked in several ways. Its points are the surface's, with their numbers, and new ones;
 /// its boundary is the surface, or a subdivision of it if TetGen puts points there
-/// (detail/mesh_boundary.hpp); every tetrahedron has positive volume and its corners in positive
+/// (detail/mesh_boundary.cpp); every tetrahedron has positive volume and its corners in positive
 /// order. All of that is checked. Tetrahedra that TetGen leaves too large, next to a coarse
 /// boundary, are split at their centroids.
 /// Where TetGen fails every time, the region is cut by the planes of its triangles in exact
-/// arithmetic instead (detail/fill_by_planes.hpp). The mesh is then right by its gluings, but its
+/// arithmetic instead (detail/fill_by_planes.cpp). The mesh is then right by its gluings, but its
 /// points are rounded, and no size is kept to.
 /// Deterministic, but for what a time limit cuts short. Throws Unsupported if it runs out of the
 /// limits, or the program tripus-tetgen is missing; Stopped when `stop` is set. No

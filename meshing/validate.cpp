@@ -11,7 +11,6 @@
 #include "meshing/detail/connectivity.hpp"
 #include "meshing/detail/places.hpp"
 #include "meshing/detail/point_location.hpp"
-#include "meshing/detail/points.hpp"
 #include "meshing/predicates.hpp"
 
 namespace tripus::meshing {

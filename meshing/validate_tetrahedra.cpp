@@ -7,7 +7,6 @@
 #include "base/error.hpp"
 #include "meshing/detail/connectivity.hpp"
 #include "meshing/detail/places.hpp"
-#include "meshing/detail/points.hpp"
 #include "meshing/predicates.hpp"
 #include "topology/components.hpp"
 

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "base/svg_text.hpp"
 #include "embedding/colour.hpp"
 
 namespace tripus::parameterise {
@@ -103,9 +104,9 @@ std::string draw(std::vector<Facet> facets, const SolidPictureOptions& options, 
                       options.width / 2.0 + scale * (x.dot(camera.right) - (low[0] + high[0]) / 2),
                       options.height / 2.0 - scale * (x.dot(camera.up) - (low[1] + high[1]) / 2));
     const auto part = [&](std::size_t k) {
-      return static_cast<int>(std::lround(f.colour[k] * shade));
+      return static_cast<std::uint8_t>(std::clamp(std::lround(f.colour[k] * shade), 0l, 255l));
     };
-    const std::string colour = fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2));
+    const std::string colour = hex_colour(part(0), part(1), part(2));
     out +=
         fmt::format("<polygon points=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n", points, colour, colour);
   }
@@ -233,13 +234,6 @@ std::string convergence_picture(const HarmonicMap& map) {
                    points, kLeft, kHeight - 10, static_cast<int>(last));
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text)
-    out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  return out;
-}
-
 /// Bars of log2 of the anisotropy of what is not turned over.
 std::string distortion_picture(const Quality& quality) {
   constexpr std::size_t kBars = 12;
@@ -271,7 +265,7 @@ std::string solid_page(const std::string& title, const ColouredSolid& solid) {
       "max-height:80vh;height:auto}}.cut{{display:none}}.shown{{display:block}}</style></head>"
       "<body>\n<h1>{0}</h1>\n<p><label>cut away <input id=\"cut\" type=\"range\" min=\"0\" "
       "max=\"{1}\" value=\"{2}\"></label></p>\n",
-      escaped(title), kSolidCuts, kSolidCuts / 2);
+      escaped_xml(title), kSolidCuts, kSolidCuts / 2);
   for (int cut = 0; cut <= kSolidCuts; ++cut)
     out += fmt::format("<div class=\"cut{}\">{}</div>\n", cut == kSolidCuts / 2 ? " shown" : "",
                        solid_picture(solid, {.cut_away = cut / (kSolidCuts + 1.0)}));
@@ -294,7 +288,7 @@ std::string report_page(const std::string& title, const MarkedSolid& solid, cons
       "td{{padding:0 1.5em 0 0}}svg{{max-width:100%;height:auto}}text{{font:12px sans-serif}}"
       ".row{{display:flex;flex-wrap:wrap;gap:16px}}figure{{margin:0}}</style></head><body>\n"
       "<h1>{0}</h1>\n<table>\n",
-      escaped(title));
+      escaped_xml(title));
   const auto row = [&](std::string_view name, const std::string& value) {
     out += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", name, value);
   };

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "studies/detail/convergence_tables.hpp"
 #include "studies/detail/statistics.hpp"
+#include "studies/detail/tables.hpp"
 
 namespace tripus::studies::detail {
 namespace {

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "base/svg_text.hpp"
+
 namespace tripus::studies {
 namespace {
 
@@ -77,7 +79,7 @@ double nice(double step) {
 std::vector<Tick> ticks(const Axis& axis, const Scale& scale, int wanted) {
   std::vector<Tick> result;
   for (std::size_t i = 0; i < axis.categories.size(); ++i)
-    result.push_back({double(i), escaped(axis.categories[i])});
+    result.push_back({double(i), escaped_xml(axis.categories[i])});
   if (!result.empty()) return result;
   const double range = scale.upper - scale.lower;
   // A few decades of numbers that are read as they stand: 1, 2, 5, 10, ...
@@ -147,7 +149,7 @@ class Drawing {
         "\n"
         R"(<text x="{4}" y="24" font-size="15" font-weight="bold">{2}</text>)"
         "\n",
-        kWidth, height_, escaped(figure_.title), escaped(figure_.caption), 14);
+        kWidth, height_, escaped_xml(figure_.title), escaped_xml(figure_.caption), 14);
     draw_axes();
     for (std::size_t i = 0; i < figure_.series.size(); ++i) draw_series(i);
     for (const Guide& guide : figure_.guides) draw_guide(guide);
@@ -224,7 +226,7 @@ class Drawing {
         R"svg(<text transform="translate(18 {:.1f}) rotate(-90)" text-anchor="middle" font-size="13">{}</text>)svg"
         "\n",
         x_.from, y_.to, x_.to - x_.from, y_.from - y_.to, (x_.from + x_.to) / 2, y_.from + 42,
-        escaped(figure_.x.label), (y_.from + y_.to) / 2, escaped(figure_.y.label));
+        escaped_xml(figure_.x.label), (y_.from + y_.to) / 2, escaped_xml(figure_.y.label));
   }
 
   int colour_of(std::size_t i) const {
@@ -285,7 +287,7 @@ class Drawing {
     out_ += fmt::format(
         R"(<text x="{:.1f}" y="{:.1f}" text-anchor="{}" paint-order="stroke" stroke="white" stroke-width="3">{}</text>)"
         "\n",
-        x, y, flip || !guide.vertical ? "end" : "start", escaped(guide.label));
+        x, y, flip || !guide.vertical ? "end" : "start", escaped_xml(guide.label));
   }
 
   void draw_legend() {
@@ -306,7 +308,7 @@ class Drawing {
         if (series.mark != Mark::kLine) out_ += marker(which, x + 11, y - 4, colour(which));
       }
       out_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x + 27, y,
-                          escaped(series.label));
+                          escaped_xml(series.label));
     }
   }
 
@@ -319,23 +321,6 @@ class Drawing {
 };
 
 }  // namespace
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c;
-  }
-  return result;
-}
 
 std::string to_svg(const Figure& figure) { return Drawing(figure).draw(); }
 

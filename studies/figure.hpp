@@ -46,7 +46,4 @@ struct Figure {
 /// The figure as a self-contained SVG document.
 std::string to_svg(const Figure& figure);
 
-/// Text made fit for XML and HTML.
-std::string escaped(const std::string& text);
-
 }  // namespace tripus::studies

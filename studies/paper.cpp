@@ -13,8 +13,7 @@
 #include "structure/solve.hpp"
 #include "studies/detail/algebraic_route.hpp"
 #include "studies/detail/method_run.hpp"
-#include "studies/detail/paper_tables.hpp"
-#include "studies/detail/plans.hpp"
+#include "studies/detail/tables.hpp"
 #include "topology/homology.hpp"
 #include "topology/requirements.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "studies/detail/paper_tables.hpp"
 #include "studies/detail/statistics.hpp"
+#include "studies/detail/tables.hpp"
 
 namespace tripus::studies::detail {
 namespace {

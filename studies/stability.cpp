@@ -14,9 +14,8 @@
 #include "studies/detail/algebraic_route.hpp"
 #include "studies/detail/method_run.hpp"
 #include "studies/detail/paper_route.hpp"
-#include "studies/detail/plans.hpp"
-#include "studies/detail/spectrum.hpp"
-#include "studies/detail/stability_tables.hpp"
+#include "studies/detail/tables.hpp"
+#include "studies/detail/theory_measurements.hpp"
 #include "studies/detail/thresholds.hpp"
 
 namespace tripus::studies::detail {

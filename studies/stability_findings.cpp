@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "studies/detail/stability_tables.hpp"
+#include "studies/detail/tables.hpp"
 
 namespace tripus::studies::detail {
 namespace {

@@ -2,7 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.hpp"
-#include "studies/detail/plans.hpp"
+#include "studies/detail/tables.hpp"
 #include "studies/study.hpp"
 
 namespace tripus::studies {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "studies/detail/statistics.hpp"
-#include "studies/detail/triangulation_tables.hpp"
+#include "studies/detail/tables.hpp"
 
 namespace tripus::studies::detail {
 namespace {

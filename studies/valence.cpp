@@ -11,7 +11,7 @@
 #include "base/stop.hpp"
 #include "structure/proof/proof.hpp"
 #include "structure/solve.hpp"
-#include "studies/detail/plans.hpp"
+#include "studies/detail/tables.hpp"
 #include "topology/requirements.hpp"
 #include "topology/triangulation.hpp"
 

@@ -1,14 +1,36 @@
 #include "studies/write_report.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/svg_text.hpp"
+#include "base/threads.hpp"
 #include "base/version.hpp"
-#include "studies/machine.hpp"
 
 namespace tripus::studies {
+
+Machine this_machine() {
+  Machine machine{"unknown", thread_count(0), "unknown"};
+#if defined(__clang__)
+  machine.compiler = "clang " __clang_version__;
+#elif defined(__GNUC__)
+  machine.compiler = "gcc " __VERSION__;
+#endif
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) {
+      machine.processor = line.substr(colon + 2);
+      break;
+    }
+  }
+  return machine;
+}
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -39,19 +61,21 @@ td.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}code{
 std::string facts_html(const std::vector<Fact>& facts) {
   std::string out = "<table>\n";
   for (const Fact& fact : facts) {
-    out += fmt::format("<tr><td>{}</td><td class=\"n\">{}</td></tr>\n", escaped(fact.description),
-                       std::isfinite(fact.value) ? fmt::format("{:.8g}", fact.value) : "-");
+    out +=
+        fmt::format("<tr><td>{}</td><td class=\"n\">{}</td></tr>\n", escaped_xml(fact.description),
+                    std::isfinite(fact.value) ? fmt::format("{:.8g}", fact.value) : "-");
   }
   return out + "</table>\n";
 }
 
 std::string columns_html(const Table& table) {
-  std::string out =
-      fmt::format("<h3><code>{}.csv</code></h3>\n<p>{} {} rows.</p>\n<table>\n",
-                  escaped(table.layout().name), escaped(table.layout().description), table.size());
+  std::string out = fmt::format("<h3><code>{}.csv</code></h3>\n<p>{} {} rows.</p>\n<table>\n",
+                                escaped_xml(table.layout().name),
+                                escaped_xml(table.layout().description), table.size());
   for (const Column& column : table.layout().columns) {
     out += fmt::format("<tr><td><code>{}</code></td><td>{}</td><td>{}{}</td></tr>\n",
-                       escaped(column.name), escaped(column.unit), escaped(column.description),
+                       escaped_xml(column.name), escaped_xml(column.unit),
+                       escaped_xml(column.description),
                        column.timing ? " (timing: depends on the machine)" : "");
   }
   return out + "</table>\n";
@@ -89,11 +113,11 @@ std::string report_html(const ReportSource& source) {
   std::string out = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{0}</title>\n"
       "<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n<p>{2}</p>\n",
-      escaped(std::string(source.study.title)), kStyle, escaped(source.findings.paragraph));
+      escaped_xml(source.study.title), kStyle, escaped_xml(source.findings.paragraph));
   int k = 0;
   for (const Figure& figure : source.findings.figures) {
     out += fmt::format("<figure>\n{}<figcaption><b>Figure {}.</b> {}</figcaption>\n</figure>\n",
-                       to_svg(figure), ++k, escaped(figure.caption));
+                       to_svg(figure), ++k, escaped_xml(figure.caption));
   }
   out += "<h2>Numbers</h2>\n" + facts_html(source.findings.facts);
   out += "<h2>Data</h2>\n";
@@ -103,8 +127,8 @@ std::string report_html(const ReportSource& source) {
       "cores), "
       "compiled with {}.</p>\n</body>\n</html>\n",
       kVersion, source.study.name, source.options.inputs.size(), source.options.seed,
-      source.options.samples, escaped(std::string(source.study.samples)), source.threads,
-      escaped(machine.processor), machine.cores, escaped(machine.compiler));
+      source.options.samples, escaped_xml(source.study.samples), source.threads,
+      escaped_xml(machine.processor), machine.cores, escaped_xml(machine.compiler));
   return out;
 }
 

@@ -7,6 +7,15 @@
 
 namespace tripus::studies {
 
+/// What timings depend on.
+struct Machine {
+  std::string processor;  ///< model name, "unknown" where the system does not tell
+  unsigned cores = 1;
+  std::string compiler;
+};
+
+Machine this_machine();
+
 /// What a report is made of.
 struct ReportSource {
   const Study& study;

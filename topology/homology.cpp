@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "base/stop.hpp"
-#include "topology/detail/integer_matrix.hpp"
 #include "topology/detail/relators.hpp"
+#include "topology/detail/smith_form.hpp"
 
 namespace tripus::topology {
 namespace {

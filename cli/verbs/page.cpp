@@ -8,9 +8,8 @@
 
 #include "base/output_file.hpp"
 #include "cli/describe.hpp"
-#include "cli/exit_status.hpp"
+#include "cli/failure.hpp"
 #include "cli/output.hpp"
-#include "cli/output_names.hpp"
 #include "cli/verb.hpp"
 #include "manifold/json_text.hpp"
 #include "manifold/load.hpp"

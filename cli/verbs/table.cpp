@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 
 #include "base/output_file.hpp"
-#include "cli/exit_status.hpp"
+#include "base/svg_text.hpp"
+#include "cli/failure.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
-#include "cli/output_names.hpp"
 #include "cli/progress.hpp"
 #include "cli/verb.hpp"
 #include "drawing/drawing.hpp"
@@ -56,12 +56,6 @@ std::string line_of(const DiagramRow& row) {
   return text + "\n";
 }
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
-  return result;
-}
-
 /// A page with a picture of every diagram.
 std::string page_of(const std::string& table, const std::vector<DiagramRow>& rows) {
   std::string text = fmt::format(
@@ -75,7 +69,7 @@ std::string page_of(const std::string& table, const std::vector<DiagramRow>& row
     const topology::TabledDiagram* diagram = topology::find_diagram(row.name);
     text += "<figure>\n" + drawing::to_svg(diagram->diagram, {.size = 200, .title = row.name}) +
             fmt::format(
-                "<figcaption><b>{}</b><br>{}<br>H1 {}, {} tetrahedra", escaped(row.name),
+                "<figcaption><b>{}</b><br>{}<br>H1 {}, {} tetrahedra", escaped_xml(row.name),
                 row.volume
                     ? fmt::format("volume {:.12g}{}", *row.volume, row.proved ? ", proved" : "")
                     : std::string(row.hyperbolic == false ? "not hyperbolic" : "no metric found"),

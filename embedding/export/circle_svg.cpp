@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
+#include "base/svg_text.hpp"
 #include "embedding/colour.hpp"
 
 namespace tripus::embedding {
@@ -15,23 +16,21 @@ using geometry::Circle;
 using geometry::CirclePacking;
 using geometry::Complex;
 
-constexpr double kSize = 640;       // pixels
+constexpr int kSize = 640;          // pixels
 constexpr double kMargin = 0.08;    // of the picture
 constexpr double kSmallest = 0.25;  // circles of a smaller radius, in pixels, are left out
 constexpr const char* kBlack = "#222222";
 constexpr const char* kFaceName = "#0072b2";
 
-std::string hex(const Colour& colour) {
-  return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
-}
+std::string hex(const Colour& colour) { return hex_colour(colour[0], colour[1], colour[2]); }
 
 /// The part of the plane that is drawn: a square.
 struct Window {
   Complex centre;
   double half;
-  double x(const Complex& w) const { return kSize / 2 * (1 + (w - centre).real() / half); }
-  double y(const Complex& w) const { return kSize / 2 * (1 - (w - centre).imag() / half); }
-  double pixels(double length) const { return kSize / 2 * length / half; }
+  double x(const Complex& w) const { return kSize / 2.0 * (1 + (w - centre).real() / half); }
+  double y(const Complex& w) const { return kSize / 2.0 * (1 - (w - centre).imag() / half); }
+  double pixels(double length) const { return kSize / 2.0 * length / half; }
 };
 
 /// A circle too large for its arc to be told from a line in the window is treated as one.
@@ -108,22 +107,6 @@ bool is_mirrored(const HyperboloidTetrahedron& tetrahedron) {
   return vertices.determinant() < 0;
 }
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '<') {
-      result += "&lt;";
-    } else if (c == '>') {
-      result += "&gt;";
-    } else if (c == '&') {
-      result += "&amp;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 std::vector<CirclePicture> circle_pictures(const Embedding& embedding, std::span<const Cell> cells,
@@ -151,11 +134,8 @@ std::vector<CirclePicture> circle_pictures(const Embedding& embedding, std::span
 }
 
 std::string circles_as_svg(std::span<const CirclePicture> pictures, const std::string& title) {
-  std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{0}\" "
-      "viewBox=\"0 0 {0} {0}\" font-family=\"sans-serif\" font-size=\"18\">\n<title>{1}</title>\n"
-      "<rect width=\"{0}\" height=\"{0}\" fill=\"white\"/>\n",
-      kSize, escaped(title));
+  constexpr int kLetters = 18;
+  std::string svg = svg_head(kSize, kSize, kLetters, title);
   if (!pictures.empty()) {
     const Window window = window_of(pictures.front().packing);
     const bool single = pictures.size() == 1;

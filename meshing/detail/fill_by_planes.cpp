@@ -4,8 +4,6 @@
 // face of a cell lies on the surface or has nothing of it inside: where a triangle ends within a
 // face, its neighbour leaves the plane and has cut a cell beside the face there, and the face with
 // it; or it goes on in the plane.
-#include "meshing/detail/fill_by_planes.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -15,6 +13,7 @@
 #include "base/stop.hpp"
 #include "meshing/detail/child_process.hpp"
 #include "meshing/detail/convex_cells.hpp"
+#include "meshing/detail/filling.hpp"
 #include "meshing/detail/triangle_tree.hpp"
 
 namespace tripus::meshing::detail {

@@ -1,18 +1,19 @@
-#include "meshing/detail/mesh_boundary.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "base/stop.hpp"
 #include "base/tolerances.hpp"
+#include "meshing/detail/closed_surface.hpp"
+#include "meshing/detail/filling.hpp"
 #include "meshing/detail/triangle_tree.hpp"
 #include "meshing/predicates.hpp"
 #include "meshing/self_intersection.hpp"
 
 namespace tripus::meshing::detail {
 namespace {
+
+using topology::DisjointSets;
 
 /// Corners in order, with the face they come from.
 struct SortedFace {
@@ -26,73 +27,6 @@ struct SortedFace {
 Triangle outward_face(const Tetrahedron& t, std::size_t f) {
   constexpr std::size_t kCorners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
   return {t[kCorners[f][0]], t[kCorners[f][1]], t[kCorners[f][2]]};
-}
-
-class PointSets {
- public:
-  explicit PointSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) { parent_[root(i)] = root(j); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
-/// Euler characteristics of the components, doubled, each at the root of its points.
-std::map<std::uint32_t, long> doubled_characteristics(const std::vector<Triangle>& triangles,
-                                                      PointSets& sets, std::size_t point_count) {
-  std::vector<bool> used(point_count);
-  for (const Triangle& t : triangles) {
-    for (const std::uint32_t v : t) used[v] = true;
-    sets.join(t[0], t[1]);
-    sets.join(t[1], t[2]);
-  }
-  std::map<std::uint32_t, long> result;
-  for (std::uint32_t v = 0; v < point_count; ++v)
-    if (used[v]) result[sets.root(v)] += 2;
-  for (const Triangle& t : triangles) --result[sets.root(t[0])];
-  return result;
-}
-
-/// Whether every side is there once in each direction, and the triangles at a point form one fan.
-bool is_closed_manifold(const std::vector<Triangle>& triangles, std::size_t point_count) {
-  struct Side {
-    std::uint32_t from, to, triangle;
-  };
-  std::vector<Side> sides;
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k)
-      sides.push_back({triangles[t][k], triangles[t][(k + 1) % 3], t});
-  const auto before = [](const Side& a, const Side& b) {
-    return a.from != b.from ? a.from < b.from : a.to < b.to;
-  };
-  std::sort(sides.begin(), sides.end(), before);
-  PointSets corners(3 * triangles.size());
-  const auto corner = [&](std::uint32_t t, std::uint32_t v) {
-    return 3 * t + (triangles[t][0] == v ? 0u : triangles[t][1] == v ? 1u : 2u);
-  };
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (i > 0 && !before(sides[i - 1], sides[i])) return false;
-    const Side wanted{sides[i].to, sides[i].from, 0};
-    const auto back = std::lower_bound(sides.begin(), sides.end(), wanted, before);
-    if (back == sides.end() || before(wanted, *back)) return false;
-    for (const std::uint32_t v : {wanted.from, wanted.to})
-      corners.join(corner(sides[i].triangle, v), corner(back->triangle, v));
-  }
-  std::vector<std::uint32_t> fan(point_count, 0xffffffff);
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      std::uint32_t& first = fan[triangles[t][k]];
-      const std::uint32_t root = corners.root(3 * t + k);
-      if (first == 0xffffffff) first = root;
-      if (first != root) return false;
-    }
-  return true;
 }
 
 Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -149,7 +83,7 @@ bool all_on_surface(const SurfaceMesh& boundary, const SurfaceMesh& surface) {
 }
 
 /// Signed volumes that the components bound, six times, each at the root of its points.
-std::map<std::uint32_t, double> volumes(const SurfaceMesh& mesh, PointSets& sets) {
+std::map<std::uint32_t, double> volumes(const SurfaceMesh& mesh, DisjointSets& sets) {
   std::map<std::uint32_t, double> result;
   for (const Triangle& t : mesh.triangles) {
     const std::uint32_t root = sets.root(t[0]);
@@ -168,9 +102,9 @@ constexpr double kSameVolume = 1e-2;
 /// for one. Faces look out of the region, triangles of the surface out of their component.
 bool same_components(const SurfaceMesh& boundary, const Region& region) {
   const SurfaceMesh& surface = region.surface;
-  PointSets now(boundary.points.size()), then(surface.points.size());
-  const auto found = doubled_characteristics(boundary.triangles, now, boundary.points.size());
-  const auto wanted = doubled_characteristics(surface.triangles, then, surface.points.size());
+  DisjointSets now(boundary.points.size()), then(surface.points.size());
+  const auto found = doubled_characteristics(boundary.triangles, now);
+  const auto wanted = doubled_characteristics(surface.triangles, then);
   if (found.size() != wanted.size()) return false;
   const auto volume_now = volumes(boundary, now), volume_then = volumes(surface, then);
   std::map<std::uint32_t, std::uint32_t> partner;
@@ -244,7 +178,7 @@ std::string boundary_fault(const TetrahedralMesh& mesh, const Region& region, co
   if (sorted_corners(faces) == sorted_corners(surface.triangles)) return "";
   const std::string fault = "TetGen did not keep the boundary of this surface";
   const SurfaceMesh boundary = boundary_surface(mesh, faces, surface.points.size());
-  const bool good = is_closed_manifold(boundary.triangles, boundary.points.size()) &&
+  const bool good = manifold_fault(boundary.triangles, boundary.points.size()).empty() &&
                     same_components(boundary, region) && all_on_surface(boundary, surface) &&
                     std::all_of(faces.begin(), faces.end(),
                                 [&](const Triangle& t) {

@@ -1,5 +1,3 @@
-#include "meshing/detail/open_edges.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include "base/tolerances.hpp"
 #include "meshing/detail/connectivity.hpp"
+#include "meshing/detail/mending.hpp"
 #include "meshing/detail/polygon.hpp"
 
 namespace tripus::meshing::detail {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "meshing/surface_mesh.hpp"
 
@@ -47,5 +49,12 @@ inline std::string in_all(std::size_t count) {
 inline std::string edge_name(std::uint32_t a, std::uint32_t b) {
   return std::to_string(a) + "-" + std::to_string(b);
 }
+
+/// Throws InvalidInput for a coordinate that is not finite or not in_exact_range.
+void require_coordinates(const std::vector<Point>& points, const Places& places);
+
+/// Throws InvalidInput for a point that is marked unused, and for two points that are equal.
+void require_points_used(const std::vector<bool>& used, const Places& places);
+void require_points_different(const std::vector<Point>& points, const Places& places);
 
 }  // namespace tripus::meshing::detail

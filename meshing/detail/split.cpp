@@ -1,11 +1,10 @@
-#include "meshing/detail/split.hpp"
-
 #include <cmath>
 #include <queue>
 #include <utility>
 #include <vector>
 
 #include "base/error.hpp"
+#include "meshing/detail/filling.hpp"
 #include "meshing/predicates.hpp"
 
 namespace tripus::meshing::detail {

@@ -1,11 +1,10 @@
-#include "meshing/detail/tetgen_client.hpp"
-
 #include <algorithm>
 #include <csignal>
 
 #include "base/error.hpp"
 #include "base/stop.hpp"
 #include "meshing/detail/child_process.hpp"
+#include "meshing/detail/filling.hpp"
 #include "meshing/detail/tetgen_protocol.hpp"
 #include "meshing/find_tetgen.hpp"
 

@@ -1,12 +1,10 @@
-#include "meshing/detail/touching_sheets.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
 #include <vector>
 
 #include "base/error.hpp"
-#include "meshing/detail/open_edges.hpp"
+#include "meshing/detail/mending.hpp"
 #include "meshing/detail/point_hash.hpp"
 #include "meshing/validate.hpp"
 

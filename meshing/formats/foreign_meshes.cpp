@@ -1,9 +1,8 @@
-#include "meshing/formats/foreign_meshes.hpp"
-
 #include <array>
 
 #include "meshing/detail/scanner.hpp"
 #include "meshing/detail/text.hpp"
+#include "meshing/formats/formats.hpp"
 
 namespace tripus::meshing {
 namespace {

@@ -1,5 +1,3 @@
-#include "meshing/formats/gmsh.hpp"
-
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -7,9 +5,10 @@
 #include <utility>
 
 #include "meshing/detail/bytes.hpp"
-#include "meshing/detail/cells.hpp"
+#include "meshing/detail/faces.hpp"
 #include "meshing/detail/scanner.hpp"
 #include "meshing/detail/text.hpp"
+#include "meshing/formats/formats.hpp"
 #include "meshing/validate_tetrahedra.hpp"
 
 namespace tripus::meshing {

@@ -1,12 +1,11 @@
-#include "meshing/formats/medit.hpp"
-
 #include <array>
 #include <optional>
 #include <utility>
 
-#include "meshing/detail/cells.hpp"
+#include "meshing/detail/faces.hpp"
 #include "meshing/detail/scanner.hpp"
 #include "meshing/detail/text.hpp"
+#include "meshing/formats/formats.hpp"
 #include "meshing/validate_tetrahedra.hpp"
 
 namespace tripus::meshing {

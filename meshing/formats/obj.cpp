@@ -1,12 +1,10 @@
-#include "meshing/formats/obj.hpp"
-
 #include <algorithm>
 #include <array>
 
 #include "meshing/detail/faces.hpp"
-#include "meshing/detail/obj_line.hpp"
 #include "meshing/detail/scanner.hpp"
 #include "meshing/detail/text.hpp"
+#include "meshing/formats/formats.hpp"
 
 namespace tripus::meshing {
 namespace {

@@ -1,13 +1,11 @@
-#include "meshing/formats/off.hpp"
-
 #include <algorithm>
 #include <optional>
 
 #include "meshing/detail/bytes.hpp"
 #include "meshing/detail/faces.hpp"
-#include "meshing/detail/oogl.hpp"
 #include "meshing/detail/scanner.hpp"
 #include "meshing/detail/text.hpp"
+#include "meshing/formats/formats.hpp"
 
 // Geomview reads by tokens, others by lines, and writers follow either. Which it is shows only when
 // all of the file fits: the layouts are tried one after the other, and the message is that of the

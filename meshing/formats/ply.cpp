@@ -1,5 +1,3 @@
-#include "meshing/formats/ply.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include "meshing/detail/faces.hpp"
 #include "meshing/detail/scanner.hpp"
 #include "meshing/detail/text.hpp"
+#include "meshing/formats/formats.hpp"
 
 namespace tripus::meshing {
 namespace {

@@ -1,5 +1,3 @@
-#include "meshing/formats/stl.hpp"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -12,6 +10,7 @@
 #include "meshing/detail/polygon.hpp"
 #include "meshing/detail/scanner.hpp"
 #include "meshing/detail/text.hpp"
+#include "meshing/formats/formats.hpp"
 
 namespace tripus::meshing {
 namespace {

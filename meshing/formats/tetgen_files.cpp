@@ -1,5 +1,3 @@
-#include "meshing/formats/tetgen_files.hpp"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -9,6 +7,7 @@
 #include "base/system_error.hpp"
 #include "meshing/detail/scanner.hpp"
 #include "meshing/detail/text.hpp"
+#include "meshing/formats/formats.hpp"
 
 namespace tripus::meshing {
 namespace {

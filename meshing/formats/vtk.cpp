@@ -1,12 +1,11 @@
-#include "meshing/formats/vtk.hpp"
+#include "meshing/detail/vtk.hpp"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "meshing/detail/text.hpp"
-#include "meshing/detail/vtk_cells.hpp"
-#include "meshing/detail/vtk_numbers.hpp"
+#include "meshing/formats/formats.hpp"
 
 namespace tripus::meshing {
 namespace {

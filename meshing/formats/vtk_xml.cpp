@@ -1,5 +1,3 @@
-#include "meshing/formats/vtk_xml.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +9,8 @@
 #include "base/compression.hpp"
 #include "meshing/detail/bytes.hpp"
 #include "meshing/detail/scanner.hpp"
-#include "meshing/detail/vtk_cells.hpp"
+#include "meshing/detail/vtk.hpp"
+#include "meshing/formats/formats.hpp"
 
 namespace tripus::meshing {
 namespace {

@@ -4,10 +4,7 @@
 
 #include "base/error.hpp"
 #include "meshing/detail/text.hpp"
-#include "meshing/formats/obj.hpp"
-#include "meshing/formats/off.hpp"
-#include "meshing/formats/ply.hpp"
-#include "meshing/formats/stl.hpp"
+#include "meshing/formats/formats.hpp"
 
 namespace tripus::meshing {
 

@@ -19,20 +19,35 @@
 // (pipe_plan.hpp, pipe_surface.cpp), which needs no sample and no room that is the same everywhere.
 #include "meshing/tube/tube_surface.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/error.hpp"
+#include "meshing/detail/closed_surface.hpp"
 #include "meshing/self_intersection.hpp"
 #include "meshing/tube/detail/clearance.hpp"
-#include "meshing/tube/detail/components.hpp"
-#include "meshing/tube/detail/improve.hpp"
-#include "meshing/tube/detail/marching.hpp"
-#include "meshing/tube/detail/pipe_surface.hpp"
-#include "meshing/tube/detail/text.hpp"
+#include "meshing/tube/detail/stages.hpp"
+#include "meshing/tube/detail/vector3.hpp"
 
 namespace tripus::meshing {
 namespace {
+
+/// Of the components of a surface that we made, sorted.
+std::vector<long> euler_characteristics(const SurfaceMesh& mesh) {
+  std::string fault = detail::manifold_fault(mesh.triangles, mesh.points.size());
+  topology::DisjointSets components(mesh.points.size());
+  const auto doubled = detail::doubled_characteristics(mesh.triangles, components);
+  for (std::uint32_t v = 0; v < mesh.points.size() && fault.empty(); ++v)
+    if (!doubled.contains(components.root(v))) fault = "vertex " + std::to_string(v) + " is unused";
+  if (!fault.empty())
+    throw InternalError("the tube's surface is not a closed manifold: " + fault +
+                        "; please report this graph");
+  std::vector<long> result;
+  for (const auto& [component, twice] : doubled) result.push_back(twice / 2);
+  std::sort(result.begin(), result.end());
+  return result;
+}
 
 using namespace tube;
 

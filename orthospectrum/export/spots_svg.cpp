@@ -8,12 +8,14 @@
 
 #include <fmt/format.h>
 
+#include "base/svg_text.hpp"
 #include "orthospectrum/boundary_discs.hpp"
 
 namespace tripus::orthospectrum {
 namespace {
 
 constexpr double kDisc = 600;                                // pixels
+constexpr int kLetters = 14;                                 // pixels
 constexpr double kBorder = 20;                               // around a disc
 constexpr double kFooter = 45;                               // for the scale of lengths
 constexpr double kSmallestSpot = 0.35, kSmallestTile = 1.5;  // pixels
@@ -22,31 +24,7 @@ constexpr std::size_t kMostTiles = 6000;
 
 std::string colour_of(double share) {
   const LengthColour rgb = length_colour(share);
-  return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
-}
-
-std::string escaped_title(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '<') {
-      result += "&lt;";
-    } else if (c == '>') {
-      result += "&gt;";
-    } else if (c == '&') {
-      result += "&amp;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
-std::string svg_head(double width, double height, const std::string& title) {
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
-      "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"14\">\n"
-      "<title>{2}</title>\n<rect width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"white\"/>\n",
-      width, height, escaped_title(title));
+  return hex_colour(rgb[0], rgb[1], rgb[2]);
 }
 
 /// A disc of the boundary in the frame of its tile.
@@ -186,7 +164,8 @@ std::string spots_as_svg(const topology::Triangulation& triangulation,
   const LengthScale scale = scale_of(spectrum);
   const BoundarySurface surface(triangulation, edge_lengths);
   const auto spots = spots_by_tile(triangulation, edge_lengths, surface, spectrum);
-  std::string svg = svg_head(width, kDisc + 2 * kBorder + kFooter, title);
+  std::string svg = svg_head(static_cast<int>(width),
+                             static_cast<int>(kDisc + 2 * kBorder + kFooter), kLetters, title);
   for (std::size_t place = 0; place < components.size(); ++place) {
     const std::size_t v = components[place];
     std::size_t n = 0;
@@ -213,7 +192,7 @@ std::string counting_as_svg(const Spectrum& spectrum, const Identities& identiti
   const auto y = [&](double n) {
     return kHeight - kBottom - (kHeight - kTop - kBottom) * std::log10(n) / decades;
   };
-  std::string svg = svg_head(kWidth, kHeight, title);
+  std::string svg = svg_head(static_cast<int>(kWidth), static_cast<int>(kHeight), kLetters, title);
   for (int d = 0; d <= static_cast<int>(decades); ++d) {
     const double height = y(std::pow(10, d));
     svg += fmt::format(

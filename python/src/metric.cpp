@@ -5,6 +5,7 @@
 #include <tripus/tripus.hpp>
 
 #include "geometry/hyperbolic_space.hpp"
+#include "manifold/embedding_json.hpp"
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 #include "structure/certificate.hpp"
@@ -90,21 +91,6 @@ geometry::Model model_of(const std::string& name) {
   throw InvalidInput("the models are upper, ball and klein, not " + quoted(name));
 }
 
-const char* end_name(embedding::CoverEnd end) {
-  using embedding::CoverEnd;
-  switch (end) {
-    case CoverEnd::kComplete:
-      return "complete";
-    case CoverEnd::kCells:
-      return "cells";
-    case CoverEnd::kInterrupted:
-      return "interrupted";
-    case CoverEnd::kPrecision:
-      break;
-  }
-  return "precision";
-}
-
 /// Tetrahedra, depths, parents (-1: none) and isometries of the cells.
 nb::tuple cells_of(const CellComplex& complex) {
   std::vector<std::uint32_t> tetrahedra, depths;
@@ -117,7 +103,8 @@ nb::tuple cells_of(const CellComplex& complex) {
     isometries.push_back(cell.isometry);
   }
   return nb::make_tuple(owned(std::move(tetrahedra)), owned(std::move(depths)),
-                        owned(std::move(parents)), stacked(isometries), end_name(complex.end()));
+                        owned(std::move(parents)), stacked(isometries),
+                        std::string(end_word(complex.end())));
 }
 
 /// Points [P x 3], triangles [F x 3], and the cell and side of each triangle.

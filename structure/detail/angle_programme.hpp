@@ -6,12 +6,28 @@
 #include <span>
 #include <vector>
 
-#include "structure/detail/angle_constraints.hpp"
+#include "structure/detail/rational_system.hpp"
+#include "topology/cone_angle.hpp"
 #include "topology/triangulation.hpp"
 
 struct glp_prob;
 
 namespace tripus::structure::detail {
+
+/// What an angle structure is, in units of pi (docs/theory.md (41), (81)): the corners of each edge
+/// class sum to its cone angle, the three at a tetrahedron vertex to at most 1, or to exactly 1
+/// where the vertex is ideal. Corners on parabolic edges are 0 and take no part.
+struct AngleConstraints {
+  explicit AngleConstraints(const topology::Triangulation& triangulation,
+                            std::span<const topology::ConeAngle> cone_angles = {});
+
+  std::vector<double> edge_sum;     ///< [E]
+  std::vector<Rational> exact_sum;  ///< [E]; empty where some angle is not a rational number of pi
+  std::vector<bool> parabolic;      ///< [E]
+  std::vector<bool> ideal;          ///< [4 T]
+  std::vector<int> corners;         ///< [4 T] how many of the three corners take part
+  bool plain = true;                ///< all cone angles 2 pi, no ideal vertex
+};
 
 /// The linear programme of the widest margin (docs/theory.md (50)), in units of pi:
 ///     max m:  angle_c >= m,  vertex sums <= 1 - m (= 1 at ideal vertices),  edge sums = cone

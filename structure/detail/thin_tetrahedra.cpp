@@ -1,10 +1,9 @@
-#include "structure/detail/thin_tetrahedra.hpp"
-
 #include <algorithm>
 #include <numbers>
 #include <variant>
 
 #include "base/tolerances.hpp"
+#include "structure/detail/other_ways.hpp"
 #include "structure/existence.hpp"
 
 namespace tripus::structure::detail {

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "structure/proof/detail/arb_number.hpp"
 #include "structure/proof/detail/proof_json.hpp"
-#include "structure/proof/detail/read_number.hpp"
 
 namespace tripus::structure {
 namespace {

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "base/tolerances.hpp"
-#include "studies/detail/paper_tables.hpp"
+#include "studies/detail/tables.hpp"
 
 namespace tripus::studies::detail {
 namespace {

@@ -11,6 +11,12 @@
 #include "studies/study.hpp"
 
 namespace tripus::studies::detail {
+
+Spectrum spectrum(const topology::Triangulation& triangulation, std::span<const double> lengths) {
+  const energies::CoVolume energy(triangulation);
+  return solver::extreme_eigenvalues(energy.at(lengths, solver::Order::kSecond));
+}
+
 namespace {
 
 using Vector = std::vector<double>;

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "studies/detail/spectrum.hpp"
+#include "solver/extreme_eigenvalues.hpp"
 #include "studies/study.hpp"
 #include "topology/triangulation.hpp"
 
@@ -12,6 +12,10 @@
 // once `stop` is set.
 
 namespace tripus::studies::detail {
+
+/// Extreme eigenvalues of the Hessian of the co-volume at lengths [E].
+using Spectrum = solver::ExtremeEigenvalues;
+Spectrum spectrum(const topology::Triangulation& triangulation, std::span<const double> lengths);
 
 /// Order of Newton's method: the slope of log |x - x*| after one step on that before it, over
 /// starts at relative distances 10^-2.5 .. 10^-4.5, above rounding. Theory: 2, in the limit: there

@@ -2,7 +2,7 @@
 // and the volume of docs/theory.md (28).
 #include <gtest/gtest.h>
 
-#include "meshing/formats/off.hpp"
+#include "meshing/formats/formats.hpp"
 #include "meshing/manifold.hpp"
 #include "meshing/tube/spatial_graph.hpp"
 #include "meshing/tube/tube_surface.hpp"

@@ -7,9 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "meshing/detail/convex_cells.hpp"
-#include "meshing/detail/fill_by_planes.hpp"
-#include "meshing/detail/mesh_boundary.hpp"
-#include "meshing/formats/off.hpp"
+#include "meshing/detail/filling.hpp"
+#include "meshing/formats/formats.hpp"
 #include "meshing/manifold.hpp"
 #include "meshing/predicates.hpp"
 #include "meshing/tube/tube_surface.hpp"

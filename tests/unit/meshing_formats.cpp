@@ -5,10 +5,8 @@
 
 #include "base/error.hpp"
 #include "base/system_error.hpp"
-#include "meshing/formats/medit.hpp"
-#include "meshing/formats/off.hpp"
+#include "meshing/formats/formats.hpp"
 #include "meshing/formats/read_mesh.hpp"
-#include "meshing/formats/vtk.hpp"
 
 // One solid and its surface in every format, recognised by content.
 

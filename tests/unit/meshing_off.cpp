@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "meshing/formats/off.hpp"
+#include "meshing/formats/formats.hpp"
 #include "tests/support/sample_surfaces.hpp"
 
 namespace tripus::meshing {

@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 #include "topology/cyclic_cover.hpp"
-#include "topology/detail/integer_matrix.hpp"
+#include "topology/detail/smith_form.hpp"
 #include "topology/dual_graph.hpp"
 #include "topology/homology.hpp"
 #include "topology/isosig.hpp"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "topology/detail/minors.hpp"
+#include "topology/detail/smith_form.hpp"
 
 namespace tripus::topology {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "topology/detail/integer_matrix.hpp"
+#include "topology/detail/smith_form.hpp"
 
 namespace tripus::topology {
 namespace {

@@ -1,5 +1,3 @@
-#include "topology/detail/minors.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,7 @@
 #include <utility>
 
 #include "base/stop.hpp"
+#include "topology/detail/smith_form.hpp"
 
 namespace tripus::topology::detail {
 namespace {
@@ -131,7 +130,7 @@ Regular regular_modulo(const Columns<Integer>& columns, std::size_t height, std:
 template <class Integer>
 double bits_of_minors(const Rows<Integer>& rows) {
   using Sum = std::conditional_t<std::is_same_v<Integer, BigInteger>, BigInteger, double>;
-  using std::abs;  // of doubles: C's alone is for int
+  using std::abs;   // of doubles: C's alone is for int
   double bits = 2;  // the sign, and rounding
   for (const auto& row : rows) {
     Sum sum = 0;

@@ -1,8 +1,8 @@
 // The textbook algorithm for Smith's form, modulo a number, so that entries stay below it.
-#include "topology/detail/modular_diagonal.hpp"
-
 #include <cstdint>
 #include <utility>
+
+#include "topology/detail/smith_form.hpp"
 
 namespace tripus::topology::detail {
 namespace {

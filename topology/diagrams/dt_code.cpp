@@ -4,7 +4,6 @@
 #include <string>
 
 #include "topology/diagrams/detail/forms.hpp"
-#include "topology/diagrams/detail/positions.hpp"
 #include "topology/diagrams/detail/scanner.hpp"
 
 // Positions 1, 2, ... run along the components; crossing i has the odd position 2 i - 1 and the

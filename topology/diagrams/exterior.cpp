@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <optional>
 #include <unordered_map>
 #include <utility>
 
 #include "base/error.hpp"
 #include "topology/diagrams/moves.hpp"
+#include "topology/disjoint_sets.hpp"
 
 // A *wall* is a face of a tetrahedron with the vertices (strand, P, M), on one side of an arc. The
 // walls of an arc's two ends are glued along the arc, left to left and right to right of it. At a
@@ -53,28 +53,6 @@ std::vector<Dart> kept_darts(const Diagram& diagram, std::span<const std::int64_
   return darts;
 }
 
-/// Disjoint sets of vertices.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  /// False if they are in one set already.
-  bool join(std::uint32_t one, std::uint32_t two) {
-    one = root(one);
-    two = root(two);
-    parent_[one] = two;
-    return one != two;
-  }
-
- private:
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  std::vector<std::uint32_t> parent_;
-};
-
 /// Darts of strands to be kinked so that no cycle of the graph, and no knot, lies everywhere above
 /// or everywhere below: around such a one the octahedra leave spheres instead of its boundary,
 /// since nothing then joins its left side with its right one.
@@ -84,7 +62,7 @@ std::vector<Dart> level_cycles(const Diagram& diagram, const std::vector<Dart>& 
   for (const Dart d : kept) done[all.of_dart[d]] = true;
   std::vector<Dart> darts;
   for (const bool above : {true, false}) {
-    Sets sets(diagram.node_count());
+    DisjointSets sets(diagram.node_count());
     for (std::size_t s = 0; s < all.all.size(); ++s) {
       const Strand& strand = all.all[s];
       const auto is_level = [&](Dart d) {

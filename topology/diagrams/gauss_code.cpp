@@ -5,7 +5,6 @@
 #include <string>
 
 #include "topology/diagrams/detail/forms.hpp"
-#include "topology/diagrams/detail/positions.hpp"
 #include "topology/diagrams/detail/scanner.hpp"
 
 // Along each component the crossings are named, with a plus sign where the strand passes above and

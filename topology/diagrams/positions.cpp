@@ -1,12 +1,11 @@
 // Diagrams of knots and links from the walk along them.
-#include "topology/diagrams/detail/positions.hpp"
-
 #include <algorithm>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/boyer_myrvold_planar_test.hpp>
 
 #include "base/error.hpp"
+#include "topology/diagrams/detail/forms.hpp"
 
 // Each crossing becomes a wheel of four spokes, which has but one embedding and its mirror image.
 

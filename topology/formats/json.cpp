@@ -1,5 +1,3 @@
-#include "topology/formats/json.hpp"
-
 #include <cstdint>
 #include <optional>
 

@@ -1,7 +1,5 @@
 #include <array>
 
-#include "topology/moves/detail/kinds.hpp"
-#include "topology/moves/detail/local.hpp"
 #include "topology/moves/detail/surgery.hpp"
 
 // 4-4: the four tetrahedra around an edge of valence 4 make up an octahedron with that edge as its

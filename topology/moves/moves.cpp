@@ -3,7 +3,7 @@
 #include <array>
 
 #include "base/error.hpp"
-#include "topology/moves/detail/kinds.hpp"
+#include "topology/moves/detail/surgery.hpp"
 
 namespace tripus::topology {
 namespace {

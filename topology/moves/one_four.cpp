@@ -1,7 +1,5 @@
 #include <array>
 
-#include "topology/moves/detail/kinds.hpp"
-#include "topology/moves/detail/local.hpp"
 #include "topology/moves/detail/surgery.hpp"
 
 // 1-4: a new vertex inside a tetrahedron cuts it into four; always possible. 4-1 is the inverse:

@@ -1,7 +1,7 @@
 #include <random>
 
 #include "base/error.hpp"
-#include "topology/moves/detail/local.hpp"
+#include "topology/moves/detail/surgery.hpp"
 #include "topology/moves/moves.hpp"
 
 namespace tripus::topology {

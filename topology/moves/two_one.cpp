@@ -2,8 +2,6 @@
 #include <optional>
 #include <utility>
 
-#include "topology/moves/detail/kinds.hpp"
-#include "topology/moves/detail/local.hpp"
 #include "topology/moves/detail/surgery.hpp"
 
 // 2-1 at an edge ab of valence 1: two faces of its tetrahedron abcd are folded together around it,

@@ -1,7 +1,5 @@
 #include <array>
 
-#include "topology/moves/detail/kinds.hpp"
-#include "topology/moves/detail/local.hpp"
 #include "topology/moves/detail/surgery.hpp"
 
 // 2-3: two tetrahedra that share a face become three around a new edge that joins the two vertices

@@ -1,7 +1,5 @@
 #include <array>
 
-#include "topology/moves/detail/kinds.hpp"
-#include "topology/moves/detail/local.hpp"
 #include "topology/moves/detail/surgery.hpp"
 
 // 2-0 at an edge of valence 2: its two tetrahedra make up a pillow between two discs, each of two

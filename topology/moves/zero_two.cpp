@@ -1,8 +1,7 @@
 #include <array>
 #include <utility>
 
-#include "topology/moves/detail/kinds.hpp"
-#include "topology/moves/detail/local.hpp"
+#include "topology/moves/detail/surgery.hpp"
 
 // 0-2 at an edge, the inverse of 2-0: the disc of two faces hinged on an edge is cut open and a
 // pillow of two tetrahedra X, Y around a new edge of valence 2 is put in. The walk around the edge

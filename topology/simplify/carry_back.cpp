@@ -7,7 +7,6 @@
 
 #include "base/error.hpp"
 #include "topology/edge_walk.hpp"
-#include "topology/moves/detail/kinds.hpp"
 #include "topology/moves/detail/surgery.hpp"
 #include "topology/simplify/detail/flattening.hpp"
 

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "topology/disjoint_sets.hpp"
 #include "topology/edge_walk.hpp"
 #include "topology/simplify/mutable_triangulation.hpp"
 
@@ -44,30 +45,6 @@ class EdgeCollapse {
  private:
   using Label = MutableTriangulation::Label;
 
-  /// Disjoint sets of 0, 1, ..., for the components of a graph.
-  class Sets {
-   public:
-    void clear() { parent_.clear(); }
-    std::size_t size() const { return parent_.size(); }
-    std::uint32_t add() {
-      parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
-      return parent_.back();
-    }
-    std::uint32_t root(std::uint32_t i) {
-      while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-      return i;
-    }
-    /// False if the two are in one set already.
-    bool join(std::uint32_t one, std::uint32_t two) {
-      one = root(one);
-      two = root(two);
-      parent_[one] = two;
-      return one != two;
-    }
-
-   private:
-    std::vector<std::uint32_t> parent_;
-  };
   /// An edge class that is to be merged with others, by one of its corners.
   struct Node {
     TetrahedronIndex t;
@@ -86,8 +63,8 @@ class EdgeCollapse {
   MutableTriangulation* m_;
   std::vector<EdgeWalk> corners_;  // around the edge; set by refusal, as what follows
   std::vector<Node> nodes_;
-  Sets edge_sets_;                           // of nodes_
-  Sets tetrahedron_sets_;                    // of corners_
+  DisjointSets edge_sets_;                   // of nodes_
+  DisjointSets tetrahedron_sets_;            // of corners_
   std::vector<std::uint32_t> node_of_edge_;  // by label: 0 none, else node + 1; cleared after use
   std::vector<std::uint32_t> corner_of_;     // by tetrahedron, likewise
   std::vector<std::uint32_t> largest_;       // node, by root

@@ -2,8 +2,6 @@
 #include <array>
 
 #include "base/error.hpp"
-#include "topology/moves/detail/kinds.hpp"
-#include "topology/moves/detail/local.hpp"
 #include "topology/moves/detail/surgery.hpp"
 #include "topology/simplify/mutable_triangulation.hpp"
 

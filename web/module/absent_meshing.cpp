@@ -4,7 +4,7 @@
 #include <cctype>
 
 #include "base/error.hpp"
-#include "meshing/formats/foreign_meshes.hpp"
+#include "meshing/formats/formats.hpp"
 #include "meshing/formats/read_graph.hpp"
 #include "meshing/formats/read_mesh.hpp"
 #include "meshing/manifold.hpp"

@@ -1,11 +1,30 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
+#include "base/stop.hpp"
 #include "meshing/tube/detail/strands.hpp"
 
 namespace tripus::meshing::tube {
+
+/// What long work calls now and then: throws Stopped when asked to, and shows that it goes on.
+class Pulse {
+ public:
+  Pulse(const Stop& stop = {}, std::function<void()> beat = {})
+      : stop_(stop), beat_(std::move(beat)) {}
+
+  void operator()() const {
+    throw_if_stopped(stop_);
+    if (beat_) beat_();
+  }
+
+ private:
+  Stop stop_;
+  std::function<void()> beat_;
+};
 
 /// The piece of space that the surface bounds: inside the outer surface, outside the tube; without
 /// an outer surface the tube itself.

@@ -1,10 +1,10 @@
 #include "structure/proof/detail/finite_links.hpp"
 
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "geometry/edge_frames.hpp"
+#include "topology/disjoint_sets.hpp"
 
 namespace tripus::structure::detail {
 namespace {
@@ -21,9 +21,7 @@ Direction operator*(const Arb& factor, const Direction& a) {
 Direction cross(const Direction& a, const Direction& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-Direction normalised(const Direction& a) {
-  return (Arb(1.0) / square_root(dot(a, a))) * a;
-}
+Direction normalised(const Direction& a) { return (Arb(1.0) / square_root(dot(a, a))) * a; }
 
 struct SineAndCosine {
   Arb sine, cosine;
@@ -79,28 +77,24 @@ class Unfolding {
   }
 
  private:
-  static std::size_t place(std::size_t t, int v, int w) {
-    return 16 * t + 4 * static_cast<std::size_t>(v) + static_cast<std::size_t>(w);
+  static std::uint32_t place(std::size_t t, int v, int w) {
+    return static_cast<std::uint32_t>(16 * t + 4 * static_cast<std::size_t>(v) +
+                                      static_cast<std::size_t>(w));
   }
-  std::size_t representative(std::size_t at) {
-    if (parent_.empty()) join_ends();
-    while (parent_[at] != at) at = parent_[at] = parent_[parent_[at]];
-    return at;
+  std::uint32_t representative(std::uint32_t at) {
+    if (ends_.size() == 0) join_ends();
+    return ends_.root(at);
   }
   void join_ends() {
     const topology::Gluings& gluings = triangulation_.gluings();
-    parent_.resize(16 * triangulation_.tetrahedron_count());
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    ends_ = topology::DisjointSets(16 * triangulation_.tetrahedron_count());
     for (std::size_t t = 0; t < triangulation_.tetrahedron_count(); ++t)
       for (int f = 0; f < 4; ++f)
         for (int v = 0; v < 4; ++v)
           for (int w = 0; w < 4; ++w) {
             if (v == w || v == f || w == f) continue;
             const topology::Perm4 gluing = gluings.gluing(t, f);
-            const std::size_t a = representative(place(t, v, w));
-            const std::size_t b =
-                representative(place(gluings.neighbour(t, f), gluing(v), gluing(w)));
-            parent_[a] = b;
+            ends_.join(place(t, v, w), place(gluings.neighbour(t, f), gluing(v), gluing(w)));
           }
   }
 
@@ -168,16 +162,16 @@ class Unfolding {
   const std::vector<std::array<Arb, 6>>& angles_;
   std::vector<LinkTriangle> triangles_;
   std::vector<bool> known_;
-  std::vector<std::size_t> parent_;
+  topology::DisjointSets ends_;
 };
 
 }  // namespace
 
 Arb dot(const Direction& a, const Direction& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-std::optional<std::vector<EdgeEnd>> unfolded_link(
-    const Triangulation& triangulation, std::size_t vertex,
-    const std::vector<std::array<Arb, 6>>& angles) {
+std::optional<std::vector<EdgeEnd>> unfolded_link(const Triangulation& triangulation,
+                                                  std::size_t vertex,
+                                                  const std::vector<std::array<Arb, 6>>& angles) {
   Unfolding unfolding(triangulation, angles);
   if (!unfolding.run(vertex)) return std::nullopt;
   auto ends = unfolding.ends();

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "topology/covers/presentation.hpp"
-#include "topology/detail/integer_matrix.hpp"
+#include "topology/detail/smith_form.hpp"
 
 namespace tripus::topology::detail {
 

@@ -4,12 +4,56 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "topology/edge_walk.hpp"
-#include "topology/moves/detail/local.hpp"
 #include "topology/moves/moves.hpp"
 
 namespace tripus::topology::detail {
+
+inline bool has_open_face(const Gluings& gluings, std::size_t t) {
+  for (int f = 0; f < 4; ++f)
+    if (gluings.is_open(t, f)) return true;
+  return false;
+}
+
+/// Whether two positions are the same corner in the same direction.
+inline bool is_same_corner(const EdgeWalk& first, const EdgeWalk& second) {
+  return first.t == second.t && first.a == second.a && first.b == second.b;
+}
+
+/// The corners around an edge in the order of the walk, if there are exactly N of them, in N
+/// distinct tetrahedra without open faces.
+template <std::size_t N>
+MoveRefusal collect_corners(const Gluings& gluings, std::size_t t, int edge,
+                            std::array<EdgeWalk, N>& corners) {
+  auto walk = EdgeWalk::start(t, edge);
+  for (std::size_t i = 0; i < N; ++i) {
+    if (i > 0 && is_same_corner(walk, corners[0])) return MoveRefusal::kWrongValence;
+    if (has_open_face(gluings, walk.t)) return MoveRefusal::kOpenFace;
+    corners[i] = walk;
+    walk.step(gluings);
+  }
+  if (!is_same_corner(walk, corners[0])) return MoveRefusal::kWrongValence;
+  for (std::size_t i = 0; i < N; ++i)
+    for (std::size_t j = i + 1; j < N; ++j)
+      if (corners[i].t == corners[j].t) return MoveRefusal::kNotDistinct;
+  return MoveRefusal::kNone;
+}
+
+/// The valence of the edge along which the walk stands; 0 if it meets an open face. O(valence).
+std::size_t valence(const Gluings& gluings, const EdgeWalk& start);
+
+/// Whether two edges are one edge class. Open faces end the walk, which may then miss it.
+/// O(valence).
+bool is_same_edge(const Gluings& gluings, std::size_t t, int edge, std::size_t other,
+                  int other_edge);
+
+/// For moves at faces, edges, vertices or tetrahedra: each once, with choices 0 .. choices - 1.
+void face_candidates(const Triangulation& triangulation, MoveKind kind, std::vector<Move>& moves);
+void edge_candidates(const Triangulation& triangulation, MoveKind kind, int choices,
+                     std::vector<Move>& moves);
+void vertex_candidates(const Triangulation& triangulation, MoveKind kind, std::vector<Move>& moves);
 
 /// The replacement of some tetrahedra by others, planned first and then carried out. Every face of
 /// a removed tetrahedron is one of
@@ -129,5 +173,24 @@ int edge_at(const Points& points, int first, int second);
 /// Faces of `fresh` that are left over are joined in pairs. `fresh` may come back with two vertices
 /// swapped, so that oriented tables stay oriented.
 Surgery plan_ball(const Gluings& gluings, MoveBall& ball);
+
+// One function a kind, each at the end of the file that holds the move. The table in moves.cpp
+// lists them; refusal and apply may assume that tetrahedron, place and choice are in range.
+MoveInfo two_three_info();
+MoveInfo three_two_info();
+MoveInfo four_four_info();
+MoveInfo two_zero_edge_info();
+MoveInfo zero_two_edge_info();
+MoveInfo two_zero_vertex_info();
+MoveInfo zero_two_face_info();
+MoveInfo two_one_info();
+MoveInfo one_two_info();
+MoveInfo one_four_info();
+MoveInfo four_one_info();
+
+/// The conditions of a 2-0 at an edge, but for the opposite edges being distinct.
+MoveRefusal refuse_pillow(const Gluings& gluings, const Move& move);
+/// The conditions of a 2-1, but for the edges to be merged being distinct.
+MoveRefusal refuse_fold(const Gluings& gluings, const Move& move);
 
 }  // namespace tripus::topology::detail

@@ -100,17 +100,15 @@ void AppendFile::cut(std::uint64_t bytes) {
 }
 
 void AppendFile::append(std::string_view text) {
-  if (failed_) throw IoError("cannot write " + tripus::quoted(path_) + " after an earlier failure");
+  if (failure_ != 0) fail_on_file("cannot write", path_, failure_);
   for (std::string_view rest = text; !rest.empty();) {
     const ssize_t bytes = ::write(file_, rest.data(), rest.size());
     if (bytes < 0 && errno == EINTR) continue;
     if (bytes < 0) {
-      const int error = errno;
-      failed_ = true;
+      failure_ = errno;
       // What is there of the text would be a torn line in the midst of others.
       [[maybe_unused]] const int cut = ::ftruncate(file_, static_cast<off_t>(size_));
-      errno = error;
-      fail("cannot write");
+      fail_on_file("cannot write", path_, failure_);
     }
     rest.remove_prefix(static_cast<std::size_t>(bytes));
   }

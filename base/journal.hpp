@@ -37,7 +37,7 @@ class AppendFile {
   std::string path_;
   int file_ = -1;
   std::uint64_t size_ = 0;
-  bool failed_ = false;
+  int failure_ = 0;  ///< errno of the first write that failed, after which nothing is written
 };
 
 /// What is done of a long piece of work, so that it can go on after any interruption: a line for

@@ -91,6 +91,7 @@ int finish(const CensusMaking& command, const std::vector<CensusLine>& lines,
   const LineCounts counts = count_lines(lines);
   const Census census = canonical::make_census(lines);
   const std::size_t total = lines.size() + refused_before;
+  if (total == 0) throw InvalidInput("there is no INPUT in the list: no census was made");
   if (census.manifolds.empty() && census.unresolved.empty())
     throw InvalidInput(fmt::format("all of the {} were refused: no census was made",
                                    counted(total, "triangulation", "triangulations")));

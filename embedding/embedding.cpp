@@ -31,6 +31,9 @@ using WideMatrix = Eigen::Matrix<Wide, 4, 4>;
 using WideVector = Eigen::Matrix<Wide, 4, 1>;
 using FaceMatrix = Eigen::Matrix<Wide, 4, 3>;
 
+// Horospheres with a smaller area would meet the limits of doubles.
+constexpr double kLeastHorosphereArea = 1e-100;
+
 std::array<double, 6> lengths_of(const Triangulation& triangulation, std::size_t t,
                                  std::span<const double> edge_lengths) {
   std::array<double, 6> l{};
@@ -248,11 +251,11 @@ Embedding embed(const Triangulation& triangulation, std::span<const double> edge
   Embedding embedding;
   embedding.cone_angles = topology::completed(options.cone_angles, triangulation.edge_count());
   topology::require_solvable(triangulation, embedding.cone_angles);
-  if (!(options.horosphere_area >= 0) || !std::isfinite(options.horosphere_area))
-    throw InvalidInput(
-        fmt::format("the area of horospheres is {}; it must be a number greater "
-                    "than 0, or 0 for the usual one",
-                    options.horosphere_area));
+  const double area = options.horosphere_area;
+  if (area != 0 && (!(area >= kLeastHorosphereArea) || !std::isfinite(area)))
+    throw InvalidInput(fmt::format(
+        "the area of horospheres is {}; it must be a number from {} on, or 0 for the usual one",
+        area, kLeastHorosphereArea));
   const auto links = topology::orbifold_links(triangulation, embedding.cone_angles);
   require_lengths(triangulation, edge_lengths, links, embedding.cone_angles);
   const std::size_t count = triangulation.tetrahedron_count();

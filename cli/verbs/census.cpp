@@ -161,7 +161,8 @@ void require_fitting(CensusCommand& command) {
   if (!making.proofs.empty() && !making.prove && !command.check)
     throw CLI::RequiredError("--prove or --check, with --proofs,");
   const bool has_file = !making.tsv.empty() || !making.database.empty() || !command.output.empty();
-  if (making.prove && making.proofs.empty() && (making.tsv == "-" || (makes && !has_file)))
+  if (making.prove && (making.proofs.empty() || making.proofs == "-") &&
+      (making.tsv == "-" || (makes && !has_file)))
     throw CLI::RequiredError(
         "--proofs FILE, with --prove where the census itself goes to standard output,");
   if (command.shard && command.output.empty()) throw CLI::RequiredError("-o FILE, with --shard,");
@@ -277,6 +278,9 @@ void add_census(CLI::App* verb, Command& chosen) {
                    "writes (default: standard output)")
       ->option_text("FILE");
   add_making_options(*verb, *command);
+  for (const char* other : {"NAME", "--volume", "--boundary", "--homology", "--cells",
+                            "--tetrahedra", "--json", "--tsv", "--database", "--budget"})
+    check->excludes(verb->get_option(other));
   verb->footer(kCensusHelp);
   verb->final_callback([command, verb, &chosen] {
     command->has_boundary = verb->get_option("--boundary")->count() > 0;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/output_file.hpp"
+#include "cli/arguments.hpp"
 #include "cli/describe.hpp"
 #include "cli/failure.hpp"
 #include "cli/output.hpp"
@@ -32,6 +33,9 @@ constexpr const char* kPageHelp =
     "  tripus page -o tripus.html\n"
     "\n"
     "Exit status: 0 written, 2 bad usage, 3 a failure of the program itself.";
+
+/// What the page says of itself (web/page/page.html).
+constexpr std::string_view kMark = "<meta name=\"generator\" content=\"tripus ";
 
 struct PageCommand {
   std::string output;
@@ -64,7 +68,10 @@ std::string find_page() {
 
 int run(const PageCommand& command) {
   declare_output("-o", command.output);
-  const std::string text = read_file(find_page());
+  const std::string page = find_page();
+  const std::string text = read_file(page);
+  if (text.find(kMark) == std::string::npos)
+    throw Unsupported(quoted(page, 200) + " is not the page that scripts/page makes");
   write_file(command.output, text);
   if (command.json) {
     JsonText out;
@@ -84,6 +91,7 @@ void add_page(CLI::App* verb, Command& chosen) {
   auto command = std::make_shared<PageCommand>();
   verb->add_option("-o,--output", command->output, "file to write")
       ->option_text("FILE.html")
+      ->check(file_name({".html", ".htm"}))
       ->required();
   verb->add_flag("--json", command->json, "one JSON object on standard output");
   verb->footer(kPageHelp);

@@ -179,6 +179,8 @@ class Shards(ProgramTest):
                 (("--merge", "x", "--check"), "--check"),
                 (("--merge", "x", "--budget", "3"), "--budget"),
                 (("--merge", "x", "--prove"), "--proofs"),
+                ((*LISTS, "--prove", "--proofs", "-", "--tsv", "-"), "--proofs"),
+                (("--check", "--volume", "2"), "--volume"), (("--check", "g2_1"), "NAME"),
                 ((*LISTS, "--shard", "1/2", "-o", "x", "--tsv", "y"), "--tsv"),
                 ((*LISTS, "--merge", "x"), "--merge"), (("--merge", "x"), '"x"')):
             result = self.run_program("census", *arguments)

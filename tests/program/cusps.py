@@ -74,6 +74,10 @@ class Cusps(ProgramTest):
         for wrong in ("-1", "0", "nan", "1e400", "x"):
             self.assert_refused("embed", "cPcbbbiht", "--horosphere-area", wrong,
                                 says="--horosphere-area", kind="usage")
+        self.assert_refused("embed", "cPcbbbiht", "--horosphere-area", "1e-320", says="from 1e-100 on")
+        tiny = self.run_program("embed", "cPcbbbiht", "--horosphere-area", "1e-100", "--json")
+        self.assertEqual(tiny.status, 0)
+        self.assertNotRegex(tiny.text, "(?i)nan|inf")
         self.assert_refused("embed", TRIPUS, "--horosphere-area", "1", says="has no cusp")
         gieseking = self.json_answer("embed", "bkaaid")
         self.assertTrue(any(g["reverses_orientation"]

@@ -7,7 +7,8 @@ from unittest import mock
 
 from support import ProgramTest, read_json
 
-PAGE = b"<!doctype html>\n" + bytes(range(256)) * 40
+MARK = b'<meta name="generator" content="tripus 0.1.0">'
+PAGE = b"<!doctype html>\n" + MARK + bytes(range(256)) * 40
 
 
 class PageVerb(ProgramTest):
@@ -32,6 +33,11 @@ class PageVerb(ProgramTest):
         self.assert_refused("page", "-o", "no/such/folder/out.html", says="no/such/folder")
         os.environ["TRIPUS_PAGE"] = "no-such-page.html"
         self.assert_refused("page", "-o", "out.html", says="no-such-page.html")
+        for other in (b"", b"<!doctype html>\n<title>Another page</title>\n"):
+            self.write("other.html", other)
+            os.environ["TRIPUS_PAGE"] = str(self.folder / "other.html")
+            self.assert_refused("page", "-o", "out.html", says="other.html\" is not the page that scripts/page makes")
+        self.assert_refused("page", "-o", "out.txt", says=".html")
         self.assertFalse((self.folder / "out.html").exists())
 
     def run_copy(self, place):

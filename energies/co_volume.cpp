@@ -185,12 +185,12 @@ void CoVolumeAt::move_to(std::span<const double> x, solver::Order order) {
   theta_ = 2 * x.size();
   jacobian_ = theta_ + blocks * 6 * kLanes;
   const std::size_t needed = jacobian_ + (second ? blocks * kPackedJacobian * kLanes : 0);
-  if (memory_.size() < needed) memory_ = std::vector<double>(needed);
-  std::ranges::copy(x, memory_.begin());
+  if (needed > few_.size() && needed > many_.size()) many_ = std::vector<double>(needed);
+  std::ranges::copy(x, memory());
   is_defined_ = std::all_of(x.begin(), x.end(), [](double l) { return std::isfinite(l); });
   if (!is_defined_) return;
 
-  const std::span<double> gradient = std::span(memory_).subspan(x.size(), x.size());
+  const std::span<double> gradient(memory() + x.size(), x.size());
   std::transform(energy.cone_angles_.begin(), energy.cone_angles_.end(), gradient.begin(),
                  [](double k) { return -k; });
   flat_count_ = 0;

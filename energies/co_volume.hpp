@@ -29,11 +29,11 @@ class CoVolumeAt final : public solver::Evaluation {
   /// a true one. Then nothing below means anything.
   bool is_defined() const { return is_defined_; }
   /// The edge lengths [E].
-  std::span<const double> lengths() const { return {memory_.data(), energy_dimension()}; }
+  std::span<const double> lengths() const { return {memory(), energy_dimension()}; }
 
   /// -K, the edge curvatures [E].
   std::span<const double> gradient() const override {
-    return {memory_.data() + energy_dimension(), energy_dimension()};
+    return {memory() + energy_dimension(), energy_dimension()};
   }
   double value() const override;
   void hessian_values(std::span<double> values) const override;
@@ -63,15 +63,17 @@ class CoVolumeAt final : public solver::Evaluation {
                      bool second_derivatives);
   void flatten(std::size_t first_block, std::size_t last_block, bool second_derivatives);
   std::size_t energy_dimension() const;
-  double* theta_block(std::size_t b) { return memory_.data() + theta_ + 6 * geometry::kLanes * b; }
+  double* memory() { return many_.empty() ? few_.data() : many_.data(); }
+  const double* memory() const { return many_.empty() ? few_.data() : many_.data(); }
+  double* theta_block(std::size_t b) { return memory() + theta_ + 6 * geometry::kLanes * b; }
   const double* theta_block(std::size_t b) const {
-    return memory_.data() + theta_ + 6 * geometry::kLanes * b;
+    return memory() + theta_ + 6 * geometry::kLanes * b;
   }
   double* jacobian_block(std::size_t b) {
-    return memory_.data() + jacobian_ + geometry::kPackedJacobian * geometry::kLanes * b;
+    return memory() + jacobian_ + geometry::kPackedJacobian * geometry::kLanes * b;
   }
   const double* jacobian_block(std::size_t b) const {
-    return memory_.data() + jacobian_ + geometry::kPackedJacobian * geometry::kLanes * b;
+    return memory() + jacobian_ + geometry::kPackedJacobian * geometry::kLanes * b;
   }
   /// Entry q of the packed Jacobian of tetrahedron t.
   double jacobian_entry(std::size_t t, std::size_t q) const {
@@ -79,9 +81,11 @@ class CoVolumeAt final : public solver::Evaluation {
   }
 
   const CoVolume* energy_;
-  /// Small manifolds are solved in microseconds: one allocation for x [E], the gradient [E], the
-  /// angles [T/8][6][8], and of the second order the Jacobians [T/8][21][8].
-  std::vector<double> memory_;
+  /// x [E], the gradient [E], the angles [T/8][6][8], and of the second order the Jacobians
+  /// [T/8][21][8]. Small manifolds are solved in microseconds: up to 8 tetrahedra with 48 edge
+  /// classes take no memory but this object's.
+  std::array<double, (6 + geometry::kPackedJacobian) * geometry::kLanes + 2 * 48> few_;
+  std::vector<double> many_;
   std::size_t theta_ = 0, jacobian_ = 0;  // where these begin
   std::size_t flat_count_ = 0;
   bool is_defined_ = false;

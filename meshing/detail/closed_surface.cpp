@@ -14,7 +14,7 @@ bool runs_before(const DirectedSide& a, const DirectedSide& b) {
   return a.from != b.from ? a.from < b.from : a.to < b.to;
 }
 
-std::vector<DirectedSide> sorted_sides(const std::vector<Triangle>& triangles) {
+std::vector<DirectedSide> directed_sides(const std::vector<Triangle>& triangles) {
   std::vector<DirectedSide> sides;
   sides.reserve(3 * triangles.size());
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
@@ -31,7 +31,7 @@ std::string name_of(const DirectedSide& side) {
 }  // namespace
 
 std::string manifold_fault(const std::vector<Triangle>& triangles, std::size_t point_count) {
-  const std::vector<DirectedSide> sides = sorted_sides(triangles);
+  const std::vector<DirectedSide> sides = directed_sides(triangles);
   topology::DisjointSets corners(3 * triangles.size());
   const auto corner = [&](std::uint32_t t, std::uint32_t v) {
     return 3 * t + (triangles[t][0] == v ? 0u : triangles[t][1] == v ? 1u : 2u);

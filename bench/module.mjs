@@ -20,26 +20,33 @@ const tripus = await load();
 const kRounds = 5;
 
 const seconds = ({user, system}) => ((user + system) / 1e6);
-const times = (work) => Array.from({length: kRounds}, () => {
+const times = (work, rounds = kRounds) => Array.from({length: rounds}, () => {
   const start = process.cpuUsage();
   work();
   return seconds(process.cpuUsage(start));
 });
 const shown = (list) => list.map((t) => t.toFixed(2)).join(' ');
 
-/** Processor time of children, which node does not tell: by bash's own clock. */
-function timeOf(args) {
-  const {stderr} = spawnSync('bash', ['-c', 'TIMEFORMAT="%U %S"; time "$@" > /dev/null', 'bash', program, ...args]);
+/** Processor time of children, which node does not tell: by bash's own clock. `set`: the kernels, TRIPUS_SIMD. */
+function timeOf(args, set) {
+  const {stderr} = spawnSync('bash', ['-c', 'TIMEFORMAT="%U %S"; time "$@" > /dev/null', 'bash', program, ...args],
+                             {env: {...process.env, TRIPUS_SIMD: set}});
   return String(stderr).trim().split('\n').pop().split(' ').map(Number).reduce((a, b) => a + b);
 }
 
 const path = join(root, 'data/triangulations-4.txt');
 const list = readFileSync(path, 'utf8');
 const words = ['solve', '--json', '--quiet', '--batch'];
-const here = times(() => tripus.run([...words, 'list'], {files: {list}}));
-const there = Array.from({length: kRounds}, () => timeOf([...words, path, '--threads', '1']));
-console.log(`solve, ${list.trim().split('\n').filter((line) => line[0] !== '#').length} lines: module ${shown(here)} s, program ${shown(there)} s, `
-            + `ratio of the least ${(Math.min(...there) / Math.min(...here)).toFixed(2)}`);
+const here = [];
+const there = {portable: [], '': []};  // in turn, so that all meet the same machine
+for (let round = 0; round < kRounds; ++round) {
+  here.push(...times(() => tripus.run([...words, 'list'], {files: {list}}), 1));
+  for (const [set, found] of Object.entries(there)) found.push(timeOf([...words, path, '--threads', '1'], set));
+}
+console.log(`solve, ${list.trim().split('\n').filter((line) => line[0] !== '#').length} lines: module ${shown(here)} s`);
+for (const [set, found] of Object.entries(there))
+  console.log(`  program, ${set || 'the fastest'} kernels: ${shown(found)} s, rate of the module beside it `
+              + `(least times) ${(Math.min(...found) / Math.min(...here)).toFixed(2)}`);
 
 const cover = JSON.parse(execFileSync(program, ['cover', 'cPcbbbihq', '--cyclic', '5000', '--limit', '1', '--json'],
                                       {maxBuffer: 1 << 28}).toString().split('\n')[0]).isosig;

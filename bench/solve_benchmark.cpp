@@ -118,8 +118,11 @@ struct Base {
 constexpr Base kTripus{"cPcbbbihq", 6.4519902708350328653};
 constexpr Base kFigureEight{"cPcbbbiht", 2.0298832128193072500};  // a cusp
 
-/// The cyclic cover with the given number of tetrahedra, from random lengths.
-void run_cover(benchmark::State& state, const std::string& method, const Base& base) {
+enum class Start { kRandom, kDefault };
+
+/// The cyclic cover with the given number of tetrahedra.
+void run_cover(benchmark::State& state, const std::string& method, const Base& base,
+               Start start = Start::kRandom) {
   const auto tetrahedra = static_cast<std::size_t>(state.range(0));
   const topology::Triangulation below(topology::decode_isosig(base.signature));
   const auto shifts = topology::primitive_class(below);
@@ -129,7 +132,7 @@ void run_cover(benchmark::State& state, const std::string& method, const Base& b
   options.method = method;
   std::mt19937_64 random(42);
   std::uniform_real_distribution<double> sample(0.4, 0.9);
-  options.initial_lengths.resize(cover.edge_count());
+  if (start == Start::kRandom) options.initial_lengths.resize(cover.edge_count());
   for (double& l : options.initial_lengths) l = sample(random);
   structure::Report report;
   for (auto _ : state) report = structure::solve(cover, options);
@@ -155,6 +158,11 @@ int main(int argc, char** argv) {
   for (const std::int64_t size : {1000, 10000, 100000, 1000000}) {
     RegisterBenchmark("cover of the tripus/newton-cg",
                       [](benchmark::State& s) { run_cover(s, "newton-cg", kTripus); })
+        ->Arg(size)
+        ->Unit(benchmark::kMillisecond);
+    RegisterBenchmark(
+        "cover of the figure-eight knot's complement, default start/auto",
+        [](benchmark::State& s) { run_cover(s, "auto", kFigureEight, Start::kDefault); })
         ->Arg(size)
         ->Unit(benchmark::kMillisecond);
     RegisterBenchmark("cover of the figure-eight knot's complement/newton-cg",

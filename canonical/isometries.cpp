@@ -1,9 +1,8 @@
 #include "canonical/isometries.hpp"
 
-#include <numeric>
-
 #include "base/stop.hpp"
 #include "canonical/group_name.hpp"
+#include "topology/disjoint_sets.hpp"
 
 namespace tripus::canonical {
 namespace {
@@ -85,26 +84,19 @@ std::vector<FlagIndex> automorphism(const Decomposition& decomposition, const Ca
 /// orbit have one code.
 class Orbits {
  public:
-  explicit Orbits(std::size_t flag_count) : parent_(flag_count), out_(flag_count) {
-    std::iota(parent_.begin(), parent_.end(), FlagIndex{0});
-  }
-  bool same(FlagIndex p, FlagIndex q) { return root(p) == root(q); }
+  explicit Orbits(std::size_t flag_count) : flags_(flag_count), out_(flag_count) {}
+  bool same(FlagIndex p, FlagIndex q) { return flags_.root(p) == flags_.root(q); }
   /// Whether the code from there is known to be larger than the least.
-  bool is_out(FlagIndex flag) { return out_[root(flag)] != 0; }
-  void put_out(FlagIndex flag) { out_[root(flag)] = 1; }
+  bool is_out(FlagIndex flag) { return out_[flags_.root(flag)] != 0; }
+  void put_out(FlagIndex flag) { out_[flags_.root(flag)] = 1; }
   void join(FlagIndex p, FlagIndex q) {
-    p = root(p);
-    q = root(q);
-    out_[p] |= out_[q];
-    parent_[q] = p;
+    const bool is_either_out = is_out(p) || is_out(q);
+    flags_.join(p, q);
+    if (is_either_out) put_out(q);
   }
 
  private:
-  FlagIndex root(FlagIndex flag) {
-    while (parent_[flag] != flag) flag = parent_[flag] = parent_[parent_[flag]];
-    return flag;
-  }
-  std::vector<FlagIndex> parent_;
+  topology::DisjointSets flags_;
   std::vector<char> out_;
 };
 

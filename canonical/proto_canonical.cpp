@@ -40,6 +40,8 @@ constexpr std::size_t kCheap = 4;
 constexpr std::size_t kMoves = 100, kMovesPerTetrahedron = 20;
 /// Times that the way may lead through flat tetrahedra, and as many more as there are tetrahedra.
 constexpr std::size_t kPassages = 10;
+/// On it nothing is solved, so that the budget goes so many times as far.
+constexpr std::size_t kPassageShare = 30;
 /// Tetrahedra that the other search may add.
 constexpr std::size_t kExtra = 2;
 
@@ -110,11 +112,12 @@ class Walker {
       state_ = std::move(next.state);
       return descend() || seen.insert(key(state_)).second;
     };
+    std::size_t budget = kPassageShare * options_.budget;
     const std::size_t most = kPassages + state_.triangulation.tetrahedron_count();
-    for (std::size_t k = 0; k < most && !stopped(); ++k) {
+    for (std::size_t k = 0; k < most && budget > 0 && !stopped(); ++k) {
       const State here = state_;
       const FaceKinds faces = faces_;
-      if (!detail::pass_through_planes(here, faces, go_on, options_.stop)) break;
+      if (!detail::pass_through_planes(here, faces, go_on, options_.stop, budget)) break;
       if (!faces_.has_concave()) return true;
     }
     state_ = stuck;

@@ -11,7 +11,9 @@
 namespace tripus::canonical {
 
 struct ProtoCanonicalOptions {
-  std::size_t budget = 2000;  ///< triangulations to solve on at most where the moves get stuck
+  /// Triangulations to solve on at most where the moves get stuck; ways through flat tetrahedra,
+  /// where nothing is solved, get thirty times as many. 0: the moves alone.
+  std::size_t budget = 2000;
   /// [E] of the metric; empty for 2 pi. No move takes an edge away that has another angle.
   std::vector<topology::ConeAngle> cone_angles = {};
   Stop stop{};  ///< ends it soon, with nothing found

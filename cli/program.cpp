@@ -19,6 +19,7 @@
 #include "cli/output.hpp"
 #include "cli/streams.hpp"
 #include "cli/verb.hpp"
+#include "geometry/batch.hpp"
 #include "manifold/json_text.hpp"
 
 namespace tripus::cli {
@@ -157,6 +158,7 @@ int run(const std::vector<std::string>& given) {
     report_failure(wants_json(arguments), "usage", usage_message(program, error));
     return kBadInput;
   }
+  geometry::batch_kernels();  // says at once, and once, what is wrong with TRIPUS_SIMD
   start_time_limit(*program.get_subcommands().front(), time_limit);
   const int status = command();
   flush_output();

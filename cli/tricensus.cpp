@@ -92,12 +92,17 @@ bool wait_for(pid_t child) {
 
 }  // namespace
 
-bool for_each_of_tricensus(std::size_t tetrahedra, topology::LinkChoice links,
+bool for_each_of_tricensus(std::size_t tetrahedra, const topology::EnumerationChoice& choice,
                            const std::function<void(const std::string&)>& take) {
   const TemporaryFolder folder;
   const std::string list = (folder.path() / "list").string();
-  const pid_t child = start({kProgram, fmt::format("--tetrahedra={}", tetrahedra), "--internal",
-                             "--orientable", "--sigs", list});
+  std::vector<std::string> arguments{kProgram, fmt::format("--tetrahedra={}", tetrahedra),
+                                     "--internal", "--sigs"};
+  using topology::Orientability;
+  if (choice.orientability == Orientability::kOrientable) arguments.push_back("--orientable");
+  if (choice.orientability == Orientability::kNonOrientable) arguments.push_back("--nonorientable");
+  arguments.push_back(list);
+  const pid_t child = start(arguments);
   if (!wait_for(child)) return false;
   std::ifstream in(list);
   if (!in) throw IoError(fmt::format("{} wrote no list", kProgram));
@@ -105,7 +110,7 @@ bool for_each_of_tricensus(std::size_t tetrahedra, topology::LinkChoice links,
     if (line.empty()) continue;
     if (interrupt_requested()) return false;
     const topology::Triangulation triangulation(topology::decode_isosig(line));
-    if (topology::has_links(triangulation, links)) take(topology::isosig(triangulation.gluings()));
+    if (topology::is_chosen(triangulation, choice)) take(topology::isosig(triangulation.gluings()));
   }
   return true;
 }

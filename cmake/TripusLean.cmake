@@ -21,7 +21,7 @@ set(TRIPUS_LEFT_OUT
   # Solids
   parameterise/ manifold/parameterise
   # The window and the picture: OpenGL. What remains is what a page shows.
-  viewer/camera viewer/faces/ viewer/half_space viewer/legend viewer/opencsg/ viewer/picture
+  viewer/camera viewer/faces/ viewer/half_space viewer/inside/ viewer/legend viewer/opencsg/ viewer/picture
   viewer/png viewer/scene viewer/window/ viewer/no_opengl viewer/web/gallery viewer/web/thumbnail
   viewer/web/page.cpp viewer/web_assets
   # The program's own files, tables and processes

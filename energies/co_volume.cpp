@@ -8,6 +8,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include "geometry/ideal_tetrahedron.hpp"
 #include "geometry/mixed_tetrahedron.hpp"
 #include "geometry/volume.hpp"
 
@@ -125,17 +126,21 @@ CoVolume::CoVolume(const topology::Triangulation& triangulation,
       links_(topology::orbifold_links(triangulation, cone_angles)) {
   for (const topology::ConeAngle& k : topology::completed(cone_angles, triangulation.edge_count()))
     cone_angles_.push_back(k.radians());
-  for (const topology::OrbifoldLink& link : links_) {
-    if (link.kind == VertexKind::kFinite) form_ = Form::kFinite;
-    if (link.kind == VertexKind::kIdeal && form_ == Form::kHyperideal) form_ = Form::kMixed;
-  }
+  const auto any = [&](VertexKind kind) {
+    return std::ranges::any_of(links_, [kind](const auto& link) { return link.kind == kind; });
+  };
+  if (any(VertexKind::kFinite))
+    form_ = Form::kFinite;
+  else if (any(VertexKind::kIdeal))
+    form_ = any(VertexKind::kHyperideal) ? Form::kMixed : Form::kIdeal;
   if (form_ == Form::kHyperideal) return;
+  pins_ = horosphere_pins(triangulation, links_);
+  if (form_ == Form::kIdeal) return;
   diagonal_.assign(geometry::block_count(triangulation.tetrahedron_count()) * 4 * kLanes, 1.0);
   for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t)
     for (std::size_t v = 0; v < 4; ++v)
       diagonal_[(4 * (t / kLanes) + v) * kLanes + t % kLanes] =
           gram_diagonal(links_[triangulation.vertex_class(t, static_cast<int>(v))].kind);
-  pins_ = horosphere_pins(triangulation, links_);
 }
 
 CoVolume::CoVolume(const CoVolumeAt& at, std::vector<std::size_t> flat) : CoVolume(at.energy()) {
@@ -217,6 +222,9 @@ bool CoVolumeAt::angles(std::size_t first_block, std::size_t count, const double
     case Form::kHyperideal:
       flat_count_ += energy_->kernels_.angles(count, lengths, theta, jacobian);
       return true;
+    case Form::kIdeal:
+      flat_count_ += energy_->kernels_.ideal_angles(count, lengths, theta, jacobian);
+      return true;
     case Form::kMixed:
       flat_count_ += energy_->kernels_.mixed_angles(
           count, lengths, energy_->diagonal_.data() + 4 * kLanes * first_block, theta, jacobian);
@@ -285,6 +293,25 @@ void CoVolumeAt::hessian_values(std::span<double> values) const {
   }
 }
 
+bool CoVolumeAt::dense_hessian(std::span<double> lower) const {
+  const std::uint32_t* edge = energy_->triangulation_.edge_classes().data();
+  const std::size_t n = energy_->dimension();
+  std::fill(lower.begin(), lower.end(), 0.0);
+  for (std::size_t t = 0; t < energy_->triangulation_.tetrahedron_count(); ++t, edge += 6) {
+    std::size_t q = 0;
+    for (std::size_t i = 0; i < 6; ++i) {
+      lower[edge[i] * (n + 1)] += jacobian_entry(t, q++);
+      for (std::size_t j = i + 1; j < 6; ++j, ++q) {
+        const double entry = jacobian_entry(t, q);
+        const std::size_t a = edge[i], b = edge[j];
+        // Two different corners on one edge class meet in its diagonal entry from both sides.
+        lower[a < b ? a * n + b : b * n + a] += a == b ? 2 * entry : entry;
+      }
+    }
+  }
+  return true;
+}
+
 void CoVolumeAt::hessian_times(std::span<const double> v, std::span<double> Hv) const {
   const topology::Triangulation& triangulation = energy_->triangulation_;
   const auto jacobian_times = energy_->kernels_.jacobian_times;
@@ -301,6 +328,18 @@ void CoVolumeAt::hessian_times(std::span<const double> v, std::span<double> Hv) 
 
 void CoVolumeAt::hessian_diagonal_blocks(std::size_t block_size, std::span<double> blocks) const {
   std::fill(blocks.begin(), blocks.end(), 0.0);
+  if (block_size == 1) {
+    const std::uint32_t* edge = energy_->triangulation_.edge_classes().data();
+    for (std::size_t t = 0; t < energy_->triangulation_.tetrahedron_count(); ++t, edge += 6) {
+      std::size_t q = 0;
+      for (std::size_t i = 0; i < 6; ++i) {
+        blocks[edge[i]] += jacobian_entry(t, q++);
+        for (std::size_t j = i + 1; j < 6; ++j, ++q)
+          if (edge[i] == edge[j]) blocks[edge[i]] += 2 * jacobian_entry(t, q);
+      }
+    }
+    return;
+  }
   for (std::size_t t = 0; t < energy_->triangulation_.tetrahedron_count(); ++t) {
     std::size_t q = 0;
     for (int i = 0; i < 6; ++i) {
@@ -333,6 +372,11 @@ std::vector<std::size_t> CoVolumeAt::flat_tetrahedra() const {
   return flat;
 }
 
+double CoVolumeAt::volume_of(std::span<const double, 6> theta) const {
+  return energy_->form_ == CoVolume::Form::kIdeal ? geometry::ideal_volume(theta)
+                                                  : geometry::volume(theta);
+}
+
 double CoVolumeAt::volume() const {
   Sum sum;
   std::array<double, 6> latest{};
@@ -340,7 +384,7 @@ double CoVolumeAt::volume() const {
   for (std::size_t t = 0; t < energy_->triangulation_.tetrahedron_count(); ++t) {
     const std::array<double, 6> theta = dihedral_angles(t);
     // Where all lengths are equal, as at the start, all tetrahedra are.
-    if (t == 0 || theta != latest) latest_volume = geometry::volume(theta);
+    if (t == 0 || theta != latest) latest_volume = volume_of(theta);
     latest = theta;
     sum.add(latest_volume);
   }
@@ -373,7 +417,7 @@ double CoVolumeAt::value() const {
   Sum sum;
   for (std::size_t t = 0; t < energy_->triangulation_.tetrahedron_count(); ++t) {
     const auto theta = dihedral_angles(t);
-    sum.add(2 * geometry::volume(theta));
+    sum.add(2 * volume_of(theta));
     for (int i = 0; i < 6; ++i)
       sum.add(theta[static_cast<std::size_t>(i)] * x[energy_->triangulation_.edge_class(t, i)]);
   }

@@ -37,6 +37,7 @@ class CoVolumeAt final : public solver::Evaluation {
   }
   double value() const override;
   void hessian_values(std::span<double> values) const override;
+  bool dense_hessian(std::span<double> lower) const override;
   void hessian_times(std::span<const double> v, std::span<double> Hv) const override;
   void hessian_diagonal_blocks(std::size_t block_size, std::span<double> blocks) const override;
 
@@ -59,6 +60,7 @@ class CoVolumeAt final : public solver::Evaluation {
   void move_to(std::span<const double> x, solver::Order order);
   bool angles(std::size_t first_block, std::size_t count, const double* lengths,
               bool second_derivatives);
+  double volume_of(std::span<const double, 6> theta) const;
   bool finite_angles(std::size_t first_block, std::size_t count, const double* lengths,
                      bool second_derivatives);
   void flatten(std::size_t first_block, std::size_t last_block, bool second_derivatives);
@@ -136,7 +138,7 @@ class CoVolume final : public solver::Problem {
   friend class CoVolumeAt;
 
   /// Which kernel computes the angles, chosen once.
-  enum class Form { kHyperideal, kMixed, kFinite };
+  enum class Form { kHyperideal, kIdeal, kMixed, kFinite };
 
   const ElementPattern& slots() const;
 

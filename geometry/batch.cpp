@@ -1,6 +1,12 @@
 #include "geometry/batch.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <string>
+
+#include "base/error.hpp"
+#include "geometry/kernel_choice.hpp"
 
 namespace tripus::geometry {
 
@@ -39,8 +45,22 @@ std::span<const BatchKernels> all_batch_kernels() {
 }
 
 const BatchKernels& batch_kernels() {
-  static const BatchKernels& best = all_batch_kernels().back();
-  return best;
+  // What throws is asked again the next time.
+  static const BatchKernels& chosen = named_batch_kernels(std::getenv("TRIPUS_SIMD"));
+  return chosen;
+}
+
+const BatchKernels& named_batch_kernels(const char* name) {
+  const std::span all = all_batch_kernels();
+  if (name == nullptr || *name == '\0') return all.back();
+  const auto found = std::ranges::find(all, std::string_view(name), &BatchKernels::name);
+  if (found != all.end()) return *found;
+  std::string names;
+  for (const BatchKernels& kernels : all)
+    names += (names.empty() ? "" : ", ") + std::string(kernels.name);
+  throw InvalidInput("the environment variable TRIPUS_SIMD is " + quoted(name) +
+                     "; this processor runs " + names +
+                     ". Leave it out, and the fastest are chosen");
 }
 
 }  // namespace tripus::geometry

@@ -31,6 +31,11 @@ struct BatchKernels {
   std::size_t (*mixed_angles)(std::size_t blocks, const double* lengths, const double* diagonal,
                               double* theta, double* jacobian);
 
+  /// The same where all vertices are ideal: the angles of `mixed_angles` with the diagonal 0, up to
+  /// rounding. lengths [blocks][6][8] finite
+  std::size_t (*ideal_angles)(std::size_t blocks, const double* lengths, double* theta,
+                              double* jacobian);
+
   /// y = J x for the 8 tetrahedra of one block: jacobian [21][8], x [6][8], y [6][8].
   void (*jacobian_times)(const double* jacobian, const double* x, double* y);
 
@@ -42,7 +47,7 @@ struct BatchKernels {
   void (*volumes)(std::size_t blocks, const double* lengths, const double* theta, double* volumes);
 };
 
-/// The fastest kernels that this processor runs; chosen once.
+/// Those of TRIPUS_SIMD (kernel_choice.hpp), or the fastest that this processor runs; chosen once.
 const BatchKernels& batch_kernels();
 
 /// Every set of kernels that this processor runs, "portable" first: for tests and benchmarks.

@@ -142,12 +142,14 @@ void jacobian_times(const double* jacobian, const double* x, double* y) {
 
 }  // namespace
 
-// In mixed_batch_kernel.cpp.
+// In ideal_batch_kernel.cpp and mixed_batch_kernel.cpp.
+std::size_t TRIPUS_IDEAL_ANGLES(std::size_t blocks, const double* lengths, double* theta,
+                                double* jacobian);
 std::size_t TRIPUS_MIXED_ANGLES(std::size_t blocks, const double* lengths, const double* diagonal,
                                 double* theta, double* jacobian);
 
 extern const BatchKernels TRIPUS_KERNELS;
-const BatchKernels TRIPUS_KERNELS{TRIPUS_KERNELS_NAME, angles, TRIPUS_MIXED_ANGLES, jacobian_times,
-                                  volumes};
+const BatchKernels TRIPUS_KERNELS{TRIPUS_KERNELS_NAME, angles,         TRIPUS_MIXED_ANGLES,
+                                  TRIPUS_IDEAL_ANGLES, jacobian_times, volumes};
 
 }  // namespace tripus::geometry

@@ -23,8 +23,9 @@ std::span<const EnclosureKernels> all_enclosure_kernels() {
 }
 
 const EnclosureKernels& enclosure_kernels() {
-  static const EnclosureKernels& best = all_enclosure_kernels().back();
-  return best;
+  static const EnclosureKernels& chosen = all_enclosure_kernels()[static_cast<std::size_t>(
+      &batch_kernels() - all_batch_kernels().data())];
+  return chosen;
 }
 
 }  // namespace tripus::geometry

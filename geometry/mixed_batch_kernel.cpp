@@ -33,9 +33,12 @@ inline std::size_t mixed_angles_of_pack(const double* lengths, const double* dia
     for (std::size_t q = 0; q < kPackedJacobian; ++q)
       store_lanes(jacobian_out + kLanes * q, jacobian[q]);
   const auto flat = !(det > broadcast<MixedLanes>(0.0));
+  std::int64_t special = 0;
+  for (int i = 0; i < kMixedWidth; ++i) special |= too_long[i] | flat[i];
+  if (__builtin_expect(special == 0, 1)) return 0;
   std::size_t flat_count = 0;
   for (int i = 0; i < kMixedWidth; ++i) {
-    if (__builtin_expect(too_long[i] != 0, 0)) {
+    if (too_long[i] != 0) {
       flat_count += mixed_scaled_angles_of_lane(lengths + i, diagonal + i, theta_out + i,
                                                 kWithJacobian ? jacobian_out + i : nullptr);
     } else {

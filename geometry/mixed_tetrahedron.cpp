@@ -6,6 +6,7 @@
 
 #include "geometry/batch.hpp"
 #include "geometry/detail/gram_kernel.hpp"
+#include "geometry/detail/kernel_answer.hpp"
 #include "geometry/detail/mixed_kernel.hpp"
 #include "geometry/detail/scaled_gram.hpp"
 #include "geometry/detail/scaled_kernel.hpp"
@@ -116,16 +117,8 @@ TetrahedronKind mixed_dihedral_angles(std::span<const double, 6> l,
   const double det = mixed_edges(l.data(), diagonal.data(), c, s)
                          ? mixed_scaled_kernel(l.data(), diagonal.data(), theta.data(), packed)
                          : mixed_gram_kernel(c, s, diagonal.data(), theta.data(), packed);
-  if (!jacobian.empty()) {
-    for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 6; ++j)
-        jacobian[static_cast<std::size_t>(6 * i + j)] =
-            packed[packed_index(std::min(i, j), std::max(i, j))];
-  }
-  if (det > 0) return TetrahedronKind::kTruncated;
-  if (theta[0] > std::numbers::pi / 2) return TetrahedronKind::kFlat01_23;
-  return theta[1] > std::numbers::pi / 2 ? TetrahedronKind::kFlat02_13
-                                         : TetrahedronKind::kFlat03_12;
+  unpack_jacobian(packed, jacobian);
+  return kind_of(det, theta.data());
 }
 
 bool general_dihedral_angles(std::span<const double, 6> l, std::span<const double, 4> diagonal,

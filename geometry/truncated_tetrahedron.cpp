@@ -11,6 +11,7 @@
 #include "geometry/batch.hpp"
 #include "geometry/detail/angle_gram.hpp"
 #include "geometry/detail/gram_kernel.hpp"
+#include "geometry/detail/kernel_answer.hpp"
 #include "geometry/detail/scaled_gram.hpp"
 #include "geometry/detail/scaled_kernel.hpp"
 
@@ -73,13 +74,6 @@ double unscaled_kernel(const double* l, double* theta, double* jacobian) {
   return det;
 }
 
-TetrahedronKind kind_of(double minus_det, const double* theta) {
-  if (minus_det > 0) return TetrahedronKind::kTruncated;
-  if (theta[0] > std::numbers::pi / 2) return TetrahedronKind::kFlat01_23;
-  return theta[1] > std::numbers::pi / 2 ? TetrahedronKind::kFlat02_13
-                                         : TetrahedronKind::kFlat03_12;
-}
-
 }  // namespace
 
 std::size_t scaled_angles_of_lane(const double* lengths, double* theta, double* jacobian) {
@@ -100,12 +94,7 @@ TetrahedronKind extended_dihedral_angles(std::span<const double, 6> l, std::span
   double* wanted = jacobian.empty() ? nullptr : packed;
   const double det = huge ? scaled_kernel(clamped, theta.data(), wanted)
                           : unscaled_kernel(clamped, theta.data(), wanted);
-  if (wanted != nullptr) {
-    for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 6; ++j)
-        jacobian[static_cast<std::size_t>(6 * i + j)] =
-            packed[packed_index(std::min(i, j), std::max(i, j))];
-  }
+  unpack_jacobian(packed, jacobian);
   return kind_of(det, theta.data());
 }
 

@@ -6,22 +6,41 @@
 #include "manifold/json_text.hpp"
 #include "manifold/load.hpp"
 #include "parameterise/picture.hpp"
+#include "parameterise/refine.hpp"
 #include "parameterise/vtu.hpp"
 
 namespace tripus {
 
+/// Of the tetrahedra of a refined mesh, to those with which a surface is filled first.
+constexpr std::size_t kBisected = 4;
+
 Parameterisation::Parameterisation(meshing::MeshFile file, std::string label,
                                    const ParameteriseOptions& options, const Context& context)
-    : label_(std::move(label)) {
-  solid_ = parameterise::mark_solid(std::move(file), options.marking, context);
+    : label_(std::move(label)), weights_(options.weights) {
+  parameterise::require_refinable(options.refine);
+  parameterise::MarkOptions marking = options.marking;
+  // Bisection mends no mesh without points inside, so it is not left the most of the work.
+  if (marking.tetrahedralize.tetrahedra == 0)
+    marking.tetrahedralize.tetrahedra = options.refine / kBisected;
+  solid_ = parameterise::mark_solid(std::move(file), marking, context);
   if (context.stop_requested()) throw Stopped();
+  map_ = parameterise::refined_map(*solid_, options.weights, options.refine, options.map, context);
   const auto weights = parameterise::weighted_edges(*solid_, options.weights);
   edge_count_ = weights.edges.size();
   clipped_ = weights.clipped;
-  map_ = parameterise::harmonic_map(*solid_, options.weights, options.map, context);
   relator_defect_ = parameterise::relator_defect(*solid_);
   equivariance_defect_ = parameterise::equivariance_defect(*solid_);
   quality_ = parameterise::quality(*solid_, map_.points);
+}
+
+std::string Parameterisation::advice() const {
+  if (map_.termination != solver::Termination::kStalled &&
+      map_.termination != solver::Termination::kUnbounded)
+    return {};
+  if (weights_ == parameterise::Weights::kFiniteElements)
+    return "a larger tolerance; or, as some of these weights are negative where tetrahedra are "
+           "flat, another mesh, a refined one, or the weights cotangent";
+  return "a larger tolerance";
 }
 
 std::string Parameterisation::to_vtu() const {

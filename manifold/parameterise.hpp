@@ -14,6 +14,9 @@ struct ParameteriseOptions {
   parameterise::MarkOptions marking = {};
   parameterise::Weights weights = parameterise::Weights::kFiniteElements;
   parameterise::MapOptions map = {};
+  /// Refine the mesh where the map stretches it, until it has so many tetrahedra; 0: leave it. A
+  /// surface is filled with a quarter of them first, unless marking.tetrahedralize says otherwise.
+  std::size_t refine = 0;
 };
 
 /// The harmonic map of a solid in space onto its hyperbolic manifold, with what is known about it.
@@ -34,6 +37,9 @@ class Parameterisation {
   double equivariance_defect() const { return equivariance_defect_; }
   bool converged() const { return map_.termination == solver::Termination::kConverged; }
 
+  /// What to do where no minimum was found, nor a limit or a stop is to blame; else empty.
+  std::string advice() const;
+
   std::string to_vtu() const;
   /// A page for a browser.
   std::string to_page() const;
@@ -44,6 +50,7 @@ class Parameterisation {
 
  private:
   std::string label_;
+  parameterise::Weights weights_;
   std::unique_ptr<parameterise::MarkedSolid> solid_;
   parameterise::HarmonicMap map_;
   parameterise::Quality quality_;

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "base/error.hpp"
+#include "parameterise/refine.hpp"
 #include "solver/run.hpp"
 
 namespace tripus::parameterise {
@@ -103,8 +104,10 @@ HarmonicMap minimised(energies::HarmonicEnergy& energy, const MapOptions& option
   return map;
 }
 
+namespace {
+
 /// Goes on from the end of `map` with another energy or in other frames.
-void go_on(HarmonicMap& map, HarmonicMap next) {
+void append(HarmonicMap& map, HarmonicMap next) {
   for (MapStep& step : next.history) {
     step.iteration += map.iterations;
     step.seconds += map.seconds;
@@ -117,41 +120,81 @@ void go_on(HarmonicMap& map, HarmonicMap next) {
   map = std::move(next);
 }
 
-HarmonicMap harmonic_map(MarkedSolid& solid, Weights weights, const MapOptions& options,
-                         const Context& context, std::vector<Vector4> begin) {
-  if (begin.empty()) begin = solid.start;
-  HarmonicMap map;
-  const auto minimise = [&](Weights which, std::span<const Vector4> points, double part) {
-    energies::HarmonicEnergy energy = energy_of(solid, weighted_edges(solid, which), points);
-    MapOptions how = options;
+/// The way to the map of a solid, along several energies and in frames that are chosen by the way.
+class Minimising {
+ public:
+  Minimising(MarkedSolid& solid, const MapOptions& options, const Context& context)
+      : solid_(solid), options_(options), context_(context) {}
+
+  /// Goes on to where the gradient is `part` of the first one there, or for 0 to the tolerance.
+  /// Says no if a stop or a limit has ended it.
+  bool go_on(Weights weights, std::vector<Vector4> points, double part) {
+    choose_frames(solid_, points);
+    energies::HarmonicEnergy energy = energy_of(solid_, weighted_edges(solid_, weights), points);
+    MapOptions how = options_;
     how.max_iterations -= map.iterations;
     how.time_limit -= map.seconds;
     if (part > 0) {
       const auto at = energy.at(std::vector<double>(energy.dimension(), 0.0));
-      how.tolerance = std::max(options.tolerance, part * solver::max_abs(at->gradient()));
+      how.tolerance = std::max(options_.tolerance, part * solver::max_abs(at->gradient()));
     }
-    HarmonicMap next = options.minimiser == Minimiser::kCeres
-                           ? minimised_by_ceres(energy, how, context)
-                           : minimised(energy, how, context);
+    HarmonicMap next = options_.minimiser == Minimiser::kCeres
+                           ? minimised_by_ceres(energy, how, context_)
+                           : minimised(energy, how, context_);
     if (map.history.empty())
       map = std::move(next);
     else
-      go_on(map, std::move(next));
+      append(map, std::move(next));
     // Rounding ends it too, and less than one step is left then.
     return map.termination == solver::Termination::kConverged ||
            map.termination == solver::Termination::kStalled;
-  };
+  }
+
+  HarmonicMap map;
+
+ private:
+  MarkedSolid& solid_;
+  const MapOptions& options_;
+  const Context& context_;
+};
+
+}  // namespace
+
+HarmonicMap harmonic_map(MarkedSolid& solid, Weights weights, const MapOptions& options,
+                         const Context& context, std::vector<Vector4> begin) {
+  if (begin.empty()) begin = solid.start;
+  Minimising way(solid, options, context);
   const Weights convex = weights == Weights::kFiniteElements ? Weights::kCotangent : weights;
-  choose_frames(solid, begin);
-  if (!minimise(convex, begin, kRough)) return map;
-  choose_frames(solid, map.points);
-  if (!minimise(convex, std::vector<Vector4>(map.points), weights == convex ? 0 : kRough))
-    return map;
-  if (weights == convex) return map;
-  // It may lead far from there, and frames that are far off cost digits.
-  if (!minimise(weights, std::vector<Vector4>(map.points), kRough)) return map;
-  choose_frames(solid, map.points);
-  minimise(weights, std::vector<Vector4>(map.points), 0);
+  const bool is_done = weights == convex;
+  if (way.go_on(convex, std::move(begin), kRough) &&
+      way.go_on(convex, way.map.points, is_done ? 0 : kRough) && !is_done &&
+      // It may lead far from there, and frames that are far off cost digits.
+      way.go_on(weights, way.map.points, kRough))
+    way.go_on(weights, way.map.points, 0);
+  return std::move(way.map);
+}
+
+HarmonicMap refined_map(MarkedSolid& solid, Weights weights, std::size_t tetrahedra,
+                        const MapOptions& options, const Context& context) {
+  require_refinable(tetrahedra);
+  const auto start = Clock::now();
+  const Weights convex = weights == Weights::kUniform ? weights : Weights::kCotangent;
+  MapOptions left = options;
+  const auto time_left = [&] { return options.time_limit - seconds_since(start); };
+  for (std::size_t count = solid.mesh.tetrahedra.size(); count < tetrahedra;) {
+    left.time_limit = time_left();
+    Minimising way(solid, left, context);
+    if (!way.go_on(convex, solid.start, kRough) ||
+        (weights != convex && !way.go_on(weights, way.map.points, kRough)))
+      return std::move(way.map);
+    refine(solid, way.map.points, std::min(2 * count, tetrahedra));
+    if (solid.mesh.tetrahedra.size() == count) break;
+    count = solid.mesh.tetrahedra.size();
+    context.report("refining the mesh", count);
+  }
+  left.time_limit = time_left();
+  HarmonicMap map = harmonic_map(solid, weights, left, context);
+  map.seconds = seconds_since(start);
   return map;
 }
 

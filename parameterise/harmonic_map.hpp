@@ -59,11 +59,18 @@ HarmonicMap minimised_by_ceres(energies::HarmonicEnergy& energy, const MapOption
 
 /// The harmonic map of a solid: from where the simplification sent its points to rough convergence,
 /// then, in frames chosen by that (choose_frames), to the end. With kFiniteElements first that of
-/// kCotangent, which is unique, and from there to the minimum next to it. The solid has these frames
-/// afterwards. `begin` [V]: other points to begin with, in the frames that the points have; empty
-/// for the start.
+/// kCotangent, which is unique, and from there to the minimum next to it. The solid has these
+/// frames afterwards. `begin` [V]: other points to begin with, in the frames that the points have;
+/// empty for the start.
 HarmonicMap harmonic_map(MarkedSolid& solid, Weights weights, const MapOptions& options = {},
                          const Context& context = {}, std::vector<Vector4> begin = {});
+
+/// The same on a mesh that is refined where the map stretches it (refine.hpp), until it has so many
+/// tetrahedra: by rough maps with positive weights, each on a mesh twice as fine as the last. The
+/// solid has the fine mesh afterwards, or, if a stop or a limit ended it before, that of the map.
+/// Throws InvalidInput for more than kMostRefined.
+HarmonicMap refined_map(MarkedSolid& solid, Weights weights, std::size_t tetrahedra,
+                        const MapOptions& options = {}, const Context& context = {});
 
 /// The energy of maps of a marked solid, at these points.
 energies::HarmonicEnergy energy_of(const MarkedSolid& solid, const WeightedEdges& edges,

@@ -23,9 +23,9 @@ namespace {
 using topology::Gluings;
 using topology::TetrahedronIndex;
 
-constexpr std::uint32_t kNone = 0xffffffffu;
-
 using topology::slot_of;
+
+constexpr std::uint32_t kUnknown = 0xffffffffu;
 
 void require_hyperbolic_boundary(const meshing::MeshedManifold& manifold) {
   if (manifold.has_only_spheres())
@@ -105,36 +105,6 @@ topology::FlatConnection connection_of(const MarkedSolid& solid) {
   return connection;
 }
 
-/// From the frames of the points to those of the tetrahedra around them.
-void make_corners(MarkedSolid& solid) {
-  const std::size_t count = solid.gluings.tetrahedron_count();
-  solid.corners.assign(4 * count, kNone);
-  std::vector<std::uint32_t> stack;
-  std::vector<bool> has_frame(solid.mesh.points.size(), false);
-  for (std::uint32_t first = 0; first < 4 * count; ++first) {
-    const std::uint32_t point = solid.mesh.tetrahedra[first / 4][first % 4];
-    if (has_frame[point]) continue;
-    has_frame[point] = true;
-    solid.corners[first] = 0;
-    stack.assign(1, first);
-    while (!stack.empty()) {
-      const std::uint32_t here = stack.back();
-      stack.pop_back();
-      const std::size_t t = here / 4;
-      const int v = static_cast<int>(here % 4);
-      for (int f = 0; f < 4; ++f) {
-        if (f == v || solid.gluings.is_open(t, f)) continue;
-        const std::size_t there =
-            slot_of(solid.gluings.neighbour(t, f), solid.gluings.gluing(t, f)(v));
-        if (solid.corners[there] != kNone) continue;
-        const std::uint32_t back = solid.group->inverse(solid.values[slot_of(t, f)]);
-        solid.corners[there] = solid.group->product(back, solid.corners[here]);
-        stack.push_back(static_cast<std::uint32_t>(there));
-      }
-    }
-  }
-}
-
 /// The cones over one component of the boundary, each with the way from its frame to that of the
 /// first one.
 struct Cones {
@@ -159,7 +129,7 @@ Cones cones_around(MarkedSolid& solid, const Gluings& coned, const topology::Fla
       if (f == at) continue;
       const TetrahedronIndex other = coned.neighbour(k, f);
       const std::uint32_t there = group.product(element[k], fine.values[slot_of(k, f)]);
-      if (element[other] == kNone) {
+      if (element[other] == kUnknown) {
         element[other] = there;
         queue.push_back(slot_of(other, coned.gluing(k, f)(at)));
       } else if (there != element[other]) {
@@ -195,10 +165,11 @@ void make_poles(MarkedSolid& solid, const Gluings& coned, const topology::FlatCo
   DeckGroup& group = *solid.group;
   const std::size_t inside = solid.gluings.tetrahedron_count();
   solid.poles.assign(solid.mesh.points.size(), Vector4::Zero());
-  std::vector<std::uint32_t> element(coned.tetrahedron_count(), kNone);
+  std::vector<std::uint32_t> element(coned.tetrahedron_count(), kUnknown);
   for (std::size_t t = 0; t < inside; ++t)
     for (int open = 0; open < 4; ++open) {
-      if (!solid.gluings.is_open(t, open) || element[coned.neighbour(t, open)] != kNone) continue;
+      if (!solid.gluings.is_open(t, open) || element[coned.neighbour(t, open)] != kUnknown)
+        continue;
       const Cones cones = cones_around(solid, coned, fine, coned.neighbour(t, open),
                                        coned.gluing(t, open)(open), element);
       if (cones.holonomy.empty()) continue;  // a sphere
@@ -258,10 +229,35 @@ std::unique_ptr<MarkedSolid> mark_solid(meshing::MeshFile file, const MarkOption
   solid->values.assign(
       fine.values.begin(),
       fine.values.begin() + static_cast<std::ptrdiff_t>(4 * solid->mesh.tetrahedra.size()));
-  make_corners(*solid);
+  solid->corners.assign(4 * solid->mesh.tetrahedra.size(), kNoFrame);
+  give_frames(*solid);
   make_poles(*solid, found.coned, fine);
   make_start(*solid, fine);
   return solid;
+}
+
+void give_frames(MarkedSolid& solid) {
+  std::vector<std::uint32_t> stack;
+  for (std::uint32_t first = 0; first < solid.corners.size(); ++first) {
+    if (solid.corners[first] != kNoFrame) continue;
+    solid.corners[first] = 0;
+    stack.assign(1, first);
+    while (!stack.empty()) {
+      const std::uint32_t here = stack.back();
+      stack.pop_back();
+      const std::size_t t = here / 4;
+      const int v = static_cast<int>(here % 4);
+      for (int f = 0; f < 4; ++f) {
+        if (f == v || solid.gluings.is_open(t, f)) continue;
+        const std::size_t there =
+            slot_of(solid.gluings.neighbour(t, f), solid.gluings.gluing(t, f)(v));
+        if (solid.corners[there] != kNoFrame) continue;
+        const std::uint32_t back = solid.group->inverse(solid.values[slot_of(t, f)]);
+        solid.corners[there] = solid.group->product(back, solid.corners[here]);
+        stack.push_back(static_cast<std::uint32_t>(there));
+      }
+    }
+  }
 }
 
 void choose_frames(MarkedSolid& solid, std::vector<Vector4>& points) {

@@ -41,7 +41,8 @@ struct MarkedSolid {
   /// frame of the first tetrahedron that it is a vertex of.
   std::vector<std::uint32_t> corners = {};
   std::vector<Vector4> poles = {};  ///< [V] of the plane on which the point must lie, or 0
-  std::vector<Vector4> start = {};  ///< [V] where the simplification sent the point
+  std::vector<Vector4> start =
+      {};  ///< [V] where the simplification, or a coarser map, sent the point
 
   std::size_t steps = 0;         ///< of the simplification
   std::size_t record_bytes = 0;  ///< that remember them
@@ -54,6 +55,13 @@ struct MarkedSolid {
 /// carries a metric; Stopped; and what meshing::filled_solid throws.
 std::unique_ptr<MarkedSolid> mark_solid(meshing::MeshFile file, const MarkOptions& options = {},
                                         const Context& context = {});
+
+/// What a corner is whose point has no frame yet.
+inline constexpr std::uint32_t kNoFrame = 0xffffffffu;
+
+/// Gives each point whose corners are kNoFrame the frame of the first tetrahedron at it, and
+/// carries that to the others around it.
+void give_frames(MarkedSolid& solid);
 
 /// Gives every point, and every tetrahedron, the frame in which its image lies in the fundamental
 /// domain: neighbours then have frames that are near to each other, and deck transformations along

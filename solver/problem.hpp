@@ -36,6 +36,14 @@ class Evaluation {
   /// Hessian values [nnz] in the order of `Problem::hessian_pattern`.
   virtual void hessian_values(std::span<double> values) const = 0;
 
+  /// The lower triangle of the Hessian as a full matrix [n x n] in columns, 0 above: for few
+  /// variables, where a pattern is not worth its making. False, with nothing done, where the
+  /// function cannot; `hessian_values` always can.
+  virtual bool dense_hessian(std::span<double> lower) const {
+    static_cast<void>(lower);
+    return false;
+  }
+
   /// Hv = Hessian * v, without assembling. [n], [n].
   virtual void hessian_times(std::span<const double> v, std::span<double> Hv) const = 0;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Cholesky>
@@ -81,6 +82,51 @@ bool has_finite_vertices(const energies::CoVolume& energy) {
                              [](const auto& link) { return link.kind == VertexKind::kFinite; });
 }
 
+/// Up to so many variables matrices are dense, and on the stack.
+constexpr int kFewVariables = 8;
+using FewByFew =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kFewVariables, kFewVariables>;
+
+/// An upper bound of the length of the Newton step for g that moves no horosphere, for few
+/// variables: the step that is 0 at the pins differs from it by such moves, and it is the shortest.
+/// Infinity for many variables, and where the matrix is not positive definite.
+double small_distance_bound(const energies::CoVolumeAt& at, std::span<const double> g) {
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  const auto n = static_cast<Eigen::Index>(g.size());
+  if (n > kFewVariables) return kUnknown;
+  FewByFew H(n, n);
+  at.dense_hessian(std::span(H.data(), g.size() * g.size()));
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kFewVariables, 1> step(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    step(i) = g[static_cast<std::size_t>(i)];
+    if (H(i, i) > 0) continue;
+    if (step(i) != 0) return kUnknown;
+    H(i, i) = 1;
+  }
+  for (const std::uint32_t pin : at.energy().pins()) H(pin, pin) *= 2;
+  const Eigen::LLT<FewByFew> factor(H);
+  if (factor.info() != Eigen::Success) return kUnknown;
+  factor.solveInPlace(step);
+  const double length = step.norm();
+  return std::isfinite(length) ? length : kUnknown;
+}
+
+/// A lower bound of the least eigenvalue of the Hessian of few variables, the reciprocal of the
+/// trace of its inverse; 0 for many variables, or where it is not positive definite.
+double small_convexity_bound(const energies::CoVolumeAt& at) {
+  const energies::CoVolume& energy = at.energy();
+  const auto n = static_cast<Eigen::Index>(energy.dimension());
+  if (n > kFewVariables) return 0;
+  FewByFew H(n, n);
+  at.dense_hessian(std::span(H.data(), static_cast<std::size_t>(n * n)));
+  const Eigen::LLT<FewByFew> factor(H);
+  if (factor.info() != Eigen::Success) return 0;
+  FewByFew inverse = FewByFew::Identity(n, n);
+  factor.matrixL().solveInPlace(inverse);
+  const double trace = inverse.squaredNorm();
+  return std::isfinite(trace) ? 1 / trace : 0;
+}
+
 /// Where some vertex is ideal or some edge parabolic, no bound of the convexity comes from single
 /// tetrahedra: they do not see the horospheres move, nor the edge. The Newton step itself then says
 /// how far the minimiser is.
@@ -101,6 +147,8 @@ std::string distance_objection(const topology::Triangulation& triangulation,
   if (!flat) remove_horosphere_shifts(triangulation, energy, gradient);
   for (double& g : gradient)
     if (std::fabs(g) < kNothing) g = 0;
+  if (!flat && small_distance_bound(at, gradient) <= tolerance::kMaxDistanceToMetric * scale)
+    return {};
   const double distance = solver::newton_distance(at, gradient, flat ? kLeastCurvature : 0);
   if (distance <= tolerance::kMaxDistanceToMetric * scale) return {};
   return fmt::format(
@@ -108,30 +156,6 @@ std::string distance_objection(const topology::Triangulation& triangulation,
       "when "
       "lengths run off to infinity",
       longest);
-}
-
-/// A lower bound of the least eigenvalue of the Hessian of few variables, the reciprocal of the
-/// trace of its inverse; 0 for many variables, or where it is not positive definite.
-double small_convexity_bound(const energies::CoVolumeAt& at) {
-  constexpr int kFew = 8;
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kFew, kFew>;
-  const energies::CoVolume& energy = at.energy();
-  const auto n = static_cast<Eigen::Index>(energy.dimension());
-  if (n > kFew) return 0;
-  const solver::SparsityPattern& pattern = energy.hessian_pattern();
-  std::array<double, kFew*(kFew + 1) / 2> values;
-  at.hessian_values(std::span(values).first(pattern.row.size()));
-  Matrix H = Matrix::Zero(n, n);
-  for (Eigen::Index j = 0; j < n; ++j)
-    for (auto k = static_cast<std::size_t>(pattern.column_start[static_cast<std::size_t>(j)]);
-         k < static_cast<std::size_t>(pattern.column_start[static_cast<std::size_t>(j) + 1]); ++k)
-      H(pattern.row[k], j) = values[k];
-  const Eigen::LLT<Matrix> factor(H);
-  if (factor.info() != Eigen::Success) return 0;
-  Matrix inverse = Matrix::Identity(n, n);
-  factor.matrixL().solveInPlace(inverse);
-  const double trace = inverse.squaredNorm();
-  return std::isfinite(trace) ? 1 / trace : 0;
 }
 
 /// Why the lengths are not those of a critical point of the energy, or empty if they are.

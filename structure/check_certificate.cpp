@@ -51,8 +51,7 @@ std::string read_labels(const Triangulation& triangulation,
   for (std::size_t e = 0; e < edges; ++e) {
     if (!cone_angles[e].is_rational())
       return fmt::format("the cone angle of edge class {} is not a fraction of pi", e);
-    labels.edge_sum[e] = BigRational(static_cast<long>(cone_angles[e].numerator()),
-                                     static_cast<long>(cone_angles[e].denominator()));
+    labels.edge_sum[e] = BigRational(cone_angles[e].numerator(), cone_angles[e].denominator());
   }
   // Twice the Euler characteristic: 2 chi(link) - sum over edge ends of (2 - k_e).
   std::vector<BigRational> twice(triangulation.vertex_count());

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <Eigen/Sparse>
 #include <Eigen/SparseCholesky>
 
@@ -26,35 +28,38 @@ std::vector<double> horosphere_areas(const Triangulation& triangulation,
   const std::span<const double> x = at.lengths();
   std::vector<double> areas(triangulation.vertex_count());
   const auto links = at.energy().links();
+  std::vector<double> entry(x.size());  // -G_ij of the edge classes
+  for (std::size_t e = 0; e < x.size(); ++e) {
+    const auto corner = triangulation.corners(e)[0];
+    const auto ends = topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())];
+    const auto kind = [&](int end) {
+      return links[triangulation.vertex_class(corner.tetrahedron(), end)].kind;
+    };
+    entry[e] = geometry::gram_entry(x[e], diagonal_of(kind(ends[0])), diagonal_of(kind(ends[1])))
+                   .minus_gram;
+  }
   for (std::size_t t = 0; t < triangulation.tetrahedron_count(); ++t) {
-    const auto theta = at.dihedral_angles(t);
     std::array<double, 4> d;
     for (std::size_t v = 0; v < 4; ++v)
       d[v] = diagonal_of(links[triangulation.vertex_class(t, static_cast<int>(v))].kind);
     if (std::ranges::find(d, 0.0) == d.end()) continue;
-    std::array<double, 6> entries;
-    for (std::size_t e = 0; e < 6; ++e) {
-      const auto ends = topology::kEdgeEnds[e];
-      entries[e] = geometry::gram_entry(x[triangulation.edge_class(t, static_cast<int>(e))],
-                                        d[static_cast<std::size_t>(ends[0])],
-                                        d[static_cast<std::size_t>(ends[1])])
-                       .minus_gram;
-    }
+    const auto theta = at.dihedral_angles(t);
     const auto minus_gram = [&](std::size_t i, std::size_t j) {
-      return entries[static_cast<std::size_t>(topology::kEdgeNumber[i][j])];
+      return entry[triangulation.edge_class(t, topology::kEdgeNumber[i][j])];
     };
     for (std::size_t i = 0; i < 4; ++i) {
       if (d[i] != 0) continue;
       // The triangle cut off by the horosphere, docs/theory.md (80): two sides and their angle.
       const std::size_t j = (i + 1) % 4, k = (i + 2) % 4, l = (i + 3) % 4;
-      const auto side = [&](std::size_t a, std::size_t b) {
-        const double e_a = minus_gram(i, a), e_b = minus_gram(i, b);
-        return std::sqrt(d[a] / (e_a * e_a) + d[b] / (e_b * e_b) +
-                         2 * minus_gram(a, b) / (e_a * e_b));
+      const auto squared_side = [&](std::size_t a, std::size_t b) {
+        const double inverse_a = 1 / minus_gram(i, a), inverse_b = 1 / minus_gram(i, b);
+        return d[a] * (inverse_a * inverse_a) + d[b] * (inverse_b * inverse_b) +
+               2 * minus_gram(a, b) * (inverse_a * inverse_b);
       };
       const int edge = topology::kEdgeNumber[i][j];
       areas[triangulation.vertex_class(t, static_cast<int>(i))] +=
-          side(j, k) * side(j, l) * std::sin(theta[static_cast<std::size_t>(edge)]) / 2;
+          std::sqrt(squared_side(j, k)) * std::sqrt(squared_side(j, l)) *
+          std::sin(theta[static_cast<std::size_t>(edge)]) / 2;
     }
   }
   return areas;
@@ -84,30 +89,39 @@ void remove_horosphere_shifts(const Triangulation& triangulation, const energies
   for (std::size_t v = 0; v < column.size(); ++v)
     if (energy.links()[v].kind == VertexKind::kIdeal) column[v] = cusps++;
   if (cusps == 0) return;
-  const auto ends_at = [&](std::size_t e, int cusp) {
+  const auto columns_of = [&](std::size_t e) {
     const auto corner = triangulation.corners(e)[0];
     const auto ends = topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())];
-    return static_cast<double>(std::ranges::count_if(ends, [&](int end) {
-      return column[triangulation.vertex_class(corner.tetrahedron(), end)] == cusp;
-    }));
+    return std::array{column[triangulation.vertex_class(corner.tetrahedron(), ends[0])],
+                      column[triangulation.vertex_class(corner.tetrahedron(), ends[1])]};
   };
-  if (cusps == 1) {
-    double products = 0, along = 0;
+  constexpr int kFew = 8;
+  if (cusps <= kFew) {
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kFew, kFew> products;
+    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kFew, 1> along;
+    products.setZero(cusps, cusps);
+    along.setZero(cusps);
     for (std::size_t e = 0; e < g.size(); ++e) {
-      const double ends = ends_at(e, 0);
-      products += ends * ends;
-      along += ends * g[e];
+      const auto [a, b] = columns_of(e);
+      if (a >= 0) along(a) += g[e];
+      if (b >= 0) along(b) += g[e];
+      if (a >= 0) products(a, a) += 1;
+      if (b >= 0) products(b, b) += 1;
+      if (a < 0 || b < 0) continue;
+      products(a, b) += 1;
+      products(b, a) += 1;
     }
-    for (std::size_t e = 0; e < g.size(); ++e) g[e] -= ends_at(e, 0) * along / products;
+    products.llt().solveInPlace(along);
+    for (std::size_t e = 0; e < g.size(); ++e) {
+      const auto [a, b] = columns_of(e);
+      g[e] -= (a < 0 ? 0 : along(a)) + (b < 0 ? 0 : along(b));
+    }
     return;
   }
   std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t e = 0; e < g.size(); ++e) {
-    const auto corner = triangulation.corners(e)[0];
-    for (const int end : topology::kEdgeEnds[static_cast<std::size_t>(corner.edge())])
-      if (const int c = column[triangulation.vertex_class(corner.tetrahedron(), end)]; c >= 0)
-        entries.emplace_back(static_cast<int>(e), c, 1.0);
-  }
+  for (std::size_t e = 0; e < g.size(); ++e)
+    for (const int c : columns_of(e))
+      if (c >= 0) entries.emplace_back(static_cast<int>(e), c, 1.0);
   Eigen::SparseMatrix<double> ends(static_cast<Eigen::Index>(g.size()), cusps);
   ends.setFromTriplets(entries.begin(), entries.end());
   const Eigen::SparseMatrix<double> products = ends.transpose() * ends;

@@ -16,6 +16,7 @@
 #include "structure/angle_structure.hpp"
 #include "structure/assess.hpp"
 #include "structure/closed_bigon.hpp"
+#include "structure/detail/angle_programme.hpp"
 #include "structure/detail/other_ways.hpp"
 #include "structure/detail/small_decision.hpp"
 #include "structure/existence.hpp"
@@ -34,10 +35,6 @@ constexpr int kNewtonPatience = 100;
 /// Steps in which nearly every metric of a few tetrahedra is found from the default start: the mean
 /// for four is 3.4.
 constexpr int kFewSteps = 8;
-
-/// The exact decision about angle structures is a linear programme: it took 23 s at this size, 8 s
-/// at half of it.
-constexpr std::size_t kExactLimit = 10000;
 
 using Clock = std::chrono::steady_clock;
 
@@ -244,10 +241,10 @@ std::string certificate_message(const Certificate& certificate) {
 Report settle(const topology::Triangulation& triangulation, const SolveOptions& options,
               Clock::time_point start, Report report) {
   report.advice = Advice::kRetriangulate;
-  if (triangulation.tetrahedron_count() > kExactLimit) {
+  if (triangulation.tetrahedron_count() > detail::most_tetrahedra_decided()) {
     report.message += fmt::format(
         " Whether it has angle structures is decided exactly for up to {} tetrahedra only.",
-        kExactLimit);
+        detail::most_tetrahedra_decided());
     return report;
   }
   auto decided = existence_within(options.time_limit - seconds_since(start), triangulation,

@@ -26,6 +26,7 @@ namespace {
 
 constexpr std::uint16_t kNewTetrahedron = 0xffff;
 constexpr std::uint8_t kNobody = 0xff;
+constexpr int kReversed = 1 << 20;  // for an edge glued to itself the other way round
 
 /// Where a rival word stands.
 enum class Rival { kSmaller, kLarger, kUndecided };
@@ -39,11 +40,11 @@ class Enumeration {
  public:
   using Take = std::function<void(const Gluings&, unsigned)>;
 
-  Enumeration(std::size_t tetrahedra, LinkChoice links, const Stop& stop)
+  Enumeration(std::size_t tetrahedra, const EnumerationChoice& choice, const Stop& stop)
       : count_(static_cast<int>(tetrahedra)),
-        links_(links),
+        choice_(choice),
         // The Euler characteristics of the links add up to 2 E - 2 T.
-        most_edges_(links == LinkChoice::kCusped ? count_ : count_ - 1),
+        most_edges_(choice.links == LinkChoice::kCusped ? count_ : count_ - 1),
         stop_(stop) {
     neighbour_.fill(kNobody);
     gluing_.fill(0);
@@ -139,7 +140,7 @@ class Enumeration {
   }
 
   /// How many edges the gluing of face f of t has closed. An edge is closed if going around it from
-  /// the face leads back there.
+  /// the face leads back there; more than any number if one leads back the other way round.
   int closed_edges(int t, int f) const {
     const int u0 = neighbour_[slot(t, f)];
     const Perm4 g = gluing(t, f);
@@ -149,6 +150,8 @@ class Enumeration {
     for (int c0 = 0; c0 < 4; ++c0) {
       if (c0 == f || (seen >> c0 & 1)) continue;
       int tet = t, out = f, other = c0;
+      const int first_end = c0 == 0 || f == 0 ? (c0 == 1 || f == 1 ? 2 : 1) : 0;
+      int end = first_end;
       bool whole = false;
       while (!whole && !is_open(tet, out)) {
         if (tet == t && out == f) seen |= 1u << other;
@@ -156,11 +159,13 @@ class Enumeration {
         const Perm4 p = gluing(tet, out);
         const int next = neighbour_[slot(tet, out)];
         const int next_out = p(other), next_other = p(out);
+        end = p(end);
         tet = next;
         out = next_out;
         other = next_other;
         whole = tet == t && out == f && other == c0;
       }
+      if (whole && end != first_end) return kReversed;
       closed += whole;
     }
     return closed;
@@ -181,12 +186,21 @@ class Enumeration {
     place_[length_] = static_cast<std::uint8_t>(slot(t, f));
     ++length_;
     const int closed = is_new ? 0 : closed_edges(t, f);
+    const bool twisted = !is_new && reverses(t, u, p);
     edges_ += closed;
+    twisted_ += twisted;
     if (edges_ <= most_edges_ && is_least(frames_[length_ - 1], frames_[length_], is_new)) next();
+    twisted_ -= twisted;
     edges_ -= closed;
     --length_;
     unset(t, f);
     if (is_new) --used_;
+  }
+
+  /// Whether a gluing to a tetrahedron that is there disagrees with the orientations that are
+  /// carried from tetrahedron 0 to new ones. One that agrees is odd between labels of one sign.
+  bool reverses(int t, int u, Perm4 p) const {
+    return p.is_odd() != (sign_[static_cast<std::size_t>(u)] == sign_[static_cast<std::size_t>(t)]);
   }
 
   /// The first open face in order; false if there is none.
@@ -215,9 +229,8 @@ class Enumeration {
     for (int u = t; u < used_; ++u)
       for (int rank = 0; rank < 24; ++rank) {
         const Perm4 p = Perm4::from_rank(rank);
-        // A gluing reverses the orientation that it gets from labels of one sign.
-        const bool odd = sign_[static_cast<std::size_t>(u)] == sign_[static_cast<std::size_t>(t)];
-        if (p.is_odd() != odd || !is_open(u, p(f)) || (u == t && p(f) == f)) continue;
+        if (choice_.orientability == Orientability::kOrientable && reverses(t, u, p)) continue;
+        if (!is_open(u, p(f)) || (u == t && p(f) == f)) continue;
         with_symbol(t, f, symbol_of(u, p), [this] { extend(); });
       }
     if (used_ < count_) with_symbol(t, f, kNewTetrahedron, [this] { extend(); });
@@ -236,7 +249,9 @@ class Enumeration {
       word_[length_] = symbol;
       place_[length_] = static_cast<std::uint8_t>(slot(t, f));
       ++length_;
+      const Perm4 p = is_new ? Perm4() : Perm4::from_rank(symbol % 24);
       if (!is_new) edges_ += closed_edges(t, f);
+      twisted_ += !is_new && reverses(t, u, p);
       kept = is_least(frames_[length_ - 1], frames_[length_], is_new);
       if (!kept) return false;
     }
@@ -269,7 +284,7 @@ class Enumeration {
       if (twice[k] > 0) return false;
       ++(twice[k] == 0 ? tori : larger);
     }
-    switch (links_) {
+    switch (choice_.links) {
       case LinkChoice::kGeodesic:
         return tori == 0;
       case LinkChoice::kMixed:
@@ -309,6 +324,7 @@ class Enumeration {
   }
 
   void finish() {
+    if (choice_.orientability == Orientability::kNonOrientable && twisted_ == 0) return;
     if (!has_wanted_links()) return;
     ++found_;
     if (piece_length_ != 0) {  // a word shorter than pieces are
@@ -323,7 +339,7 @@ class Enumeration {
   }
 
   const int count_;
-  const LinkChoice links_;
+  const EnumerationChoice choice_;
   const int most_edges_;
   Stop stop_;
   const Take* take_ = nullptr;
@@ -337,6 +353,7 @@ class Enumeration {
   std::array<std::uint8_t, kFaces / 2> place_{};  // slot of the face that a symbol is about
   std::size_t length_ = 0;
   int used_ = 1, edges_ = 0;
+  int twisted_ = 0;                         // gluings that no orientation agrees with
   std::vector<std::vector<Frame>> frames_;  // [length + 1] rivals that are not decided
 };
 
@@ -380,18 +397,27 @@ bool has_links(const Triangulation& triangulation, LinkChoice links) {
   return false;
 }
 
-std::vector<EnumerationPiece> enumeration_pieces(std::size_t tetrahedra, LinkChoice links) {
+bool is_chosen(const Triangulation& triangulation, const EnumerationChoice& choice) {
+  const bool wanted =
+      choice.orientability == Orientability::kBoth ||
+      triangulation.is_orientable() == (choice.orientability == Orientability::kOrientable);
+  return wanted && has_links(triangulation, choice.links);
+}
+
+std::vector<EnumerationPiece> enumeration_pieces(std::size_t tetrahedra,
+                                                 const EnumerationChoice& choice) {
   require_tetrahedra(tetrahedra);
   // So long that there are enough for many workers, and so short that making them costs nothing.
   const std::size_t symbols = std::min<std::size_t>(tetrahedra, 6);
-  return Enumeration(tetrahedra, links, nullptr).pieces(symbols);
+  return Enumeration(tetrahedra, choice, nullptr).pieces(symbols);
 }
 
-std::uint64_t enumerate(std::size_t tetrahedra, LinkChoice links, const EnumerationPiece& piece,
+std::uint64_t enumerate(std::size_t tetrahedra, const EnumerationChoice& choice,
+                        const EnumerationPiece& piece,
                         const std::function<void(const Gluings&, unsigned)>& take,
                         const Stop& stop) {
   require_tetrahedra(tetrahedra);
-  return Enumeration(tetrahedra, links, stop).run(piece, take);
+  return Enumeration(tetrahedra, choice, stop).run(piece, take);
 }
 
 }  // namespace tripus::topology

@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <numeric>
 #include <string>
 #include <vector>
 
 #include "base/error.hpp"
 #include "topology/components.hpp"
 #include "topology/detail/isosig_alphabet.hpp"
+#include "topology/disjoint_sets.hpp"
 #include "topology/isosig.hpp"
 #include "topology/orientation.hpp"
 
@@ -50,15 +50,12 @@ class FrameOrbits {
   static constexpr std::size_t kLeastTetrahedra = 24;
 
   bool is_first_of_orbit(std::size_t frame) {
-    return parent_.empty() || find(static_cast<std::uint32_t>(frame)) == frame;
+    return frames_.size() == 0 || frames_.root(static_cast<std::uint32_t>(frame)) == frame;
   }
   /// Merges along the symmetry t -> image(t) with vertices moved by perm(t).
   template <class Image, class Perm>
   void merge(std::size_t tetrahedron_count, Image image, Perm perm) {
-    if (parent_.empty()) {
-      parent_.resize(24 * tetrahedron_count);
-      std::iota(parent_.begin(), parent_.end(), 0u);
-    }
+    if (frames_.size() == 0) frames_ = DisjointSets(24 * tetrahedron_count);
     for (std::size_t t = 0; t < tetrahedron_count; ++t) {
       const Perm4 back = perm(t).inverse();
       for (int rank = 0; rank < 24; ++rank) {
@@ -70,17 +67,12 @@ class FrameOrbits {
   }
 
  private:
-  std::uint32_t find(std::uint32_t x) {
-    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-    return x;
-  }
   void unite(std::uint32_t x, std::uint32_t y) {
-    x = find(x);
-    y = find(y);
     // The least frame stays the root: it is the one that has been tried.
-    if (x != y) parent_[std::max(x, y)] = std::min(x, y);
+    const auto [least, other] = std::minmax({frames_.root(x), frames_.root(y)});
+    frames_.join(other, least);
   }
-  std::vector<std::uint32_t> parent_;
+  DisjointSets frames_;
 };
 
 /// The least string over the frames of the component of tetrahedron 0.

@@ -6,7 +6,7 @@ namespace {
 constexpr auto kLines = std::to_array<KeyLine>({
     {"drag, arrows", KeyAction::kNone, "", "turn; inside: look"},
     {"W A S D R F", KeyAction::kNone, "", "move by Moebius maps; inside: walk, rise, sink"},
-    {"Q E", KeyAction::kNone, "", "inside: roll", false},
+    {"Q E", KeyAction::kNone, "", "inside: roll"},
     {"Shift drag, right drag", KeyAction::kNone, "", "shift"},
     {"wheel, + -", KeyAction::kNone, "", "nearer and farther, the wheel towards the pointer"},
     {"+", KeyAction::kNearer, "", "", true, false},
@@ -16,7 +16,7 @@ constexpr auto kLines = std::to_array<KeyLine>({
     {"M", KeyAction::kChangeModel, "change model", "ball, upper half-space, Klein ball"},
     {"C", KeyAction::kChangeColour, "change colour",
      "colour by tetrahedron, face, depth, boundary component, edge"},
-    {"I", KeyAction::kChangeView, "change view", "inside or outside", false},
+    {"I", KeyAction::kChangeView, "change view", "inside or outside"},
     {"1", KeyAction::kFaces, "faces", "faces on and off"},
     {"2", KeyAction::kTruncations, "truncations", "truncations on and off"},
     {"3", KeyAction::kDiscs, "discs", "discs of arcs on and off, where there are some"},

@@ -17,6 +17,15 @@ class OffscreenRenderer::Implementation {};
 OffscreenRenderer::OffscreenRenderer() { refuse(); }
 OffscreenRenderer::~OffscreenRenderer() = default;
 Image OffscreenRenderer::draw(const Scene&, const PictureOptions&, int, int, Pixels) { refuse(); }
+Image OffscreenRenderer::draw_inside(const std::shared_ptr<const InsideManifold>&,
+                                     const InsideOptions&, const PictureOptions&, int, int,
+                                     Pixels) {
+  refuse();
+}
+Image render_inside(const std::shared_ptr<const InsideManifold>&, const InsideOptions&,
+                    const PictureOptions&, int, int) {
+  refuse();
+}
 Image render_picture(const Scene&, const PictureOptions&, int, int, Pixels) { refuse(); }
 void show_window(const SceneSource&, const WindowOptions&) { refuse(); }
 

@@ -37,10 +37,14 @@ bool is_in_picture(const Scene& scene, const PictureOptions& options, int width,
 
 }  // namespace
 
-void require_drawable(const Scene& scene, const PictureOptions& options, int width, int height) {
+void require_size(int width, int height) {
   require(width >= 1 && height >= 1 && width <= kLargestSide && height <= kLargestSide,
           "a picture of " + std::to_string(width) + "x" + std::to_string(height) +
               " pixels: sides go from 1 to " + std::to_string(kLargestSide));
+}
+
+void require_drawable(const Scene& scene, const PictureOptions& options, int width, int height) {
+  require_size(width, height);
   require(!scene.cells.empty() && scene.cells.size() <= kMostDrawnCells,
           std::to_string(scene.cells.size()) + " cells: draw from 1 to " +
               std::to_string(kMostDrawnCells));

@@ -73,6 +73,9 @@ inline bool is_solid(const PictureOptions& options) {
 /// Whether the drawing is to end.
 inline bool is_stopped(const PictureOptions& options) { return options.stop.requested(); }
 
+/// Throws InvalidInput for a picture without pixels or with sides beyond kLargestSide.
+void require_size(int width, int height);
+
 /// Throws InvalidInput, naming the option, for a size, a camera or a number of cells out of range.
 void require_drawable(const Scene& scene, const PictureOptions& options, int width, int height);
 

@@ -68,14 +68,23 @@ const shaders = viewerList('SHADERS').map((path) => {
 
 const mark = text(here, 'page', 'mark.svg').trim();
 const picture = (name) => `data:image/webp;base64,${readFileSync(join(here, 'page', name)).toString('base64')}`;
-const styles = text(viewer, 'theme.css') + text(viewer, 'view.css') + text(here, 'page', 'page.css');
+const styles = text(viewer, 'theme.css') + text(viewer, 'view.css') + text(viewer, 'cards.css') + text(here, 'page', 'page.css');
+/** What no script of the page may pass by: it may ask for nothing and send nothing. */
+const policy = "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; worker-src blob:; style-src 'unsafe-inline'; "
+    + "img-src data: blob:; base-uri 'none'; form-action 'none'";
+const filled = (template, values) => template.replaceAll(/\{\{([\w-]+)\}\}/g, (_, key) => {
+  if (!(key in values)) throw new Error(`a template asks for ${key}`);
+  return values[key];
+});
 const values = {
   version: options.version,
   icon: encodeURIComponent(mark),
   mark,
   hero: picture('hero.webp'),
   'hero-dark': picture('hero-dark.webp'),
-  style: await minified(styles, 'css'),
+  head: filled(text(viewer, 'head.html'), {
+    policy: `<meta http-equiv="Content-Security-Policy" content="${policy}">`, version: options.version, title: 'Tripus',
+    style: await minified(styles, 'css')}).trim(),
   stage: text(viewer, 'stage.html'),
   controls: text(viewer, 'controls.html'),
   help: text(viewer, 'help.html'),
@@ -84,10 +93,7 @@ const values = {
   script: inScript(await bundle('main.ts')),
   module: gzipSync(readFileSync(join(options.module, 'tripus-module.wasm')), {level: constants.Z_BEST_COMPRESSION}).toString('base64'),
 };
-const page = text(here, 'page', 'page.html').replaceAll(/\{\{([\w-]+)\}\}/g, (_, key) => {
-  if (!(key in values)) throw new Error(`page.html asks for ${key}`);
-  return values[key];
-});
+const page = filled(text(here, 'page', 'page.html'), values);
 mkdirSync(dirname(options.output), {recursive: true});
 writeFileSync(options.output, page);
 console.log(`${options.output}: ${(page.length / 1e6).toFixed(2)} MB, ${(values.module.length / 1e6).toFixed(2)} MB of it the module`);

@@ -26,8 +26,9 @@ constexpr std::size_t kMoreTetrahedra = 4, kPassageBudget = 3000;
 class Passage {
  public:
   Passage(const MetricState& stuck, const FaceKinds& faces,
-          const std::function<bool(CarriedMetric&)>& attempt, const Stop& stop)
-      : limit_(stuck.triangulation.tetrahedron_count() + kMoreTetrahedra),
+          const std::function<bool(CarriedMetric&)>& attempt, const Stop& stop, std::size_t& budget)
+      : budget_(budget),
+        limit_(stuck.triangulation.tetrahedron_count() + kMoreTetrahedra),
         attempt_(attempt),
         stop_(stop) {
     open_.push_back(stuck);
@@ -43,7 +44,7 @@ class Passage {
       const MetricState here = std::move(open_.front());
       open_.pop_front();
       for (const Move& move : first ? start_ : moves_at_flat(here)) {
-        if (left_ == 0 || stop_.requested()) return false;
+        if (left_ == 0 || budget_ == 0 || stop_.requested()) return false;
         if (step(here, move)) return true;
       }
     }
@@ -82,12 +83,14 @@ class Passage {
     auto next = carried_metric(here, move);
     if (!next) return false;
     --left_;
+    --budget_;
     if (!lay_out_flat(*next, kMostFlat) || !known_.insert(key(next->state)).second) return false;
     if (next->state.report.flat_tetrahedra.empty()) return attempt_(*next);
     open_.push_back(std::move(next->state));
     return false;
   }
 
+  std::size_t& budget_;
   const std::size_t limit_;
   const std::function<bool(CarriedMetric&)>& attempt_;
   const Stop stop_;
@@ -100,8 +103,9 @@ class Passage {
 }  // namespace
 
 bool pass_through_planes(const MetricState& stuck, const FaceKinds& faces,
-                         const std::function<bool(CarriedMetric&)>& attempt, const Stop& stop) {
-  return Passage(stuck, faces, attempt, stop).run();
+                         const std::function<bool(CarriedMetric&)>& attempt, const Stop& stop,
+                         std::size_t& budget) {
+  return Passage(stuck, faces, attempt, stop, budget).run();
 }
 
 }  // namespace tripus::canonical::detail

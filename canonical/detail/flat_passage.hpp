@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 
 #include "base/stop.hpp"
@@ -15,9 +16,11 @@ namespace tripus::canonical::detail {
 ///   faces    of it
 ///   attempt  is given triangulations with true tetrahedra only, lengths filled in; returns whether
 ///            the search is over
+///   budget   triangulations that may be looked at; lowered by those that were
 /// Returns whether it was; false if there is nothing left to go through, or not within the budget
 /// or before a stop.
 bool pass_through_planes(const MetricState& stuck, const FaceKinds& faces,
-                         const std::function<bool(CarriedMetric&)>& attempt, const Stop& stop);
+                         const std::function<bool(CarriedMetric&)>& attempt, const Stop& stop,
+                         std::size_t& budget);
 
 }  // namespace tripus::canonical::detail

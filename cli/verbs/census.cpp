@@ -207,7 +207,8 @@ void add_query_options(CLI::App& verb, CensusCommand& command) {
       ->check(whole_number(std::numeric_limits<int>::max()));
   for (const char* query : {"--volume", "--boundary", "--homology", "--cells", "--tetrahedra"})
     verb.get_option(query)->excludes(names);
-  verb.add_flag("--json", command.json, "one JSON object for each manifold, one a line");
+  verb.add_flag("--json", command.json, "one JSON object for each manifold, one a line")
+      ->option_text(" ");
 }
 
 void add_making_options(CLI::App& verb, CensusCommand& command) {

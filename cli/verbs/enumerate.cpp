@@ -39,7 +39,7 @@ struct EnumerateCommand {
   std::optional<std::string> shard;
   std::string links = "geodesic", engine = "tripus", output;
   unsigned threads = 0;
-  bool count_only = false, quiet = false;
+  bool non_orientable = false, all = false, count_only = false, quiet = false;
 };
 
 /// A part of the answer.
@@ -91,6 +91,13 @@ LinkChoice parse_links(const std::string& text) {
   throw InvalidInput("--links " + tripus::quoted(text) + ": write geodesic, mixed or cusped");
 }
 
+topology::EnumerationChoice choice_of(const EnumerateCommand& command) {
+  using topology::Orientability;
+  return {parse_links(command.links), command.all              ? Orientability::kBoth
+                                      : command.non_orientable ? Orientability::kNonOrientable
+                                                               : Orientability::kOrientable};
+}
+
 /// What `make(k)` gives for k = 0 ... count - 1, in that order. False if it was interrupted.
 template <class Make>
 bool write_in_order(const EnumerateCommand& command, std::size_t count, const Make& make,
@@ -116,10 +123,10 @@ bool write_in_order(const EnumerateCommand& command, std::size_t count, const Ma
 
 bool write_all(const EnumerateCommand& command, const Shard& shard, ListSink& sink) {
   const auto tetrahedra = static_cast<std::size_t>(command.tetrahedra);
-  const LinkChoice links = parse_links(command.links);
+  const topology::EnumerationChoice choice = choice_of(command);
   std::vector<topology::EnumerationPiece> pieces;
   std::size_t number = 0;
-  for (auto& piece : topology::enumeration_pieces(tetrahedra, links))
+  for (auto& piece : topology::enumeration_pieces(tetrahedra, choice))
     if (shard.has(number++)) pieces.push_back(std::move(piece));
   return write_in_order(
       command, pieces.size(),
@@ -128,14 +135,14 @@ bool write_all(const EnumerateCommand& command, const Shard& shard, ListSink& si
           if (!command.count_only) lines.text += topology::isosig(gluings) + '\n';
         };
         lines.count =
-            topology::enumerate(tetrahedra, links, pieces[k], take, &interrupt_requested());
+            topology::enumerate(tetrahedra, choice, pieces[k], take, &interrupt_requested());
       },
       sink);
 }
 
 bool write_random(const EnumerateCommand& command, const Shard& shard, ListSink& sink) {
   const auto wanted = static_cast<std::size_t>(*command.random);
-  const LinkChoice links = parse_links(command.links);
+  const topology::EnumerationChoice choice = choice_of(command);
   const std::size_t parts = (wanted + kDrawnAtOnce - 1) / kDrawnAtOnce;
   return write_in_order(
       command, parts,
@@ -147,7 +154,7 @@ bool write_random(const EnumerateCommand& command, const Shard& shard, ListSink&
         const std::size_t count = std::min(kDrawnAtOnce, wanted - k * kDrawnAtOnce);
         for (; lines.count < count && !interrupt_requested(); ++lines.count)
           lines.text += topology::isosig(topology::random_gluings(
-                            static_cast<std::size_t>(command.tetrahedra), links, random)) +
+                            static_cast<std::size_t>(command.tetrahedra), choice, random)) +
                         '\n';
       },
       sink);
@@ -156,12 +163,11 @@ bool write_random(const EnumerateCommand& command, const Shard& shard, ListSink&
 /// What Regina's program finds, in its order.
 bool write_tricensus(const EnumerateCommand& command, ListSink& sink) {
   Lines lines;
-  const bool whole =
-      for_each_of_tricensus(static_cast<std::size_t>(command.tetrahedra),
-                            parse_links(command.links), [&](const std::string& signature) {
-                              lines.text += signature + '\n';
-                              ++lines.count;
-                            });
+  const bool whole = for_each_of_tricensus(static_cast<std::size_t>(command.tetrahedra),
+                                           choice_of(command), [&](const std::string& signature) {
+                                             lines.text += signature + '\n';
+                                             ++lines.count;
+                                           });
   if (whole) sink.add(lines);
   return whole;
 }
@@ -193,8 +199,11 @@ int run(const EnumerateCommand& command) {
 }
 
 constexpr const char* kEnumerateFooter =
-    "\nEach line is an isomorphism signature; mirror images count as one. The order is fixed,\n"
-    "whatever the threads, and the shards together have every line once. The list is what\n"
+    "\nOrientable ones, unless --non-orientable or --all says otherwise; no edge is glued to "
+    "itself\n"
+    "the other way round. Each line is an isomorphism signature; mirror images count as one. The\n"
+    "order is fixed, whatever the threads, and the shards together have every line once. The list "
+    "is what\n"
     "`tripus census --from` and --batch of other verbs take; docs/census.md tells how long it "
     "gets.\n"
     "\nExit status: 0 done, 1 interrupted (-o then leaves the old file), 2 bad usage,\n"
@@ -209,8 +218,14 @@ void add_enumerate(CLI::App* verb, Command& chosen) {
       ->check(CLI::Range(1, static_cast<int>(topology::kMaxEnumerated)).description(""));
   verb->add_option("--links", command->links,
                    "which vertex links: geodesic (all of genus >= 2, the default), mixed\n"
-                   "(of genus >= 2 and tori, both), cusped (tori)")
+                   "(of genus >= 2 and tori, both), cusped (tori; or Klein bottles)")
       ->option_text("KIND");
+  auto* non_orientable =
+      verb->add_flag("--non-orientable", command->non_orientable, "those that are not orientable")
+          ->option_text(" ");
+  verb->add_flag("--all", command->all, "orientable or not")
+      ->option_text(" ")
+      ->excludes(non_orientable);
   verb->add_option("--shard", command->shard, "the I-th of M parts of the list only")
       ->option_text("I/M");
   auto* random = verb->add_option("--random", command->random,
@@ -245,8 +260,7 @@ namespace registered_verbs {
 
 std::span<const Verb> enumerate() {
   static constexpr Verb kRows[] = {
-      {"enumerate", "all orientable triangulations with so many tetrahedra, for a census",
-       add_enumerate, 9}};
+      {"enumerate", "all triangulations with so many tetrahedra, for a census", add_enumerate, 9}};
   return kRows;
 }
 

@@ -16,6 +16,7 @@
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/verb.hpp"
+#include "parameterise/refine.hpp"
 
 namespace tripus::cli {
 namespace {
@@ -30,12 +31,14 @@ constexpr const char* kParameteriseHelp =
     "boundary points on the geodesic boundary, such that the energy, the sum of the weighted "
     "squares\n"
     "of distances along edges, is least. With positive weights it has one minimum, which Newton's\n"
-    "method finds; with those of finite elements, that next to it.\n"
+    "method finds; with those of finite elements, that next to it. A surface is filled with few\n"
+    "tetrahedra by itself; --tetrahedra N makes them smaller, --refine N where the map stretches "
+    "them.\n"
     "x.vtu has it all for ParaView, PyVista and tripus view --solid: docs/parameterise.md.\n"
     "\n"
     "Examples:\n"
     "  tripus parameterise examples/surfaces/knotted-y.off -o y.vtu\n"
-    "  tripus parameterise mesh.vtk --report report.html --picture solid.svg\n"
+    "  tripus parameterise mesh.vtk --refine 100000 --report report.html --picture solid.svg\n"
     "\n"
     "Exit status: 0 done, 1 no minimum within the limits, or interrupted, 2 bad usage or bad "
     "input,\n"
@@ -78,6 +81,7 @@ std::string as_text(const std::string& input, const Parameterisation& found) {
                                 found.edge_count()));
   line("energy", fmt::format("{:.12g}, max|gradient| {:.1e}: {} after {} steps", map.energy,
                              map.max_gradient, solver::to_string(map.termination), map.iterations));
+  if (const std::string advice = found.advice(); !advice.empty()) line("advice", advice);
   line("image", fmt::format("volume {:.12g}, {} turned over, {} flat", quality.image_volume,
                             quality.inverted, quality.flat));
   line("distortion", fmt::format("median anisotropy {:.4g}", quality.median_anisotropy));
@@ -156,9 +160,14 @@ void add_parameterise(CLI::App* verb, Command& chosen) {
   auto& filling = command->options.marking.tetrahedralize;
   verb->add_option("--tetrahedra", filling.tetrahedra,
                    "fill a surface with about N tetrahedra, more if its triangles\n"
-                   "force it (default: as few as it takes)")
+                   "force it (default: as few as it takes, or a quarter of --refine)")
       ->option_text("N")
       ->check(whole_number(std::numeric_limits<int>::max()));
+  verb->add_option("--refine", command->options.refine,
+                   "then bisect edges that the map makes long, until there are N\n"
+                   "tetrahedra (default: none)")
+      ->option_text("N")
+      ->check(whole_number(parameterise::kMostRefined));
   verb->add_option("--seed", command->options.marking.seed, "of the simplification (default: 0)")
       ->option_text("N")
       ->check(whole_number(std::numeric_limits<int>::max()));

@@ -1,7 +1,6 @@
 // tripus view: see the universal cover, in a window, as a picture, or as a page for a browser.
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstring>
 #include <memory>
 #include <optional>
@@ -21,9 +20,9 @@
 #include "cli/remedies.hpp"
 #include "cli/texts.hpp"
 #include "cli/verb.hpp"
+#include "cli/view_numbers.hpp"
 #include "cli/view_pages.hpp"
 #include "embedding/universal_cover.hpp"
-#include "geometry/moebius.hpp"
 #include "manifold/labels.hpp"
 #include "manifold/load.hpp"
 #include "parameterise/picture.hpp"
@@ -33,9 +32,6 @@
 
 namespace tripus::cli {
 namespace {
-
-/// Larger maps move everything to the boundary of the model, where doubles end.
-constexpr double kLargestCoefficient = 1e4;
 
 struct ViewCommand {
   CommonOptions common;
@@ -51,6 +47,7 @@ struct ViewCommand {
   std::string renderer = "faces";
   std::optional<double> cut_away;
   std::string moebius;
+  std::string inside;  ///< as typed; empty: from outside
   std::optional<std::uint32_t> transparent;
   bool labels = false;
   bool dark = false;
@@ -66,76 +63,6 @@ struct ViewCommand {
   int width = 0;
   int height = 0;
 };
-
-/// The numbers of a text like 1x2x3; nothing if it is no such text.
-std::optional<std::vector<double>> numbers_in(std::string_view text, char separator,
-                                              std::size_t count) {
-  std::vector<double> numbers;
-  while (true) {
-    const std::size_t end = std::min(text.find(separator), text.size());
-    const auto number = parse_number(text.substr(0, end));
-    if (!number) return std::nullopt;
-    numbers.push_back(*number);
-    if (end == text.size()) break;
-    text.remove_prefix(end + 1);
-  }
-  if (numbers.size() != count) return std::nullopt;
-  return numbers;
-}
-
-void parse_size(ViewCommand& command) {
-  const auto sides = numbers_in(command.size, 'x', 2);
-  const auto whole = [](double side) {
-    return side >= 1 && side <= viewer::kLargestSide && side == std::floor(side);
-  };
-  if (!sides || !whole((*sides)[0]) || !whole((*sides)[1])) {
-    throw InvalidInput(fmt::format("--size {}: write WIDTHxHEIGHT, in pixels from 1 to {}",
-                                   tripus::quoted(command.size), viewer::kLargestSide));
-  }
-  command.width = static_cast<int>((*sides)[0]);
-  command.height = static_cast<int>((*sides)[1]);
-}
-
-void parse_camera(ViewCommand& command) {
-  if (command.camera.empty()) return;
-  auto numbers = numbers_in(command.camera, ',', 3);
-  if (!numbers) numbers = numbers_in(command.camera, ',', 6);
-  if (!numbers) {
-    throw InvalidInput(
-        fmt::format("--camera {}: write AZIMUTH,ELEVATION,DISTANCE, in degrees and radii of the "
-                    "scene, or these "
-                    "and ZOOM,X,Y, a magnification and a shift in halves of the picture's height",
-                    tripus::quoted(command.camera)));
-  }
-  viewer::Camera& camera = command.picture.camera;
-  camera.azimuth = (*numbers)[0];
-  camera.elevation = (*numbers)[1];
-  camera.distance = (*numbers)[2];
-  if (numbers->size() < 6) return;
-  camera.zoom = (*numbers)[3];
-  camera.shift = {(*numbers)[4], (*numbers)[5]};
-}
-
-/// --moebius: eight numbers, the real and imaginary parts of a, b, c and d.
-geometry::Matrix4 parse_moebius(const std::string& text) {
-  if (text.empty()) return geometry::Matrix4::Identity();
-  const auto n = numbers_in(text, ',', 8);
-  const std::string what = "--moebius " + tripus::quoted(text);
-  if (!n) {
-    throw InvalidInput(what +
-                       ": write the real and imaginary parts of a, b, c and d of the map "
-                       "w -> (aw + b)/(cw + d), eight numbers with commas between them");
-  }
-  for (const double x : *n)
-    if (!(std::abs(x) <= kLargestCoefficient))
-      throw InvalidInput(fmt::format("{}: numbers go up to {:g}", what, kLargestCoefficient));
-  geometry::MoebiusMap map{
-      {(*n)[0], (*n)[1]}, {(*n)[2], (*n)[3]}, {(*n)[4], (*n)[5]}, {(*n)[6], (*n)[7]}};
-  const double size = std::norm(map.a) + std::norm(map.b) + std::norm(map.c) + std::norm(map.d);
-  if (!(std::abs(map.a * map.d - map.b * map.c) > 1e-9 * size))
-    throw InvalidInput(what + ": ad - bc is 0, or too near to it, and this is no Moebius map");
-  return geometry::to_matrix(geometry::normalised(map));
-}
 
 /// Names to what the viewers call it; the parser has let no other name through.
 void name_choices(ViewCommand& command) {
@@ -182,12 +109,19 @@ struct Developed {
     viewer::add_classes(scene, subject.triangulation, report.edge_lengths);
     return scene;
   }
+
+  std::shared_ptr<const viewer::InsideManifold> from_inside() const {
+    return std::make_shared<const viewer::InsideManifold>(
+        viewer::inside_manifold(embedding, subject.triangulation, report.edge_lengths, discs));
+  }
 };
 
-std::string as_json(const Subject& subject, const std::string& file, std::size_t cells) {
+/// Without a number of cells it is a view from inside.
+std::string as_json(const Subject& subject, const std::string& file,
+                    std::optional<std::size_t> cells) {
   JsonText out;
   append_header(out, subject.input);
-  append(out, fmt::format(", \"cells\": {}, \"file\": ", cells));
+  append(out, fmt::format(", \"cells\": {}, \"file\": ", cells ? fmt::to_string(*cells) : "null"));
   append_string(out, file);
   out.push_back('}');
   return fmt::to_string(out);
@@ -207,6 +141,16 @@ Reply picture_written(const Developed& developed, const ViewCommand& command, st
 }
 
 Reply draw_picture(const Developed& developed, const ViewCommand& command) {
+  if (!command.inside.empty()) {
+    const auto manifold = developed.from_inside();
+    viewer::write_png(viewer::render_inside(manifold, parse_inside(command.inside, *manifold),
+                                            command.picture, command.width, command.height),
+                      command.png);
+    if (command.common.json) return {as_json(developed.subject, command.png, {}), kSuccess};
+    return {fmt::format("{}: drawn from inside to {}\n", printable(developed.subject.input),
+                        printable(command.png)),
+            kSuccess};
+  }
   const viewer::Scene scene = viewer::moved(
       command.picture.model, developed.scene(command.cells, command.picture.model), command.motion);
   const viewer::Image image =
@@ -260,6 +204,9 @@ Reply view_one(const ViewCommand& command, const std::string& input) {
     window.height = command.height;
     window.cells = command.cells;
     window.motion = command.motion;
+    window.manifold = developed.from_inside();
+    window.is_inside = !command.inside.empty();
+    window.inside = parse_inside(command.inside, *window.manifold);
     window.command = "tripus view " + shell_word(input);
     for (const std::string& list : command.cone_orders) window.command += " --cone-order " + list;
     if (const MetricSearch& search = command.search; search.retriangulate)
@@ -297,8 +244,10 @@ int run(ViewCommand& command) {
     declare_output("-o", command.page);
   }
   if (!command.png.empty()) declare_output("--png", command.png);
-  parse_size(command);
-  parse_camera(command);
+  const auto [width, height] = parse_size(command.size);
+  command.width = width;
+  command.height = height;
+  parse_camera(command.camera, command.picture.camera);
   name_choices(command);
   command.motion = parse_moebius(command.moebius);
   command.picture.transparent = command.transparent;
@@ -343,6 +292,10 @@ void add_picture_options(CLI::App& verb, ViewCommand& command) {
                   "move all cells by w -> (aw + b)/(cw + d): real and imaginary parts\n"
                   "of a, b, c, d, eight numbers")
       ->option_text("NUMBERS");
+  verb.add_option("--inside", command.inside,
+                  "stand in the manifold and look along geodesics: at its centre, a wall\n"
+                  "or an edge (key I of the window)")
+      ->option_text("PLACE");
   flag("--no-truncations", command.no_truncations,
        "faces alone, so that one can look into the cells");
   flag("--no-faces", command.no_faces, "truncations alone: the geodesic boundary");
@@ -407,9 +360,9 @@ void add_view(CLI::App* verb, Command& chosen) {
   input->excludes(gallery);
   add_picture_options(*verb, *command);
   // A page has controls for these.
-  for (const char* name :
-       {"--size", "--colour-by", "--transparent", "--labels", "--no-lines", "--hollow", "--dark",
-        "--moebius", "--no-truncations", "--no-faces", "--cut-away", "--renderer", "--camera"})
+  for (const char* name : {"--size", "--colour-by", "--transparent", "--labels", "--no-lines",
+                           "--hollow", "--dark", "--moebius", "--inside", "--no-truncations",
+                           "--no-faces", "--cut-away", "--renderer", "--camera"})
     page->excludes(verb->get_option(name));
   verb->add_option("--cone-order", command->cone_orders,
                    "make an edge class singular of order N (cone angle 2pi/N): 0=2,1=3;\n"

@@ -11,10 +11,12 @@ namespace tripus::python {
 namespace {
 
 ParameteriseOptions options_of(const std::string& weights, const std::string& method,
-                               double tolerance, std::size_t tetrahedra, std::uint64_t seed) {
+                               double tolerance, std::size_t tetrahedra, std::size_t refine,
+                               std::uint64_t seed) {
   ParameteriseOptions options;
   options.marking.tetrahedralize.tetrahedra = tetrahedra;
   options.marking.seed = seed;
+  options.refine = refine;
   options.weights = parameterise::weights_of(weights);
   options.map.tolerance = tolerance;
   options.map.minimiser = method == "ceres"     ? parameterise::Minimiser::kCeres
@@ -85,23 +87,23 @@ void bind_parameterise(nb::module_& module) {
       });
   module.def("parameterise_file", [](const nb::bytes& path, const std::string& weights,
                                      const std::string& method, double tolerance,
-                                     std::size_t tetrahedra, std::uint64_t seed,
+                                     std::size_t tetrahedra, std::size_t refine, std::uint64_t seed,
                                      const Limits& limits) {
     const std::string place = as_string(path);
-    const auto options = options_of(weights, method, tolerance, tetrahedra, seed);
+    const auto options = options_of(weights, method, tolerance, tetrahedra, refine, seed);
     return run(limits,
                [&](const Context& context) { return parameterise_solid(place, options, context); });
   });
-  module.def("parameterise_mesh",
-             [](const PointArray& points, const IndexArray& cells, const std::string& weights,
-                const std::string& method, double tolerance, std::size_t tetrahedra,
-                std::uint64_t seed, const Limits& limits) {
-               const meshing::MeshFile file = mesh_of(points, cells);
-               const auto options = options_of(weights, method, tolerance, tetrahedra, seed);
-               return run(limits, [&](const Context& context) {
-                 return Parameterisation(file, "mesh", options, context);
-               });
-             });
+  module.def("parameterise_mesh", [](const PointArray& points, const IndexArray& cells,
+                                     const std::string& weights, const std::string& method,
+                                     double tolerance, std::size_t tetrahedra, std::size_t refine,
+                                     std::uint64_t seed, const Limits& limits) {
+    const meshing::MeshFile file = mesh_of(points, cells);
+    const auto options = options_of(weights, method, tolerance, tetrahedra, refine, seed);
+    return run(limits, [&](const Context& context) {
+      return Parameterisation(file, "mesh", options, context);
+    });
+  });
 }
 
 }  // namespace tripus::python

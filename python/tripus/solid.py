@@ -145,6 +145,7 @@ def parameterise(
     method: str = "newton",
     tolerance: float = 1e-11,
     tetrahedra: int = 0,
+    refine: int = 0,
     seed: int = 0,
     time_limit: float | None = None,
     progress: Progress = None,
@@ -157,16 +158,17 @@ def parameterise(
                 positive), or "uniform"
     method      "newton", "ceres", or "descent" for comparison
     tolerance   on the largest entry of the gradient
-    tetrahedra  fill a surface with about so many
+    tetrahedra  fill a surface with about so many; 0: with few, or a quarter of `refine`
+    refine      then bisect edges that the map makes long, until there are so many
 
     Raises InvalidInput for a ball, Unsupported for a torus in the boundary and where no metric is
     found.
     """
     one_of("parameterise", "weights", weights, ("finite-elements", "cotangent", "uniform"))
     one_of("parameterise", "method", method, ("newton", "ceres", "descent"))
-    if not tolerance > 0 or tetrahedra < 0:
-        raise InvalidInput("tolerance is > 0, and tetrahedra is >= 0")
-    options = (weights, method, tolerance, tetrahedra, seed)
+    if not tolerance > 0 or tetrahedra < 0 or refine < 0:
+        raise InvalidInput("tolerance is > 0, and tetrahedra and refine are >= 0")
+    options = (weights, method, tolerance, tetrahedra, refine, seed)
     limit = limits(time_limit, 0, progress)
     if isinstance(mesh, (str, os.PathLike)):
         return _made((as_bytes(os.fspath(mesh)),), options, limit)

@@ -10,7 +10,8 @@
 
 namespace tripus::solver::detail {
 
-/// Dense Cholesky, for a few dozen variables at most: one allocation in all.
+/// Dense Cholesky, for a few dozen variables at most: one allocation, two where the problem has to
+/// be asked for its pattern.
 class DenseSystem final : public NewtonSystem {
  public:
   explicit DenseSystem(const Problem& problem);
@@ -19,11 +20,12 @@ class DenseSystem final : public NewtonSystem {
              double forcing, std::span<double> d) override;
 
  private:
-  const SparsityPattern& pattern_;
+  const Problem& problem_;
   std::span<const std::uint32_t> pins_;
   std::size_t n_;
   std::vector<double> memory_;
-  std::span<double> values_, diagonal_, factor_;  // [nnz], [n], [n x n]
+  std::span<double> matrix_, diagonal_, factor_;  // [n x n], [n], [n x n]
+  std::vector<double> values_;                    // [nnz], of problems that have no other form
 };
 
 /// Sparse Cholesky, analysed once, factorised at every step. By CHOLMOD: supernodal where that

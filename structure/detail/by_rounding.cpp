@@ -31,7 +31,7 @@ std::vector<std::array<Integer, 4>> rounded_multipliers(const std::vector<double
 std::optional<StrictAngles> rounded_angles(const Triangulation& triangulation,
                                            const std::vector<double>& angles, std::int64_t q) {
   StrictAngles rounded;
-  rounded.denominator = static_cast<long>(q);
+  rounded.denominator = q;
   rounded.numerator.resize(triangulation.tetrahedron_count());
   std::vector<std::pair<double, topology::EdgeCorner>> remainders;
   for (std::size_t e = 0; e < triangulation.edge_count(); ++e) {

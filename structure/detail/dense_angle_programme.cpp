@@ -241,6 +241,8 @@ class DenseTable {
 
 }  // namespace
 
+std::size_t most_tetrahedra_decided() { return kMostTetrahedraOfTable; }
+
 AngleProgramme::AngleProgramme(const topology::Triangulation& triangulation,
                                std::span<const topology::ConeAngle> cone_angles)
     : owns_environment_(false),

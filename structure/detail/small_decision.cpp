@@ -276,14 +276,14 @@ std::optional<Certificate> small_certificate(const Triangulation& triangulation,
       least = std::min(
           least, four[static_cast<std::size_t>(ends[0])] + four[static_cast<std::size_t>(ends[1])]);
     }
-    certificate.edge.emplace_back(static_cast<long>(least));
+    certificate.edge.emplace_back(least);
     r -= 2 * least;
   }
   if (r > 0) return std::nullopt;
   certificate.kind = r < 0 ? Certificate::Kind::kNone : Certificate::Kind::kSemi;
   certificate.vertex.resize(w.size());
   for (std::size_t t = 0; t < w.size(); ++t)
-    for (std::size_t v = 0; v < 4; ++v) certificate.vertex[t][v] = static_cast<long>(w[t][v]);
+    for (std::size_t v = 0; v < 4; ++v) certificate.vertex[t][v] = w[t][v];
   return certificate;
 }
 

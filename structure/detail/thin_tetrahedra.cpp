@@ -3,14 +3,12 @@
 #include <variant>
 
 #include "base/tolerances.hpp"
+#include "structure/detail/angle_programme.hpp"
 #include "structure/detail/other_ways.hpp"
 #include "structure/existence.hpp"
 
 namespace tripus::structure::detail {
 namespace {
-
-/// The exact decision takes seconds beyond.
-constexpr std::size_t kMostTetrahedraDecided = 10000;
 
 bool has_cusp_or_parabolic_edge(const SolveOptions& options, const Report& report) {
   return std::ranges::any_of(report.vertices,
@@ -42,7 +40,7 @@ Report settled_if_thin(const topology::Triangulation& triangulation, const Solve
   if (!claims || !has_cusp_or_parabolic_edge(options, report) || !has_thin_one(report))
     return report;
   const bool decidable =
-      triangulation.tetrahedron_count() <= kMostTetrahedraDecided &&
+      triangulation.tetrahedron_count() <= most_tetrahedra_decided() &&
       std::ranges::all_of(options.cone_angles, &topology::ConeAngle::is_rational);
   std::optional<Existence> found;
   if (decidable) found = existence_within(seconds, triangulation, options.cone_angles);

@@ -1,5 +1,6 @@
 // With cusps the signature is one of the manifold too, and with cone angles one of the orbifold.
 #include <algorithm>
+#include <stop_token>
 
 #include <gtest/gtest.h>
 
@@ -110,20 +111,22 @@ TEST(CuspedSignature, DecodesToTheManifold) {
   }
 }
 
-/// Triangulations with labels that carry metrics: cone orders 2 to 4 on one edge or on all.
+/// Triangulations with labels that carry metrics: cone orders 2 to 4 on one edge or on all, or
+/// parabolic edges (order 0).
 std::vector<std::pair<std::string, std::vector<ConeAngle>>> orbifolds() {
   std::vector<std::pair<std::string, std::vector<ConeAngle>>> result;
   for (const std::string isosig : {"cPcbbbiht", "cPcbbbdxm", "dLQbcccdxwb", "dLQacccjsjb",
                                    "eLAkbbcdddhwqn", "cPcbbbihq", "dLQacccjjkg", "bkaaid"}) {
     const Triangulation triangulation(topology::oriented(topology::decode_isosig(isosig)));
     for (std::size_t edge = 0; edge <= triangulation.edge_count(); ++edge) {
-      for (const std::int64_t order : {2, 3, 4}) {
+      for (const std::int64_t order : {0, 2, 3, 4}) {
         structure::SolveOptions options;
         options.evidence = false;
         options.cone_angles.resize(triangulation.edge_count());
         for (std::size_t e = 0; e < triangulation.edge_count(); ++e)
           if (e == edge || edge == triangulation.edge_count())
-            options.cone_angles[e] = ConeAngle::rational(2, order);
+            options.cone_angles[e] =
+                order == 0 ? ConeAngle::rational(0, 1) : ConeAngle::rational(2, order);
         if (structure::solve(triangulation, options).outcome == structure::Outcome::kGeometric)
           result.emplace_back(isosig, options.cone_angles);
       }
@@ -137,7 +140,7 @@ std::string before_labels(const std::string& signature) {
 }
 
 TEST(OrbifoldSignature, IsUnchangedByRelabellingAndDecodes) {
-  int canonical = 0;
+  int canonical = 0, parabolic = 0;
   for (const auto& [isosig, labels] : orbifolds()) {
     SCOPED_TRACE(isosig + " " + topology::labels_text(labels));
     const Gluings gluings = topology::oriented(topology::decode_isosig(isosig));
@@ -147,6 +150,7 @@ TEST(OrbifoldSignature, IsUnchangedByRelabellingAndDecodes) {
     const CanonizeAnswer answer = canonize(Triangulation(gluings), options);
     if (!answer.manifold) continue;
     ++canonical;
+    parabolic += std::ranges::any_of(labels, &ConeAngle::is_parabolic);
     const CanonicalManifold& manifold = *answer.manifold;
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
       const auto relabelling = topology::random_isomorphism(gluings.tetrahedron_count(), seed);
@@ -168,6 +172,7 @@ TEST(OrbifoldSignature, IsUnchangedByRelabellingAndDecodes) {
                 manifold.signature.unoriented.find('=') != std::string::npos);
   }
   EXPECT_GT(canonical, 20);
+  EXPECT_GT(parabolic, 10);
 }
 
 // The edges of the tripus's relatives are all alike, those of the figure-eight knot's complement
@@ -181,6 +186,30 @@ TEST(OrbifoldSignature, ComparesLabels) {
   EXPECT_EQ(other.verdict, Verdict::kDifferent) << other.message;
   const Comparison plain = compare(Labelled{m, {two, two}}, Labelled{m, {}});
   EXPECT_EQ(plain.verdict, Verdict::kDifferent) << plain.message;
+  const ConeAngle zero = ConeAngle::rational(0, 1);
+  const Comparison turned = compare(Labelled{m, {zero, two}}, Labelled{m, {two, zero}});
+  EXPECT_EQ(turned.verdict, Verdict::kHomeomorphic) << turned.message;
+  const Comparison nearly =
+      compare(Labelled{m, {zero, two}}, Labelled{m, {ConeAngle::rational(2, 1000), two}});
+  EXPECT_EQ(nearly.verdict, Verdict::kDifferent) << nearly.message;
+}
+
+// m086 and m109 need a way through flat tetrahedra: without a budget there is none, and no answer.
+TEST(CuspedSignature, WaysThroughFlatTetrahedraKeepToTheBudget) {
+  for (const auto& row : testing::data_table("cusped-census-5.tsv")) {
+    if (row.at("name") != "m086" && row.at("name") != "m109") continue;
+    SCOPED_TRACE(row.at("name"));
+    const Triangulation triangulation(topology::decode_isosig(row.at("isosig")));
+    CanonizeOptions options;
+    EXPECT_TRUE(canonize(triangulation, options).manifold);
+    options.proto_canonical.budget = 0;
+    EXPECT_FALSE(canonize(triangulation, options).manifold);
+    options.proto_canonical.budget = 2000;
+    std::stop_source stop;
+    stop.request_stop();
+    options.proto_canonical.stop = stop.get_token();
+    EXPECT_FALSE(canonize(triangulation, options).manifold);
+  }
 }
 
 }  // namespace

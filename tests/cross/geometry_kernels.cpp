@@ -1,12 +1,16 @@
 // Two and more routes to the dihedral angles of one truncated tetrahedron.
 #include <cmath>
 #include <random>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "base/error.hpp"
 #include "geometry/batch.hpp"
+#include "geometry/kernel_choice.hpp"
 #include "geometry/paper_formulae.hpp"
 #include "geometry/truncated_tetrahedron.hpp"
 #include "geometry/volume.hpp"
@@ -174,6 +178,23 @@ TEST(BatchKernels, EveryInstructionSetGivesTheBitsOfTheScalarKernel) {
       }
     }
     EXPECT_EQ(flat, expected_flat);
+  }
+}
+
+TEST(BatchKernels, AreChosenByName) {
+  const auto all = all_batch_kernels();
+  for (const BatchKernels& kernels : all)
+    EXPECT_EQ(&named_batch_kernels(std::string(kernels.name).c_str()), &kernels);
+  EXPECT_EQ(&named_batch_kernels(nullptr), &all.back());
+  EXPECT_EQ(&named_batch_kernels(""), &all.back());
+  for (const char* name : {"none", "AVX2", "avx", "avx5122", "portable "}) {
+    try {
+      named_batch_kernels(name);
+      ADD_FAILURE() << name;
+    } catch (const InvalidInput& error) {
+      EXPECT_NE(std::string_view(error.what()).find("this processor runs portable"),
+                std::string_view::npos);
+    }
   }
 }
 

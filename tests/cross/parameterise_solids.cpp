@@ -2,8 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <random>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -13,8 +16,10 @@
 #include "base/error.hpp"
 #include "meshing/formats/read_mesh.hpp"
 #include "meshing/tube/tube_surface.hpp"
+#include "meshing/validate_tetrahedra.hpp"
 #include "parameterise/harmonic_map.hpp"
 #include "parameterise/quality.hpp"
+#include "parameterise/refine.hpp"
 #include "tests/support/data_files.hpp"
 
 namespace tripus::parameterise {
@@ -185,6 +190,106 @@ INSTANTIATE_TEST_SUITE_P(Examples, Meshes, ::testing::Values("knotted-y.off", "k
                            std::ranges::replace(name, '-', '_');
                            return name;
                          });
+
+double volume_of(const meshing::TetrahedralMesh& mesh) {
+  double sum = 0;
+  for (const meshing::Tetrahedron& t : mesh.tetrahedra) {
+    std::array<geometry::Vector3, 4> corner;
+    for (std::size_t v = 0; v < 4; ++v)
+      corner[v] = Eigen::Map<const geometry::Vector3>(mesh.points[t[v]].data());
+    sum += (corner[1] - corner[0]).cross(corner[2] - corner[0]).dot(corner[3] - corner[0]) / 6;
+  }
+  return sum;
+}
+
+/// The same surface, each triangle cut into four.
+meshing::MeshFile quartered(meshing::MeshFile file) {
+  meshing::SurfaceMesh& surface = std::get<meshing::SurfaceFile>(file).mesh;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> halfway;
+  const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+    const auto [place, is_new] =
+        halfway.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(surface.points.size()));
+    if (is_new) {
+      meshing::Point point;
+      for (std::size_t k = 0; k < 3; ++k)
+        point[k] = (surface.points[a][k] + surface.points[b][k]) / 2;
+      surface.points.push_back(point);
+    }
+    return place->second;
+  };
+  std::vector<meshing::Triangle> parts;
+  for (const auto& [a, b, c] : surface.triangles) {
+    const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+    parts.insert(parts.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+  }
+  surface.triangles = std::move(parts);
+  return file;
+}
+
+class RefinedSolids : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(RefinedSolids, KeepSetMarkingAndPlanes) {
+  const auto solid = mark_solid(read_example(GetParam()));
+  const meshing::TetrahedralMesh coarse = solid->mesh;
+  const double energy = harmonic_map(*solid, Weights::kFiniteElements).energy;
+  const HarmonicMap map = refined_map(*solid, Weights::kFiniteElements, 6000);
+  expect_harmonic(*solid, map);
+  // Linear maps of the old mesh are linear on the new one.
+  EXPECT_LT(map.energy, energy);
+  const auto& [points, tetrahedra] = solid->mesh;
+  EXPECT_GE(tetrahedra.size(), 6000u);
+  EXPECT_LT(tetrahedra.size(), 6100u);
+  EXPECT_TRUE(std::equal(coarse.points.begin(), coarse.points.end(), points.begin()));
+  EXPECT_NEAR(volume_of(solid->mesh), volume_of(coarse), 1e-12 * volume_of(coarse));
+  const meshing::Solid checked = meshing::require_valid(solid->mesh);
+  EXPECT_EQ(checked.boundary_genera, solid->boundary_genera);
+  // It is the map of this mesh, however it was reached.
+  const auto marked_anew = mark_solid(meshing::TetrahedralFile{solid->mesh, {}});
+  EXPECT_NEAR(harmonic_map(*marked_anew, Weights::kFiniteElements).energy, map.energy,
+              1e-10 * map.energy);
+}
+
+TEST_P(RefinedSolids, AreBisectedWhereTheMapStretches) {
+  const auto solid = mark_solid(read_example(GetParam()));
+  HarmonicMap map = harmonic_map(*solid, Weights::kCotangent);
+  const std::vector<double> before = edge_lengths(*solid, map.points);
+  refine(*solid, map.points, 4 * solid->mesh.tetrahedra.size());
+  const std::vector<double> after = edge_lengths(*solid, map.points);
+  EXPECT_LT(std::ranges::max(after), 0.75 * std::ranges::max(before));
+  // The map as it was, seen on another mesh: halfway points change no linear map, up to curvature.
+  EXPECT_NEAR(quality(*solid, map.points).image_volume, solid->report.volume, 1e-8);
+  EXPECT_LT(equivariance_defect(*solid), 1e-10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Examples, RefinedSolids,
+                         ::testing::Values("knotted-y.json", "knotted-theta.json",
+                                           "four-legs.json"),
+                         [](const auto& parameter) {
+                           std::string name = parameter.param;
+                           name.replace(name.find('.'), 1, "_");
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
+
+// Its tubes have three sides: meshes that are refined inside alone come to no common energy.
+TEST(FourLegs, ComeToOneEnergyFromTwoSurfaces) {
+  std::array<std::vector<double>, 2> energies;
+  for (std::size_t surface = 0; surface < 2; ++surface)
+    for (const std::size_t tetrahedra : {20'000u, 40'000u, 80'000u}) {
+      meshing::MeshFile file = read_example("four-legs.json");
+      const auto solid = mark_solid(surface == 0 ? std::move(file) : quartered(std::move(file)));
+      const HarmonicMap map = refined_map(*solid, Weights::kFiniteElements, tetrahedra);
+      expect_harmonic(*solid, map);
+      energies[surface].push_back(map.energy);
+    }
+  for (const std::vector<double>& e : energies) {
+    EXPECT_LT(e[1], e[0]);
+    EXPECT_LT(e[2], e[1]);
+    EXPECT_LT(e[1] - e[2], 0.75 * (e[0] - e[1]));
+  }
+  EXPECT_NEAR(energies[1][2] / energies[0][2], 1, 0.05);
+  EXPECT_LT(std::abs(energies[1][2] - energies[0][2]), std::abs(energies[1][0] - energies[0][0]));
+}
 
 TEST(SignedVolume, IsThatOfTheFlatOneIfSmallAndChangesSign) {
   std::mt19937_64 random(7);

@@ -162,6 +162,22 @@ TEST(ViewerFaces, AreWhereRaysMeetThemWithVerticesOfAllKinds) {
   EXPECT_GT(finite, 5);
 }
 
+TEST(ViewerFaces, AreWhereRaysMeetThemWithAsManyCellsAsThereMayBe) {
+  std::mt19937 random(20261203);
+  const testing::Embedded manifold = *testing::try_embed("cPcbbbihq");
+  Agreement agreement;
+  for (const Model model : kModels) {
+    PictureOptions options;
+    options.model = model;
+    options.camera.distance = 2.6;
+    const Scene scene = scene_of(manifold, kMostDrawnCells, model);
+    EXPECT_EQ(scene.cells.size(), 20000U);
+    agreement.add(compare(scene, options, random, 60));
+  }
+  EXPECT_GT(agreement.compared, 60);
+  EXPECT_LE(agreement.wrong * 1000, agreement.compared);
+}
+
 TEST(ViewerFaces, AreWhereRaysMeetThemAfterMoebiusMoves) {
   std::mt19937 random(20261201);
   const testing::Embedded manifold = *testing::try_embed("dLQbcccherw");

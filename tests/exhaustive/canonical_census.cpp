@@ -6,6 +6,7 @@
 
 #include "canonical/census.hpp"
 #include "tests/support/data_files.hpp"
+#include "topology/enumerate.hpp"
 #include "topology/isomorphism.hpp"
 #include "topology/isosig.hpp"
 
@@ -132,6 +133,38 @@ TEST(Census, TheShippedCuspedOnesAreWhatTheListsGive) {
       published[row.at("n") + " " + row.at("boundary")] = std::stoul(row.at("manifolds"));
   EXPECT_EQ(found, published);
   EXPECT_EQ(made.manifolds.size(), 103u + 1 + 12 + 18 + 1);  // 103 of SnapPy's
+}
+
+// SnapPy's census of those that are not orientable has no more and no less than all triangulations
+// with tori and Klein bottles give.
+TEST(Census, CuspedOnesThatAreNotOrientableAreThoseOfSnapPy) {
+  std::vector<std::string> list, known;
+  for (const std::size_t tetrahedra : {1u, 2u, 3u, 4u}) {
+    const topology::EnumerationChoice choice(topology::LinkChoice::kCusped,
+                                             topology::Orientability::kNonOrientable);
+    for (const auto& piece : topology::enumeration_pieces(tetrahedra, choice))
+      topology::enumerate(tetrahedra, choice, piece,
+                          [&](const topology::Gluings& gluings, unsigned) {
+                            list.push_back(topology::isosig(gluings));
+                          });
+  }
+  for (const auto& row : testing::data_table("cusped-census-5.tsv"))
+    if (row.at("orientable") == "no" && std::stoul(row.at("tetrahedra")) <= 4)
+      known.push_back(row.at("isosig"));
+  ClassifyOptions options;
+  options.canonize.retriangulation.budget = 2;
+  const Census made = make_census(classify(list, options), CensusNames::kNumbered);
+  const Census snappys = make_census(classify(known), CensusNames::kNumbered);
+  std::set<std::string> found, expected;
+  std::map<std::size_t, int> by_tetrahedra;
+  for (const CensusEntry& entry : made.manifolds) {
+    found.insert(entry.signature);
+    ++by_tetrahedra[entry.tetrahedra];
+  }
+  for (const CensusEntry& entry : snappys.manifolds) expected.insert(entry.signature);
+  EXPECT_EQ(found, expected);
+  EXPECT_EQ(by_tetrahedra, (std::map<std::size_t, int>{{1, 1}, {2, 2}, {3, 7}, {4, 26}}));
+  EXPECT_GT(list.size(), 1000u);
 }
 
 TEST(Census, TheShippedOneIsWhatTheListsGive) {

@@ -1,11 +1,14 @@
 // Canonical decompositions with cusps: SnapPy's symmetry groups and signatures, published counts.
 #include <map>
+#include <random>
 #include <set>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "canonical/canonize.hpp"
 #include "tests/support/data_files.hpp"
+#include "tests/support/frigerio.hpp"
 #include "topology/isosig.hpp"
 
 namespace tripus::canonical {
@@ -50,6 +53,22 @@ TEST(CanonicalCusps, SymmetriesAndSignaturesOfSnapPysCensus) {
     EXPECT_TRUE(signatures.insert(manifold.signature.unoriented).second);
   }
   EXPECT_EQ(signatures.size(), rows.size());
+}
+
+// Their triangulations are canonical, for any genus (arXiv math/0301114).
+TEST(CanonicalCusps, CellsOfFrigerioMartelliPetronio) {
+  std::mt19937_64 random(20261130);
+  for (const auto& row : testing::data_table("volumes-mgk.tsv")) {
+    const auto g = std::stoul(row.at("g")), k = std::stoul(row.at("k"));
+    if (g == k && g % 2 == 1) continue;
+    const Triangulation m = testing::random_frigerio(g, k, random);
+    const std::string isosig = topology::isosig(m.gluings());
+    SCOPED_TRACE(isosig);
+    const CanonizeAnswer answer = canonized(isosig);
+    ASSERT_TRUE(answer.manifold) << answer.message;
+    EXPECT_EQ(answer.manifold->signature.unoriented, isosig);
+    EXPECT_EQ(tetrahedron_cells(*answer.manifold), m.tetrahedron_count());
+  }
 }
 
 // Geodesic boundary and cusps: arXiv math/0211425 counts 1 manifold with three tetrahedra, and

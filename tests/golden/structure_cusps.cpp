@@ -1,13 +1,18 @@
 // Cusps, cone angles, finite vertices: published volumes and those of other programs.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <random>
 #include <utility>
 
 #include <gtest/gtest.h>
 
+#include "geometry/volume.hpp"
 #include "structure/solve.hpp"
 #include "tests/support/data_files.hpp"
+#include "tests/support/frigerio.hpp"
 #include "tests/support/orb_examples.hpp"
 #include "topology/formats/formats.hpp"
 #include "topology/isosig.hpp"
@@ -109,6 +114,29 @@ TEST(Cusps, VolumesOfFrigerioMartelliPetronio) {
   EXPECT_GE((met[{2, 2}]), 1);
 }
 
+// Of all (g, k) of the table, however many tetrahedra they take.
+TEST(Cusps, VolumesOfFrigerioMartelliPetronioForAnyGenus) {
+  std::mt19937_64 random(20261130);
+  for (const auto& row : testing::data_table("volumes-mgk.tsv")) {
+    const auto g = std::stoul(row.at("g")), k = std::stoul(row.at("k"));
+    if (g == k && g % 2 == 1) continue;
+    for (int n = 0; n < 3; ++n) {
+      const Triangulation m = testing::random_frigerio(g, k, random);
+      SCOPED_TRACE(topology::isosig(m.gluings()));
+      const Report report = solved(m);
+      const double volume = std::stod(row.at("volume"));
+      expect_volume(report, volume, std::max(1e-13, 4e-15 * volume));
+      std::size_t genus = 0, cusps = 0;
+      for (const VertexReport& vertex : report.vertices) {
+        if (vertex.kind == VertexKind::kIdeal) ++cusps;
+        if (vertex.kind == VertexKind::kHyperideal) genus += static_cast<std::size_t>(vertex.genus);
+      }
+      EXPECT_EQ(genus, g);
+      EXPECT_EQ(cusps, k);
+    }
+  }
+}
+
 TEST(Orbifolds, ExamplesOfOrbThatAreGeometric) {
   int convex = 0, finite = 0;
   for (const auto& row : testing::data_table("orb-examples.tsv")) {
@@ -150,6 +178,37 @@ TEST(Orbifolds, UniformValencesAndOrders) {
                     1e-9);
     }
   }
+}
+
+// The same for every triangulation of the lists that has one valence, by the volume of the regular
+// tetrahedron with that angle.
+TEST(Orbifolds, EveryUniformValenceOfTheLists) {
+  std::vector<std::string> lines;
+  for (const char* list : {"triangulations-2.txt", "triangulations-3.txt", "triangulations-4.txt",
+                           "triangulations-cusped.txt"})
+    for (const std::string& isosig : testing::data_lines(list)) lines.push_back(isosig);
+  for (const auto& row : testing::data_table("cusped-census-5.tsv"))
+    lines.push_back(row.at("isosig"));
+  int uniform = 0;
+  for (const std::string& isosig : lines) {
+    const Triangulation m = decoded(isosig);
+    bool alike = true;
+    for (std::size_t e = 1; e < m.edge_count(); ++e) alike = alike && m.valence(e) == m.valence(0);
+    if (!alike) continue;
+    ++uniform;
+    SCOPED_TRACE(isosig);
+    for (int k = 2; k <= 50; ++k) {
+      const double t = 2 * std::numbers::pi / (static_cast<double>(m.valence(0)) * k);
+      const Report report =
+          solved(m, std::vector<ConeAngle>(m.edge_count(), ConeAngle::rational(2, k)));
+      ASSERT_EQ(report.outcome, Outcome::kGeometric) << k << ": " << report.message;
+      ASSERT_NEAR(report.volume,
+                  static_cast<double>(m.tetrahedron_count()) *
+                      geometry::volume(std::array<double, 6>{t, t, t, t, t, t}),
+                  1e-12);
+    }
+  }
+  EXPECT_GT(uniform, 2000);
 }
 
 }  // namespace

@@ -321,7 +321,7 @@ class Pictures(PageTest):
         return dict(pair.split("=", 1) for pair in fragment.split("&"))
 
     def test_are_restored_from_a_link(self):
-        self.browser.go(f"input={TRIPUS}")
+        self.browser.go(f"input={TRIPUS}&fine=1")  # as fine on a busy machine
         self.browser.drawn()
         self.browser.drag(0.3, 700, 400)
         self.browser.value("(() => { const c = document.getElementById('cells'); c.value = 6;"
@@ -329,7 +329,7 @@ class Pictures(PageTest):
         link = self.browser.copied("#copy-link").split("#", 1)[1]
         page = self.picture()
         self.assertIn(f"input={TRIPUS}", link)
-        self.browser.go(link)
+        self.browser.go(f"{link}&fine=1")
         self.browser.drawn()
         self.assertEqual(self.browser.copied("#copy-link").split("#", 1)[1], link)
         again = self.picture()
@@ -523,6 +523,41 @@ class Tables(PageTest):
         self.browser.click("#cards li:not([hidden]) button")
         self.browser.wait("document.getElementById('subject-name').textContent === 'hk5_3'")
 
+    def cards(self):
+        return self.browser.value("[...document.querySelectorAll('#cards li b')].map((b) => b.textContent)")
+
+    def fill(self, name, text):
+        self.browser.value(f"(() => {{ const f = document.getElementById('{name}'); f.value = '{text}';"
+                           "f.dispatchEvent(new Event('input')); f.dispatchEvent(new Event('change')); })()")
+
+    def test_the_census_is_shown_in_pages(self):
+        program = self.program_says("census")
+        names = [row["name"] for row in program]
+        self.assertGreater(len(names), 5160)  # and those with cusps
+        self.browser.go("gallery=census")
+        self.browser.wait("document.querySelectorAll('#cards li').length > 100")
+        self.assertEqual(self.browser.text("#card-count"), f"{len(names)} of {len(names)} manifolds")
+        size = len(self.cards())
+        self.assertEqual(self.cards(), names[:size])
+        self.assertEqual(self.browser.text("#page-number"), f"1 to {size} of {len(names)}")
+        self.browser.click("#page-after")
+        self.assertEqual(self.cards(), names[size:2 * size])
+        self.fill("find", "2 z + z_3")
+        wanted = [row for row in program if "2 Z + Z_3" in row["H1"]]
+        self.assertEqual(self.browser.text("#card-count"), f"{len(wanted)} of {len(names)} manifolds")
+        self.assertEqual(self.cards(), [row["name"] for row in wanted][:size])
+        self.fill("find", "t4g3.")
+        self.fill("order", "volume")
+        volumes = {row["name"]: row["volume"] for row in program}
+        shown = [volumes[name] for name in self.cards()]
+        self.assertGreater(len(shown), 50)
+        self.assertEqual(shown, sorted(shown))
+        first = self.cards()[0]
+        self.assertIn(f"{volumes[first]:.8f}"[:9], self.browser.text("#cards li"))
+        self.browser.click("#cards li button")
+        self.browser.wait(f"document.getElementById('subject-name').textContent === '{first}'")
+        self.browser.solved()
+
     def test_all_open(self):
         self.browser.go()
         self.browser.wait("document.querySelector('#cards svg')")  # nothing moves any more
@@ -561,6 +596,65 @@ class Large(PageTest):
         self.browser.wait(f"document.getElementById('subject-name').textContent === '{TRIPUS}'")
         self.browser.solved()
         self.browser.drawn()
+
+
+class Memory(PageTest):
+    """A browser that gives the module no more than so many megabytes: growing fails, as it does at the end of
+    real memory."""
+
+    LIMIT = """(() => {
+      const limit = %d << 20;
+      const patch = `{
+        const grow = WebAssembly.Memory.prototype.grow;
+        WebAssembly.Memory.prototype.grow = function (pages) {
+          if (this.buffer.byteLength + pages * 65536 > ${limit}) throw new RangeError('WebAssembly.Memory.grow(): Unable to grow instance memory');
+          return grow.call(this, pages);
+        };
+      }`;
+      window.Blob = class extends Blob {
+        constructor(parts, options) { super(options?.type === 'text/javascript' ? [patch, ...parts] : parts, options); }
+      };
+    })()"""
+
+    def limited(self, megabytes):
+        added = self.browser.call("Page.addScriptToEvaluateOnNewDocument", source=self.LIMIT % megabytes)
+        self.addCleanup(self.browser.call, "Page.removeScriptToEvaluateOnNewDocument", identifier=added["identifier"])
+
+    def test_of_ten_thousand_tetrahedra_is_a_part_of_what_there_is(self):
+        """The module may have 2048."""
+        self.limited(64)
+        self.write("cover.json", samples.as_json(samples.tripus_cover(5000)))
+        self.browser.go()
+        self.browser.drop(self.folder / "cover.json")
+        self.browser.solved()
+        self.assertIn("10000, orientable", self.browser.text("#subject-facts"))
+
+    def test_that_is_too_small_is_said_and_the_page_goes_on(self):
+        self.limited(32)
+        self.write("cover.json", samples.as_json(samples.tripus_cover(30000)))
+        self.browser.go()
+        for _ in range(2):
+            self.browser.drop(self.folder / "cover.json")
+            self.browser.wait("document.body.innerText.includes('not enough memory')")
+            said = self.browser.problem() or self.browser.text("#subject-message")
+            self.assertRegex(said, r"not enough memory for 60000 tetrahedra \(needs about \d+ MB\)")
+            self.browser.paste(TRIPUS)
+            self.browser.wait(f"document.getElementById('subject-name').textContent === '{TRIPUS}'")
+            self.browser.solved()
+            self.browser.drawn()
+            self.assertIn("6.45199027", self.browser.text("#subject-facts"))
+
+    def test_that_ends_while_a_question_is_answered_is_said_in_its_place(self):
+        self.limited(48)
+        self.solve(TRIPUS)
+        self.browser.drawn()
+        self.browser.value("(() => { const count = document.getElementById('arc-count');"
+                           "count.max = '1e9'; count.value = '3000000'; })()")
+        self.browser.click("[data-ask=orthospectrum]")
+        self.browser.wait("document.querySelector('.card .problem')?.textContent")
+        self.assertIn("not enough memory", self.browser.text(".card .problem"))
+        self.browser.click("[data-ask=identify]")
+        self.browser.wait("document.querySelector('.card')?.textContent.includes('t2g2.8')")
 
 
 class WithoutGraphics(PageTest):

@@ -71,15 +71,27 @@ class PageBrowser(LiveBrowser):
         return self.value(f"document.querySelector({json.dumps(selector)})?.innerText ?? ''")
 
     def click(self, selector):
-        """A real click in the middle of an element."""
-        found = self.value(
-            f"(() => {{ const e = document.querySelector({json.dumps(selector)}); if (!e) return null;"
-            "e.scrollIntoView({block: 'center', behavior: 'instant'}); const b = e.getBoundingClientRect();"
-            "return [b.x + b.width / 2, b.y + b.height / 2]; })()")
-        if found is None:
-            raise AssertionError(f"the page has no {selector}")
+        """A real click in the middle of an element, once that has come to rest."""
+        end = time.monotonic() + TIME_LIMIT
+        before = None
+        while True:
+            # The place, and whether the element is what lies there.
+            found = self.value(
+                f"(() => {{ const e = document.querySelector({json.dumps(selector)}); if (!e) return null;"
+                "e.scrollIntoView({block: 'center', behavior: 'instant'}); const b = e.getBoundingClientRect();"
+                "const at = [b.x + b.width / 2, b.y + b.height / 2], there = document.elementFromPoint(...at);"
+                "return [at, there === null || e.contains(there) || there.contains(e)]; })()")
+            if found is None:
+                raise AssertionError(f"the page has no {selector}")
+            if found == before and found[1]:
+                break
+            if time.monotonic() > end:
+                raise AssertionError(f"{selector} does not come to rest, or something lies over it")
+            before = found
+            self.attend()
+            time.sleep(0.05)
         for kind in ("mousePressed", "mouseReleased"):
-            self.mouse(kind, *found, button="left", clickCount=1)
+            self.mouse(kind, *found[0], button="left", clickCount=1)
 
     def paste(self, text):
         """Into the field, in place of what was there, and Enter."""

@@ -47,6 +47,14 @@ class Enumerate(ProgramTest):
         self.assertNotEqual(some, self.enumerate("4", "--random", "1200"))
         self.assertEqual(self.enumerate("4", "--random", "0"), [])
 
+    def test_knows_what_is_not_orientable(self):
+        for links in ("geodesic", "mixed", "cusped"):
+            parts = [self.enumerate("3", "--links", links, *flags) for flags in ((), ("--non-orientable",))]
+            self.assertEqual(sorted(sum(parts, [])), sorted(self.enumerate("3", "--links", links, "--all")))
+        self.assertIn("bkaaid", self.enumerate("1", "--links", "cusped", "--non-orientable"))
+        for line in self.enumerate("2", "--links", "cusped", "--non-orientable", "--random", "3"):
+            self.assertFalse(self.json_answer("info", line)["orientable"])
+
     def test_refuses(self):
         for arguments, says in (
                 (("0",), "N: "), (("13",), "N: "), (("x",), "N: "),
@@ -56,6 +64,8 @@ class Enumerate(ProgramTest):
                 (("3", "--engine", "tricensus", "--shard", "1/2"), "--shard"),
                 (("3", "--engine", "tricensus", "--random", "2"), "--random"),
                 (("2", "--links", "mixed", "--random", "2"), "mixed"),
+                (("2", "--all", "--non-orientable"), "--all"),
+                (("1", "--links", "mixed", "--all", "--random", "2"), "mixed"),
                 (("1", "--links", "cusped", "--random", "2"), "cusped")):
             result = self.run_program("enumerate", *arguments)
             self.assertEqual(result.status, 2, arguments)
@@ -67,7 +77,9 @@ class Enumerate(ProgramTest):
             self.assertEqual(result.status, 2)
             self.assertIn("regina-normal", result.err)
             raise unittest.SkipTest("Regina's tricensus is not installed")
-        for n, links in ((2, "geodesic"), (3, "geodesic"), (3, "mixed"), (3, "cusped")):
-            arguments = (str(n), "--links", links)
+        for n, links, *more in ((2, "geodesic"), (3, "geodesic"), (3, "mixed"), (3, "cusped"),
+                                (2, "geodesic", "--all"), (3, "geodesic", "--non-orientable"),
+                                (3, "mixed", "--non-orientable"), (3, "cusped", "--non-orientable")):
+            arguments = (str(n), "--links", links, *more)
             self.assertEqual(sorted(self.enumerate(*arguments, "--engine", "tricensus")),
                              sorted(self.enumerate(*arguments)))

@@ -4,7 +4,7 @@ import json
 import os
 
 import samples
-from support import TRIPUS, ProgramTest
+from support import DATA, TRIPUS, ProgramTest
 
 
 def tripus_json(old="", new=""):
@@ -30,6 +30,42 @@ class AnotherPython(ProgramTest):
             result = self.run_program("hyperbolic", *arguments, "--resume", "answers")
             self.assertEqual(result.status, 2)
             self.assertIn("--resume requires", result.err)
+
+
+class InstructionSets(ProgramTest):
+    """TRIPUS_SIMD chooses the kernels (geometry/README.md)."""
+
+    def say(self, name, *arguments):
+        return self.run_program(*arguments, env={**os.environ, "TRIPUS_SIMD": name})
+
+    def test_are_named_where_a_name_is_none(self):
+        self.write("list", f"{TRIPUS}\n{TRIPUS}\n")
+        for name in ("avx1024", "AVX2", "none", " "):
+            for arguments in (("solve", TRIPUS), ("solve", "--batch", "list"), ("info", TRIPUS)):
+                with self.subTest(name, arguments=arguments):
+                    result = self.say(name, *arguments)
+                    self.assertEqual((result.status, result.out), (2, b""))
+                    self.assertIn(f'TRIPUS_SIMD is "{name}"; this processor runs portable', result.err)
+                    self.assertEqual(result.err.count("\n"), 1)
+
+    def test_give_the_same_answers(self):
+        listed = self.say("?", "solve", TRIPUS).err.split("runs ")[1].split(".")[0].split(", ")
+        self.assertEqual(listed[0], "portable")
+        inputs = (DATA / "triangulations-4.txt").read_text().splitlines()[::50]
+        self.write("list", "\n".join(inputs))
+
+        def answers(name):
+            result = self.say(name, "solve", "--batch", "list", "--json", "--threads", "1")
+            found = [json.loads(line) for line in result.lines]
+            for answer in found:
+                answer.pop("seconds", None)
+            return found
+
+        fastest = answers("")
+        self.assertGreater(len(fastest), 200)
+        for name in listed:
+            with self.subTest(name):
+                self.assertEqual(answers(name), fastest)
 
 
 class Signatures(ProgramTest):

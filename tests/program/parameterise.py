@@ -98,6 +98,23 @@ class Parameterise(ProgramTest):
             self.assertEqual(run.status, 2)
             self.assertIn(words, run.err)
 
+    def test_refines_where_the_map_stretches(self):
+        coarse, fine = (read_json(self.run_program("parameterise", str(SURFACE), "--json", *more, timeout=300).text)
+                        for more in ((), ("--refine", "12000")))
+        self.assertEqual((coarse["termination"], fine["termination"]), ("converged", "converged"))
+        self.assertLess(abs(fine["tetrahedra"] - 12000), 100)
+        self.assertLess(fine["energy"], coarse["energy"])
+        self.assertLess(fine["relator_defect"], 1e-10)
+        self.assertLess(fine["off_boundary"], 1e-12)
+        self.assertAlmostEqual(fine["image_volume"], TRIPUS_VOLUME, delta=1e-8)
+        for wrong in ("-1", "x", "2000000000"):
+            self.assert_refused("parameterise", str(SURFACE), "--refine", wrong, says="--refine")
+
+    def test_advises_where_no_minimum_is_found(self):
+        run = self.run_program("parameterise", str(SURFACE), "--tolerance", "1e-300", timeout=300)
+        self.assertEqual(run.status, 1)
+        self.assertRegex(run.text, "advice +a larger tolerance")
+
     def test_refuses_names_and_files_of_others(self):
         for arguments in (("-o", "y.vtk"), ("--report", "y.txt"), ("--picture", "y.png"),
                           ("--weights", "best"), ("--method", "luck"), ("--tolerance", "0"),

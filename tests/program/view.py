@@ -77,6 +77,27 @@ class Pictures(ProgramTest):
                        ["--no-faces"], ["--cut-away", "0"], ["--camera", "120,-30,6"]):
             self.assertFalse(usual == self.picture(TRIPUS, "--model", "ball", *change), change)
 
+    def test_from_inside(self):
+        seen = []
+        for options in (["centre"], ["wall"], ["edge"], ["wall", "--dark"], ["wall", "--no-lines"],
+                        ["wall", "--colour-by", "component"]):
+            rows = self.picture(TRIPUS, "--inside", *options)
+            self.assertGreater(len({p for row in rows for p in row}), 200, options)
+            self.assertNotIn(rows, seen)
+            seen.append(rows)
+        identity = "0," + ",".join(str(int(i % 5 == 0)) for i in range(16))
+        self.assertNotIn(self.picture(TRIPUS, "--inside", identity), seen)
+        answer = self.json_answer("view", TRIPUS, "--inside", "wall", "--png", "inside.png")
+        self.assertEqual((answer["cells"], answer["file"]), (None, "inside.png"))
+        for signature in ("cPcbbbiht", "bkaaid"):  # with a cusp, and not orientable
+            self.assertGreater(self.drawn(self.picture(signature, "--inside", "centre")), 200)
+
+    def test_from_inside_of_ten_thousand_tetrahedra(self):
+        self.run_program("cover", TRIPUS, "--cyclic", "5000", "--limit", "1", "-o", "covers/")
+        rows = self.picture("covers/cover-000001.json", "--inside", "wall", "--no-lines")
+        self.assertEqual(rows, self.picture("covers/cover-000001.json", "--inside", "wall", "--no-lines"))
+        self.assertGreater(len({p for row in rows for p in row}), 200)
+
     def test_of_cusps_finite_vertices_and_singular_edges(self):
         seen = []
         for arguments in (["cPcbbbiht"], ["dLQacccjjkg"], ["bkaaid", "--model", "klein"],
@@ -209,6 +230,12 @@ class RefusedViews(ProgramTest):
         for option in (["--labels"], ["--dark"], ["--camera", "1,2,4"], ["--transparent", "0"],
                        ["--colour-by", "edge"], ["--moebius", "1,0,0.2,0,0,0,1,0"]):
             self.assertIn(option[0], self.refused("-o", "a.html", *option))
+
+    def test_places_inside(self):
+        for place in ("somewhere", "1", "2" + ",0" * 16, "0" + ",0" * 16, "0,nan" + ",0" * 15,
+                      "0,1,0,0,0,0,1,0,0,0,0,1,9,0,0,0,9"):
+            self.assertIn("inside", self.refused("--png", "a.png", "--inside", place))
+        self.assertIn("--inside", self.refused("-o", "a.html", "--inside", "wall"))
 
     def test_moebius_maps(self):
         for numbers in ("1", "1,0,0,0,0,0,1", "1,0,0,0,0,0,1,x", "0,0,0,0,0,0,0,0",

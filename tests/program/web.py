@@ -7,6 +7,7 @@ import re
 import subprocess
 import tempfile
 from pathlib import Path
+from random import Random
 
 import samples
 from browser import draw, notice, page_data, page_text
@@ -31,6 +32,7 @@ class Pictures(ProgramTest):
             "ball": "size=200x150&model=ball&cells=20",
             "upper": "size=200x150&model=upper&cells=12&yaw=2&pitch=0.6",
             "many": "size=40x30&model=ball&cells=300",
+            "very many": "size=80x60&model=ball&cells=2000",
             "dragged": "size=40x30&model=ball&drag=30:15",
             "klein": "size=200x150&model=klein&cells=20",
             "reference": "size=200x150&model=ball&cells=20&renderer=cells",
@@ -42,6 +44,9 @@ class Pictures(ProgramTest):
             "named": "size=300x220&model=ball&cells=6&labels=1",
             "by edge": "size=100x80&model=ball&cells=6&colour=edge",
             "by component": "size=100x80&model=ball&cells=6&colour=component",
+            "joined": "size=200x150&model=ball&cells=2&distance=2",
+            "apart": "size=200x150&model=ball&cells=2&distance=2&explode=0.0001",
+            "apart bare": "size=200x150&model=ball&cells=2&distance=2&explode=0.0001&lines=0",
             "hollow": "size=100x80&model=ball&cells=6&hollow=1&cut=0",
             "walls": "size=100x80&model=ball&cells=6&truncations=0",
             "paced": "size=400x300&model=ball&motion=4&paces=300:20,40:20,5:60",
@@ -152,6 +157,22 @@ class Pictures(ProgramTest):
         clear = {cell for cell, surface in self.check_outside(TRIPUS, "clear", 0.05, 0.6) if surface}
         self.assertEqual({self.facts("clear")["cells"][cell]["tetrahedron"] for cell in clear}, {0})
 
+    def test_two_thousand_cells_stand_where_rays_meet_them(self):
+        picture = self.pictures["very many"]
+        self.assertEqual(len(picture.facts["cells"]), 2000)
+        tracer, compared, seen = OutsideTracer(self.data[TRIPUS], picture), 0, set()
+        for x, y in ((x, y) for x in range(8, 80, 9) for y in range(7, 60, 9)):
+            around = {tracer.see(x + 0.5 + dx, y + 0.5 + dy)
+                      for dx, dy in ((0, 0), (-0.4, -0.4), (-0.4, 0.4), (0.4, -0.4), (0.4, 0.4))}
+            if len(around) > 1:
+                continue
+            compared += 1
+            low, high, surface = picture.at(picture.identities, x, y)[:3]
+            self.assertEqual({(low + 256 * high, surface)}, around, (x, y))
+            seen.add(low + 256 * high)
+        self.assertGreater(compared, 25)
+        self.assertGreater(max(seen), 15)
+
     def test_horospheres_stand_where_rays_meet_them(self):
         for name in ("cusps", "cusps upper", "cusps klein"):
             with self.subTest(name):
@@ -181,6 +202,15 @@ class Pictures(ProgramTest):
                     colours = [each.at(each.colours, x, y) for each in (clear, ball)]
                     tinted += colours[0] != colours[1]
         self.assertGreater(tinted, 300)
+
+    def test_tubes_of_cells_apart_stand_at_their_edges(self):
+        joined, apart, bare = (self.pictures[name] for name in ("joined", "apart", "apart bare"))
+
+        def differ(one, other):
+            return sum(max(abs(a - b) for a, b in zip(one.colours[i:i + 3], other.colours[i:i + 3])) > 40
+                       for i in range(0, len(one.colours), 4))
+        self.assertGreater(differ(joined, bare), 200)
+        self.assertLess(10 * differ(joined, apart), differ(joined, bare))
 
     def test_names_stand_on_their_cells(self):
         picture = self.pictures["named"]
@@ -532,13 +562,27 @@ class Files(ProgramTest):
         text = page_text(page, "dump=1")
         self.assertIn("does not compile", notice(text))
 
-    def test_a_lost_context_says_so(self):
+    def losing(self, when, then=""):
+        """A page whose context is lost: with `when`, a call of it, and what comes `then`."""
         page = self.page(TRIPUS)
-        lose = ("addEventListener('load', () => document.getElementById('picture')"
-                ".getContext('webgl2').getExtension('WEBGL_lose_context').loseContext());")
+        lose = ("const lose = () => { const lost = document.getElementById('picture')"
+                ".getContext('webgl2').getExtension('WEBGL_lose_context'); lost.loseContext(); "
+                + then + "}; " + when + ";")
         page.write_text(page.read_text().replace("'use strict';\n(() => {",
                                                  "'use strict';\n" + lose + "(() => {", 1))
-        self.assertIn("has given up on this page", notice(page_text(page)))
+        return notice(page_text(page))
+
+    def test_a_lost_context_says_so(self):
+        # Before the first picture, and in the very frame of it: before the page hears of the loss.
+        for when in ("addEventListener('load', lose)", "requestAnimationFrame(lose)"):
+            with self.subTest(when):
+                self.assertIn("has given up on this page", self.losing(when))
+
+    def test_a_context_that_comes_back_is_drawn_again(self):
+        back = "setTimeout(() => lost.restoreContext(), 100);"
+        for when in ("addEventListener('load', lose)", "requestAnimationFrame(lose)"):
+            with self.subTest(when):
+                self.assertEqual(self.losing(when, back), "")
 
 
 class Large(ProgramTest):
@@ -598,6 +642,37 @@ class Live(ProgramTest):
             self.assertIn(browser.view().get("transparent"), ("0", "1"))
             browser.key("t")
             self.assertNotIn("transparent", browser.view())
+
+
+class Polygons(ProgramTest):
+    """A face has the pixels of a polygon around it: none that shows it is missing."""
+
+    def test_hold_all_pixels_of_their_faces(self):
+        random = Random(21)
+        for arguments in ([TRIPUS], [ASYMMETRIC], ["eLMkbbddddhape"], [FIGURE_EIGHT], [GIESEKING],
+                          ["dLQbccchrqg"], [TRIPUS, "--cone-order", "0=3"]):
+            self.run_program("view", *arguments, "-o", "page.html")
+            data = page_data((self.folder / "page.html").read_text())
+            wishes = [f"size=100x75&model={model}&cells={random.choice((3, 20, 40))}"
+                      f"&yaw={random.uniform(0, 6):.4f}&pitch={random.uniform(0.1, 1.5):.4f}"
+                      f"&distance={random.uniform(1.1, 4.5):.4f}{more}"
+                      for model in ("ball", "upper", "klein") for more in ("", "&cut=0.1", "")]
+            pictures = draw(self.folder / "page.html", *(
+                wish + polygons for wish in wishes for polygons in ("", "&polygons=whole")))
+            seen = 0
+            for wish, tight, whole in zip(wishes, pictures[::2], pictures[1::2]):
+                self.assertEqual((tight.problem, whole.problem), ("", ""))
+                tracer, missing = OutsideTracer(data, whole), []
+                for i in range(0, len(whole.identities), 4):
+                    low, high, surface = there = tuple(whole.identities[i:i + 3])
+                    seen += surface > 0
+                    # Faces seen edge-on may reach beyond their borders.
+                    x, y = i // 4 % whole.width, i // 4 // whole.width
+                    if (tuple(tight.identities[i:i + 3]) != there and
+                            tracer.see(x + 0.5, y + 0.5) == (low + 256 * high, surface)):
+                        missing.append((x, y))
+                self.assertLessEqual(len(missing), 1, (arguments, wish, missing))
+            self.assertGreater(seen, 2000, arguments)
 
 
 class Refusals(ProgramTest):

@@ -48,6 +48,15 @@ def test_writes_and_shows(found: tripus.Parameterisation, tmp_path: Path) -> Non
         found.to_svg(7)
 
 
+def test_is_refined(found: tripus.Parameterisation) -> None:
+    fine = tripus.parameterise(SURFACE, refine=8000)
+    assert fine.converged and 8000 <= len(fine.cells) < 8100
+    assert (fine.points[: len(found.points)] == found.points).all()
+    assert fine.energy < found.energy
+    with pytest.raises(tripus.InvalidInput, match="10000000"):
+        tripus.parameterise(SURFACE, refine=10**9)
+
+
 def test_takes_arrays_and_refuses_balls() -> None:
     points = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
     with pytest.raises(tripus.InvalidInput, match="trivial"):

@@ -10,6 +10,7 @@
 #include "geometry/batch.hpp"
 #include "geometry/mixed_tetrahedron.hpp"
 #include "geometry/volume.hpp"
+#include "tests/support/lanes.hpp"
 #include "tests/support/ridders.hpp"
 
 namespace tripus::geometry {
@@ -207,12 +208,7 @@ TEST(MixedTetrahedron, EveryInstructionSetGivesTheBitsOfTheScalarKernel) {
       for (std::size_t e = 0; e < 6; ++e)
         l[e] = lengths[(6 * (t / kLanes) + e) * kLanes + t % kLanes];
       mixed_dihedral_angles(l, all[t].diagonal, angles, full);
-      for (std::size_t e = 0; e < 6; ++e)
-        EXPECT_EQ(theta[(6 * (t / kLanes) + e) * kLanes + t % kLanes], angles[e]);
-      for (std::size_t i = 0, q = 0; i < 6; ++i)
-        for (std::size_t j = i; j < 6; ++j, ++q)
-          EXPECT_EQ(jacobian[(kPackedJacobian * (t / kLanes) + q) * kLanes + t % kLanes],
-                    full[6 * i + j]);
+      testing::expect_lane(theta, jacobian, t, angles, full);
     }
   }
 }

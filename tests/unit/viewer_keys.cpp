@@ -36,14 +36,14 @@ TEST(ViewerKeys, OfTheWindowReachEveryActionAndNoHeldKey) {
   for (char32_t c = ' '; c < 127; ++c) reached.insert(window_action(c));
   for (int i = 0; i <= static_cast<int>(KeyAction::kHelp); ++i) {
     const auto action = static_cast<KeyAction>(i);
-    EXPECT_EQ(reached.contains(action), action != KeyAction::kChangeView) << i;
+    EXPECT_TRUE(reached.contains(action)) << i;
   }
   for (const char32_t held : U"wasdrfWASDRF") EXPECT_EQ(window_action(held), KeyAction::kNone);
   EXPECT_EQ(window_action('m'), window_action('M'));
   EXPECT_EQ(window_action(0x1F600), KeyAction::kNone);
   const auto help = window_help();
   EXPECT_EQ(std::ranges::count(help[0], '\n'), std::ranges::count(help[1], '\n'));
-  EXPECT_EQ(help[1].find("roll"), std::string::npos);  // of the page alone
+  EXPECT_NE(help[1].find("roll"), std::string::npos);
 }
 
 /// Whatever a state says of itself.

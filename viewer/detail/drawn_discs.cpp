@@ -7,7 +7,7 @@ GLfloat number(double x) { return static_cast<GLfloat>(x); }
 
 }  // namespace
 
-void DrawnDiscs::set(std::shared_ptr<const WallDiscs> discs) {
+void DrawnDiscs::set(std::shared_ptr<const WallDiscs> discs, DiscLight light) {
   if (discs == discs_) return;
   discs_ = std::move(discs);
   if (empty()) return;
@@ -18,7 +18,10 @@ void DrawnDiscs::set(std::shared_ptr<const WallDiscs> discs) {
     for (const WallDisc& disc : tile) {
       for (int k = 0; k < 4; ++k) texels.push_back(number(disc.centre[k]));
       const auto rgb = orthospectrum::length_colour(discs_->scale.share_of(disc.length));
-      for (const std::uint8_t part : rgb) texels.push_back(number(part / 255.0));
+      for (const std::uint8_t part : rgb) {
+        const GLfloat shown = number(part / 255.0);
+        texels.push_back(light == DiscLight::kLinear ? shown * shown : shown);
+      }
       texels.push_back(number(disc.extent));
     }
     texels.insert(texels.end(), {0, 0, 0, 0, 0, 0, 0, -1});  // the end

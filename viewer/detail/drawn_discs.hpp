@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -12,12 +13,15 @@ namespace tripus::viewer {
 /// negative behind the last disc of a tile.
 inline constexpr int kDiscTexelsPerRow = 2048;
 
+/// How colours of discs are written.
+enum class DiscLight : std::uint8_t { kDisplayed, kLinear };
+
 /// The discs of a scene on the graphics card, for discs.glsl and kWallFragmentShader.
 class DrawnDiscs {
  public:
   /// Takes the discs of a scene from now on; null: there are none.
   /// Throws NoOpenGl where the card cannot hold them.
-  void set(std::shared_ptr<const WallDiscs> discs);
+  void set(std::shared_ptr<const WallDiscs> discs, DiscLight light = DiscLight::kDisplayed);
 
   bool empty() const { return discs_ == nullptr; }
 

@@ -4,6 +4,7 @@
 
 #include "viewer/detail/gl.hpp"
 #include "viewer/detail/renderer.hpp"
+#include "viewer/inside/detail/inside_renderer.hpp"
 #include "viewer/legend.hpp"
 
 // After GLEW.
@@ -104,10 +105,29 @@ class OffscreenRenderer::Implementation {
     return image;
   }
 
+  Image draw_inside(const std::shared_ptr<const InsideManifold>& manifold,
+                    const InsideOptions& inside, const PictureOptions& options, int width,
+                    int height, Pixels pixels) {
+    context_.make_current();
+    if (target_.width != width || target_.height != height)
+      target_ = make_render_target(width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, target_.framebuffer.name());
+    if (!inside_) inside_ = std::make_unique<InsideRenderer>();
+    inside_->set_manifold(manifold);
+    Frame frame;
+    frame.width = width;
+    frame.height = height;
+    frame.identities = pixels == Pixels::kIdentities;
+    frame.samples = options.samples > 0 ? options.samples : 3;
+    inside_->draw(options, inside, frame);
+    return read_pixels(width, height);
+  }
+
  private:
   // The context first: it must outlive what is in it.
   OffscreenContext context_;
   Renderer renderer_;
+  std::unique_ptr<InsideRenderer> inside_;
   RenderTarget target_;
 };
 
@@ -118,6 +138,21 @@ Image OffscreenRenderer::draw(const Scene& scene, const PictureOptions& options,
                               int height, Pixels pixels) {
   require_drawable(scene, options, width, height);
   return implementation_->draw(scene, options, width, height, pixels);
+}
+
+Image OffscreenRenderer::draw_inside(const std::shared_ptr<const InsideManifold>& manifold,
+                                     const InsideOptions& inside, const PictureOptions& options,
+                                     int width, int height, Pixels pixels) {
+  require_size(width, height);
+  if (!stands_inside(*manifold, inside.walker))
+    throw InvalidInput("who looks from inside must stand in a tetrahedron, in front of its walls");
+  return implementation_->draw_inside(manifold, inside, options, width, height, pixels);
+}
+
+Image render_inside(const std::shared_ptr<const InsideManifold>& manifold,
+                    const InsideOptions& inside, const PictureOptions& options, int width,
+                    int height) {
+  return OffscreenRenderer().draw_inside(manifold, inside, options, width, height);
 }
 
 Image render_picture(const Scene& scene, const PictureOptions& options, int width, int height,

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "viewer/inside/inside_options.hpp"
 #include "viewer/picture.hpp"
 
 namespace tripus::viewer {
@@ -32,10 +33,22 @@ class OffscreenRenderer {
   Image draw(const Scene& scene, const PictureOptions& options, int width, int height,
              Pixels pixels = Pixels::kColours);
 
+  /// What one sees who stands in a manifold. Of the options those count that say so in
+  /// InsideOptions. Identities: InsideRenderer::draw.
+  /// Throws InvalidInput for a size out of range or a walker beyond a wall.
+  Image draw_inside(const std::shared_ptr<const InsideManifold>& manifold,
+                    const InsideOptions& inside, const PictureOptions& options, int width,
+                    int height, Pixels pixels = Pixels::kColours);
+
  private:
   class Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
+
+/// One picture from inside.
+Image render_inside(const std::shared_ptr<const InsideManifold>& manifold,
+                    const InsideOptions& inside, const PictureOptions& options, int width,
+                    int height);
 
 /// One picture.
 Image render_picture(const Scene& scene, const PictureOptions& options, int width, int height,

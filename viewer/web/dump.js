@@ -50,6 +50,9 @@ function dump(page) {
   if (page.graphics) {
     const [width, height] = (page.wishes.get('size') ?? '200x150').split('x').map(Number);
     page.fixedSize = [width, height];
+    // polygons=whole: each face that may be seen has all pixels for its polygon.
+    if (page.wishes.get('polygons') === 'whole')
+      for (const {mesh} of page.views.outside.faces.kinds) mesh.isWhole = true;
     act(page);
     // walk=forward:2,right:0.5: one after the other
     for (const part of (page.wishes.get('walk') ?? '').split(',').filter(Boolean)) {

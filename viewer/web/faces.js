@@ -33,7 +33,8 @@ function cornersOfWall({corners}, wall) {
   });
 }
 
-const kNoOutline = {points: new Float64Array(0), margin: 0, middle: [0, 0, 0], radius: 0};
+const kNoOutline = {points: new Float64Array(0), margin: 0, middle: [0, 0, 0], radius: 0, sides: null,
+                    edges: new Uint16Array(0)};
 
 /// The walls of cells in a model; grows with the universal cover.
 class FaceSet {
@@ -92,23 +93,35 @@ class FaceSet {
     };
     const away = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
     const corners = around.map((x) => corner(x, 1)), points = corners.map(({p}) => p);
+    corners.forEach((each, i) => { each.number = i; });
+    const edges = new Set();
     const middle = corner(around.reduce((sum, x) => Lorentz.combine(1, sum, 1, x)), around.length);
     const size = Math.max(...points.map((p) => away(p, points[0])));
     const error = Math.max(kOutlineDetail, kOutlineTightness * size) / kOutlineSafety;
     let margin = 0;
+    const halves = new Map();  // of sides, by the numbers of their ends
+    const key = (i, j) => 4096 * Math.min(i, j) + Math.max(i, j);
+    const number = (each) => {
+      each.number = points.length;
+      points.push(each.p);
+    };
     const cut = (triangle, halvings) => {
       let [most, worst, between] = [-1, 0, null];
       for (let k = 0; k < 3; ++k) {
-        const [a, b] = [triangle[k], triangle[(k + 1) % 3]];
-        const half = corner(Lorentz.combine(1, a.x, 1, b.x), 2);
-        const leaves = away(half.p, a.p.map((x, i) => (x + b.p[i]) / 2));
+        const [a, b] = [triangle[k], triangle[(k + 1) % 3]], side = key(a.number, b.number);
+        if (!halves.has(side)) {
+          const half = corner(Lorentz.combine(1, a.x, 1, b.x), 2);
+          halves.set(side, {half, leaves: away(half.p, a.p.map((x, i) => (x + b.p[i]) / 2))});
+        }
+        const {half, leaves} = halves.get(side);
         if (leaves > most) [most, worst, between] = [leaves, k, half];
       }
       if (most <= error || halvings === kOutlineHalvings) {
         margin = Math.max(margin, kOutlineSafety * most);
+        triangle.forEach(({number: i}, k) => edges.add(key(i, triangle[(k + 1) % 3].number)));
         return;
       }
-      points.push(between.p);
+      if (between.number === undefined) number(between);
       const [a, b, c] = [0, 1, 2].map((k) => triangle[(worst + k) % 3]);
       cut([a, between, c], halvings + 1);
       cut([between, b, c], halvings + 1);
@@ -116,11 +129,28 @@ class FaceSet {
     if (corners.length === 3) {
       cut(corners, 0);
     } else {
-      points.push(middle.p);
+      number(middle);
       corners.forEach((a, k) => cut([middle, a, corners[(k + 1) % 6]], 0));
     }
     const radius = Math.max(...points.map((p) => away(p, middle.p))) + margin;
-    return {points: Float64Array.from(points.flat()), margin, middle: middle.p, radius};
+    return {points: Float64Array.from(points.flat()), margin, middle: middle.p, radius,
+            sides: this.sides(corners, corner),
+            edges: Uint16Array.from([...edges].flatMap((pair) => [pair >> 12, pair & 4095]))};
+  }
+
+  /// Of each side of a wall where it begins, its middle, and its directions there and at its end: 15
+  /// numbers.
+  sides(corners, corner) {
+    const step = 1e-4;
+    return Float64Array.from(corners.flatMap(({x: a, p}, i) => {
+      const b = corners[(i + 1) % corners.length].x;
+      const at = (share) => corner(Lorentz.combine(2 - 2 * share, a, 2 * share, b), 2).p;
+      const along = (share) => {
+        const [before, after] = [at(share - step), at(share + step)];
+        return after.map((x, k) => x - before[k]);
+      };
+      return [...p, ...at(0.5), ...along(0), ...along(0.5), ...along(1)];
+    }));
   }
 
   /// Faces whose middles are at one place are one face.
@@ -170,143 +200,49 @@ class FaceSet {
   }
 }
 
-/// Finds where faces lie on a picture, and makes polygons around them; as in proxies.cpp.
-class ProxyMesh {
-  constructor() {
-    this.corners = new Float32Array(3 * 4096);
-    this.triangles = new Uint32Array(3 * 4096);
-    this.reach = new Float64Array(16);
-    this.offset = new Float64Array(3);
-    this.clear();
-  }
+const kNoPoints = new Float64Array(0);
 
-  clear() { this.cornerCount = this.triangleCount = 0; }
-
-  /// Draws the polygons by way of two buffers; attribute 0 is on.
-  draw(gl, corners, triangles) {
-    gl.bindBuffer(gl.ARRAY_BUFFER, corners);
-    gl.bufferData(gl.ARRAY_BUFFER, this.corners.subarray(0, 3 * this.cornerCount), gl.STREAM_DRAW);
-    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
-    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, triangles);
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, this.triangles.subarray(0, 3 * this.triangleCount),
-                  gl.STREAM_DRAW);
-    gl.drawElements(gl.TRIANGLES, 3 * this.triangleCount, gl.UNSIGNED_INT, 0);
-  }
-
-  look(view, width, height) {
-    Object.assign(this, {view, width, height});
-    this.focal = [width / 2 / view.tangent[0], height / 2 / view.tangent[1]];
-    // Away from the middle of the picture lengths look longer.
-    this.widening = Math.max(...this.focal) * (1 + view.tangent[0] ** 2 + view.tangent[1] ** 2);
-  }
-
-  /// Adds the polygon around the points, moved towards `centre` by the factor `shrink`.
-  add(points, margin, centre, shrink, record) {
-    const {reach} = this, {eye} = this.view;
-    const {offset} = this;
-    for (let k = 0; k < 3; ++k) offset[k] = centre[k] * (1 - shrink) - eye[k];
-    reach.fill(-Infinity);
-    const nearest = this.extend(points, offset, shrink, 0);
-    margin *= shrink;
-    if (nearest <= margin + 1e-6) {  // it may surround the eye
-      reach.fill(this.width + this.height);
-      this.addPolygon(2, 0, record);
-      return;
-    }
-    const more = margin / (nearest - margin) * this.widening + 0.06;
-    const straight = (reach[0] + reach[8] + 2 * more) * (reach[4] + reach[12] + 2 * more);
-    const slanting = (reach[2] + reach[10] + 2 * more) * (reach[6] + reach[14] + 2 * more);
-    const area = Math.min(straight, slanting), large = area > 2500;
-    if (large) this.extend(points, offset, shrink, 1);
-    for (let k = 0; k < 16; ++k) reach[k] += more;
-    if (area < 120) this.addPolygon(4, slanting < straight ? 2 : 0, record);
-    else this.addPolygon(large ? 1 : 2, 0, record);
-  }
-
-  /// Finds how far points reach in the even or odd ones of 16 directions; returns the least depth.
-  extend(points, offset, shrink, odd) {
-    const reach = this.reach, axes = this.view.axes, d = ProxyMesh.kDirections;
-    const fx = this.focal[0], fy = this.focal[1], ox = offset[0], oy = offset[1], oz = offset[2];
-    let nearest = Infinity;
-    for (let i = 0; i < points.length; i += 3) {
-      const px = points[i] * shrink + ox, py = points[i + 1] * shrink + oy,
-            pz = points[i + 2] * shrink + oz;
-      const depth = axes[6] * px + axes[7] * py + axes[8] * pz;
-      if (depth < nearest) nearest = depth;
-      const x = fx * (axes[0] * px + axes[1] * py + axes[2] * pz) / depth;
-      const y = fy * (axes[3] * px + axes[4] * py + axes[5] * pz) / depth;
-      for (let k = odd; k < 8; k += 2) {
-        const along = d[2 * k] * x + d[2 * k + 1] * y;
-        if (along > reach[k]) reach[k] = along;
-        if (-along > reach[k + 8]) reach[k + 8] = -along;
-      }
-    }
-    return nearest;
-  }
-
-  /// The polygon that reaches so far in every `step`-th direction, the first being `start`.
-  addPolygon(step, start, record) {
-    const reach = this.reach, width = this.width, height = this.height;
-    const directions = ProxyMesh.kDirections;
-    const count = 16 / step;
-    this.reserve(count);
-    const first = this.cornerCount;
-    let left = Infinity, right = -Infinity, low = Infinity, high = -Infinity;
-    for (let n = 0; n < count; ++n) {
-      const k = (start + n * step) % 16, l = (k + step) % 16;
-      const dx = directions[2 * k], dy = directions[2 * k + 1], ex = directions[2 * l],
-            ey = directions[2 * l + 1];
-      const sine = dx * ey - dy * ex, at = 3 * this.cornerCount++;
-      const x = 2 * (reach[k] * ey - reach[l] * dy) / sine / width;
-      const y = 2 * (reach[l] * dx - reach[k] * ex) / sine / height;
-      this.corners[at] = x;
-      this.corners[at + 1] = y;
-      this.corners[at + 2] = record;
-      left = Math.min(left, x);
-      right = Math.max(right, x);
-      low = Math.min(low, y);
-      high = Math.max(high, y);
-    }
-    if (left > 1 || right < -1 || low > 1 || high < -1) {
-      this.cornerCount = first;
-      return;
-    }
-    for (let i = 1; i + 1 < count; ++i) {
-      const at = 3 * this.triangleCount++;
-      this.triangles[at] = first;
-      this.triangles[at + 1] = first + i;
-      this.triangles[at + 2] = first + i + 1;
-    }
-  }
-
-  reserve(more) {
-    const grown = (array, needed) => {
-      if (needed <= array.length) return array;
-      const larger = new array.constructor(2 * needed);
-      larger.set(array);
-      return larger;
-    };
-    this.corners = grown(this.corners, 3 * (this.cornerCount + more));
-    this.triangles = grown(this.triangles, 3 * (this.triangleCount + more));
-  }
-}
-// Sixteen directions of the picture, counter-clockwise.
-ProxyMesh.kDirections = Float64Array.from({length: 32}, (_, i) => {
-  const angle = (i >> 1) * Math.PI / 8;
-  return i % 2 === 0 ? Math.cos(angle) : Math.sin(angle);
-});
-
-/// Whether some point of a face may turn its outer side to the eye; as in proxies.cpp.
-function mayFace({a, b, c, d}, points, margin, eye) {
+/// Of the points of a face, which are joined by edges, those that may turn their outer sides to the eye,
+/// and where edges leave them; all, the very array, if all do. As in proxies.cpp.
+function facingPart({a, b, c, d}, {points, margin, edges, middle, radius}, eye) {
   const bent = 2 * (d[0] * eye[0] + d[1] * eye[1] + d[2] * eye[2]);
   const x = bent * d[0] - b[0] - 2 * a * eye[0], y = bent * d[1] - b[1] - 2 * a * eye[1],
         z = bent * d[2] - b[2] - 2 * a * eye[2];
-  const most = (margin + 1e-6) * Math.sqrt(x * x + y * y + z * z) + 2 * c + b[0] * eye[0] +
-      b[1] * eye[1] + b[2] * eye[2];
-  for (let i = 0; i < points.length; i += 3)
-    if (x * points[i] + y * points[i + 1] + z * points[i + 2] <= most) return true;
-  return false;
+  const steep = Math.sqrt(x * x + y * y + z * z), doubt = (margin + 1e-6) * steep;
+  const most = 2 * c + b[0] * eye[0] + b[1] * eye[1] + b[2] * eye[2];
+  // Most faces are on one side with the whole ball around them.
+  const around = x * middle[0] + y * middle[1] + z * middle[2] - most, reach = radius * steep + doubt;
+  if (around < -reach) return points;
+  if (around > reach) return kNoPoints;
+  const count = points.length / 3;
+  if (facingPart.beyond.length < count) facingPart.beyond = new Float64Array(2 * count);
+  if (facingPart.part.length < points.length + 3 * edges.length)
+    facingPart.part = new Float64Array(2 * (points.length + 3 * edges.length));
+  const {beyond, part} = facingPart;
+  let greatest = -Infinity;
+  for (let i = 0; i < count; ++i) {
+    const f = x * points[3 * i] + y * points[3 * i + 1] + z * points[3 * i + 2] - most;
+    beyond[i] = f - doubt;
+    if (f > greatest) greatest = f;
+  }
+  if (greatest < -doubt) return points;
+  let size = 0;
+  for (let i = 0; i < count; ++i) {
+    if (beyond[i] > 0) continue;
+    for (let k = 0; k < 3; ++k) part[size++] = points[3 * i + k];
+  }
+  if (size === 0) return kNoPoints;
+  for (let e = 0; e < edges.length; e += 2) {
+    const i = edges[e], j = edges[e + 1];
+    if (!(beyond[i] * beyond[j] < 0)) continue;
+    const share = beyond[i] / (beyond[i] - beyond[j]);
+    for (let k = 0; k < 3; ++k)
+      part[size++] = points[3 * i + k] + share * (points[3 * j + k] - points[3 * i + k]);
+  }
+  return part.subarray(0, size);
 }
+facingPart.beyond = new Float64Array(0);
+facingPart.part = new Float64Array(0);
 
 /// Draws the faces of cells in a model.
 class FaceDrawing {
@@ -435,6 +371,13 @@ class FaceDrawing {
       mesh.look(view, width, height);
     }
     const focal = height / 2 / view.tangent[1], eye = new Float64Array(3);
+    const {axes} = view;
+    const nearestOf = ({middle, radius}, ball) => {
+      let depth = -radius * shrink;
+      for (let k = 0; k < 3; ++k)
+        depth += axes[6 + k] * (ball[k] + (middle[k] - ball[k]) * shrink - view.eye[k]);
+      return depth;
+    };
     for (const cell of order) {
       const ball = set.balls[cell], radius = ball[3] * shrink;
       let square = 0;
@@ -454,10 +397,19 @@ class FaceDrawing {
         // Through a transparent partner it is seen.
         if (solid && shrink === 1 && partner < count && (clear || !isClear(partner))) continue;
         const outline = set.outlines[face];
-        if (solid && !mayFace(set.halfSpaces[face], outline.points, outline.margin, eye)) continue;
+        let {points} = outline;
+        if (solid) {
+          points = facingPart(set.halfSpaces[face], outline, eye);
+          if (points.length === 0) continue;
+        }
         const {mesh} = this.kinds[face % 8 < 4 ? 1 : 0];
-        if (small) mesh.add(outline.middle, outline.radius, ball, shrink, this.first[face]);
-        else mesh.add(outline.points, outline.margin, ball, shrink, this.first[face]);
+        const first = this.first[face];
+        if (small) {
+          mesh.add(outline.middle, outline.radius, ball, shrink, first);
+        } else if (!solid || !outline.sides || points !== outline.points ||
+                   !mesh.addSides(outline.sides, nearestOf(outline, ball), ball, shrink, first)) {
+          mesh.add(points, outline.margin, ball, shrink, first);
+        }
       }
     }
     if (state.cut !== null && solid && !clear) {

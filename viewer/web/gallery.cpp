@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "base/version.hpp"
 #include "viewer/web/detail/assets.hpp"
 
 namespace tripus::viewer {
@@ -14,7 +13,7 @@ std::string card(const GalleryEntry& entry) {
   return fmt::format(
       "<li data-line=\"{}\" data-volume=\"{}\" data-size=\"{}\"><a href=\"{}\">"
       "<img src=\"{}\" width=\"{}\" height=\"{}\" loading=\"lazy\" alt=\"\">"
-      "<b>{}</b><span>volume {:.9f}<br>{} {}; {}</span></a></li>\n",
+      "<b>{}</b><span class=\"note\">volume {:.9f}<br>{} {}; {}</span></a></li>\n",
       entry.line, entry.volume, entry.tetrahedron_count, escape_html(entry.page),
       escape_html(entry.picture), kThumbnailWidth, kThumbnailHeight, escape_html(entry.name),
       entry.volume, entry.tetrahedron_count,
@@ -45,9 +44,9 @@ std::string gallery_html(const std::string& title, std::span<const GalleryEntry>
   }
   return detail::fill_template(
       detail::web_asset("gallery.html"),
-      {{"version", std::string(kVersion)},
+      {{"head",
+        detail::page_head(escape_html(title), {"theme.css", "cards.css", "gallery.css"}, "")},
        {"title", escape_html(title)},
-       {"style", std::string(detail::web_asset("gallery.css"))},
        {"count", fmt::format("{} {}", count, count == 1 ? "manifold" : "manifolds")},
        {"cards", cards},
        {"problems", problems}});

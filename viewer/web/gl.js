@@ -1,9 +1,10 @@
 // The little of WebGL2 that both views share: programs, data textures, a target to draw into.
 class GraphicsProblem extends Error {}
 
-/// A canvas has one context; it may have been made before.
+/// A canvas has one context; it may have been made before. With a depth of its own, pictures of its
+/// size are drawn into it, without a copy.
 const kContextOptions = {
-  antialias: false, alpha: false, depth: false, powerPreference: 'high-performance',
+  antialias: false, alpha: false, depth: true, stencil: false, powerPreference: 'high-performance',
 };
 
 class Graphics {
@@ -12,7 +13,7 @@ class Graphics {
     const gl = canvas.getContext('webgl2', kContextOptions);
     if (!gl) throw new GraphicsProblem('WebGL2 is missing in this browser, or switched off.');
     this.gl = gl;
-    this.target = this.drawn = null;
+    this.target = this.drawn = this.scratch = null;
     this.sum = null;
     // Sums of pictures need more than eight bits.
     this.canSum = gl.getExtension('EXT_color_buffer_float') !== null;
@@ -81,11 +82,17 @@ class Graphics {
     return {framebuffer, colour, depth, width, height};
   }
 
-  /// Starts a picture of that size; present() scales it to the canvas.
-  begin(width, height) {
-    this.target = this.renewed(this.target, width, height, this.gl.RGBA8);
+  /// Starts a picture of that size; present() scales it to the canvas. One that is `shown` and has the
+  /// size of the canvas is drawn into it at once.
+  begin(width, height, shown = false) {
+    if (shown && width === this.canvas.width && height === this.canvas.height)
+      this.target = this.ownTarget(width, height);
+    else
+      this.target = this.scratch = this.renewed(this.scratch, width, height, this.gl.RGBA8);
     this.prepare(this.target);
   }
+
+  ownTarget(width, height) { return {framebuffer: null, width, height}; }
 
   /// Starts the `count`-th picture of a mean, from 1 on; needs canSum.
   beginMean(width, height, count) {
@@ -120,6 +127,7 @@ class Graphics {
 
   present() {
     const {gl, canvas, drawn} = this;
+    if (drawn.framebuffer === null) return;
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, drawn.framebuffer);
     gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
     gl.blitFramebuffer(0, 0, drawn.width, drawn.height, 0, 0, canvas.width, canvas.height,
@@ -136,7 +144,7 @@ class Graphics {
     return pixels;
   }
 
-  /// The pixels of the picture, bottom row first; waits until it is drawn.
+  /// The pixels of the picture, bottom row first, before the browser takes it; waits until it is drawn.
   read() {
     const {gl, target} = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);

@@ -5,6 +5,8 @@
 const kMovingFrame = 40, kCoarsest = 0.15;
 /// What does not change for so many milliseconds rests.
 const kRestAfter = 180;
+const kLost = 'The graphics card has given up on this page. It will be drawn again when the browser gives the ' +
+    'graphics back; otherwise reload the page.';
 /// Samples a pixel of the resting picture inside.
 const kRefinements = 16;
 
@@ -109,7 +111,7 @@ class Page {
     this.problem = '';
     this.quality = 1;
     this.times = [];  // of frames in the last second
-    this.stale = this.ticking = this.drew = false;
+    this.stale = this.ticking = this.drew = this.stopped = false;
     this.last = null;  // when the last tick was, while they come
     this.fineTimer = 0;
   }
@@ -128,11 +130,10 @@ class Page {
     this.controls = new Controls(this.canvas, this);
     this.hover = new Hover(this);
     this.canvas.addEventListener('webglcontextlost', (e) => {
-      if (!this.graphics) return;  // stopped
+      if (this.stopped) return;
       e.preventDefault();
       this.graphics = null;
-      this.fail('The graphics card has given up on this page. It will be drawn again when the ' +
-                'browser gives the graphics back; otherwise reload the page.');
+      this.fail(kLost);
     });
     this.canvas.addEventListener('webglcontextrestored', () => this.connect());
     this.resized = new ResizeObserver(() => this.redraw());
@@ -142,6 +143,7 @@ class Page {
 
   /// Gives the graphics card back, and draws no more; the elements can go then.
   stop() {
+    this.stopped = true;
     clearTimeout(this.fineTimer);
     this.resized.disconnect();
     this.controls.stop();
@@ -163,12 +165,19 @@ class Page {
       this.problem = '';
       showNotice('');
     } catch (error) {
-      this.graphics = null;
-      this.fail(`This page cannot draw the manifold: ${error.message}\n\n` +
-                'The numbers beside it do not need graphics.');
+      this.giveUp(error);
       return;
     }
     this.redraw();
+  }
+
+  /// Draws no more because of an error. One of a lost context says nothing: all that is asked of it
+  /// is answered by null, before the page hears of the loss.
+  giveUp(error) {
+    const isLost = this.graphics?.gl.isContextLost();
+    this.graphics = null;
+    this.fail(isLost ? kLost : `This page cannot draw the manifold: ${error.message}\n\n` +
+                               'The numbers beside it do not need graphics.');
   }
 
   fail(text) {
@@ -364,14 +373,13 @@ class Page {
     const [w, h] = size.map((x) => Math.min(4096, Math.max(1, Math.round(x * scale))));
     try {
       if (count > 0) graphics.beginMean(w, h, count);
-      else graphics.begin(w, h);
+      else graphics.begin(w, h, !state.identities);
       state.jitter = count > 0 ? [2, 3].map((base) => radicalInverse(count, base) - 0.5) : [0, 0];
       const camera = state.view === 'inside' ? this.walker : this.orbit;
       this.views[state.view].draw(state, camera, w, h, scale);
       graphics.present();
     } catch (error) {
-      this.fail(`This page cannot draw the manifold: ${error.message}`);
-      this.graphics = null;
+      this.giveUp(error);
       return;
     }
     showState(this, Math.min(state.cells, this.views.outside.cover.cells.length));

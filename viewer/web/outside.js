@@ -1,6 +1,8 @@
 // The outside view: cells of the universal cover, in the ball or in the upper half-space.
 const kCellTexels = 19;
 const kCellsPerRow = 100;
+/// Of the background, in each of which it changes evenly.
+const kSkyStrips = 32;
 
 /// What the upper half-space and the ball make of the hyperboloid model. In both a half-space
 /// <n, x> <= 0, and what is outside a horoball, <v, x> <= -1, becomes A |p|^2 + 2 b.p + C <= 0; in
@@ -223,18 +225,31 @@ class OutsideView {
     else
       faces = this.drawFaces(state, view, width, height, scale, setCamera);
 
-    // Last, where there is nothing yet.
-    const upper = state.model === 'upper' ? 1 : 0;
-    const ground = this.grounds[upper] ??= this.graphics.program(
-        'fullscreen.vert.glsl', 'outside_ground.frag.glsl',
-        [`#define kUpper ${upper}`, 'outside_camera.glsl']);
-    setCamera(ground);
-    for (const name of ['uHigh', 'uLow'])
-      gl.uniform3fv(ground.at(name), linearColour(state.theme.outside[name]));
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    this.drawGround(state, view, setCamera);
     if (!faces) return;
     this.tubes.draw(...faces);
     this.faces.drawClear(...faces);
+  }
+
+  /// What surrounds the cells, where there is nothing yet.
+  drawGround(state, view, setCamera) {
+    const gl = this.graphics.gl, isUpper = state.model === 'upper';
+    // Most pixels show neither cells nor the ball.
+    const isOutside = !isUpper && Math.hypot(...view.eye) > 1.01;
+    const draw = (vertex, fragment, kind, count, defined) => {
+      const program = this.grounds[vertex + defined] ??=
+          this.graphics.program(vertex, fragment, [defined, 'outside_camera.glsl']);
+      setCamera(program);
+      for (const name of ['uHigh', 'uLow'])
+        gl.uniform3fv(program.at(name), linearColour(state.theme.outside[name]));
+      gl.drawArrays(kind, 0, count);
+    };
+    if (isOutside)
+      draw('outside_sky.vert.glsl', 'outside_sky.frag.glsl', gl.TRIANGLE_STRIP, 2 * kSkyStrips + 2,
+           `#define kStrips ${kSkyStrips}`);
+    draw(isOutside ? 'outside_ball.vert.glsl' : 'fullscreen.vert.glsl', 'outside_ground.frag.glsl',
+         isOutside ? gl.TRIANGLE_FAN : gl.TRIANGLES, isOutside ? 8 : 3,
+         `#define kUpper ${isUpper ? 1 : 0}`);
   }
 
   drawFaces(state, view, width, height, scale, setCamera) {

@@ -2,10 +2,17 @@
 
 #include <fmt/format.h>
 
-#include "base/version.hpp"
 #include "viewer/web/detail/assets.hpp"
 
 namespace tripus::viewer {
+namespace {
+
+/// It asks for nothing and sends nothing.
+constexpr const char* kPolicy =
+    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
+    "'unsafe-inline'; script-src 'unsafe-inline'; img-src data: blob:\">";
+
+}  // namespace
 
 std::string page_html(const PageOptions& options, const topology::Triangulation& triangulation,
                       const structure::Report& report, const embedding::Embedding& embedding) {
@@ -25,18 +32,18 @@ std::string page_html(const PageOptions& options, const topology::Triangulation&
                                : fmt::format("<a id=\"gallery\" href=\"{}\">All manifolds</a>",
                                              detail::escape_html(options.gallery));
   const auto part = [](std::string_view file) { return std::string(detail::web_asset(file)); };
-  return detail::fill_template(detail::web_asset("page.html"),
-                               {{"version", std::string(kVersion)},
-                                {"title", name + " - Tripus"},
-                                {"heading", name},
-                                {"back", back},
-                                {"style", part("theme.css") + part("view.css") + part("style.css")},
-                                {"stage", part("stage.html")},
-                                {"controls", part("controls.html")},
-                                {"help", part("help.html")},
-                                {"shaders", shaders},
-                                {"data", data},
-                                {"script", "'use strict';\n(() => {\n" + scripts + "})();"}});
+  return detail::fill_template(
+      detail::web_asset("page.html"),
+      {{"head",
+        detail::page_head(name + " - Tripus", {"theme.css", "view.css", "style.css"}, kPolicy)},
+       {"heading", name},
+       {"back", back},
+       {"stage", part("stage.html")},
+       {"controls", part("controls.html")},
+       {"help", part("help.html")},
+       {"shaders", shaders},
+       {"data", data},
+       {"script", "'use strict';\n(() => {\n" + scripts + "})();"}});
 }
 
 }  // namespace tripus::viewer

@@ -1,9 +1,11 @@
 // Tubes around edges, as viewer/faces/tubes.cpp makes them for the desktop: each edge once, in pieces
-// that are nearly straight in the model, with a record of numbers for the shaders (tubes.vert.glsl).
+// that are nearly straight in the model (where cells stand apart, each edge of each cell), with a record of numbers for the shaders (tubes.vert.glsl).
 const kTubeRadius = 0.025, kSingularTubeRadius = 0.05;
 // As wide as the lines of faces, in pixels: thinner tubes are left to them.
 const kThinnestTube = 1.2;
 const kTubeStraight = 1 / 16, kTubeHalvings = 5, kTubeTexels = 9;
+/// Of the numbers of a record, where its centre begins.
+const kTubePlace = 28;
 /// The faces at each edge.
 const kEdgeFaces = [[2, 3], [1, 3], [1, 2], [0, 3], [0, 2], [0, 1]];
 
@@ -25,14 +27,32 @@ function awayFrom(other, at) {
 
 class TubeSet {
   ///   set    the faces, grown to as many cells
-  constructor(set, cells) {
+  ///   apart  whether the cells stand apart, so that they share no edges
+  constructor(set, cells, apart) {
     this.model = set.model;
     this.pieces = [];
     this.numbers = [];
-    for (const edge of this.findEdges(set, cells)) this.addEdge(edge);
+    for (const edge of this.findEdges(set, cells, apart)) this.addEdge(edge);
   }
 
-  findEdges(set, cells) {
+  /// Moves pieces to where they are when cells shrink towards their middles.
+  shrink(balls, factor) {
+    this.pieces.forEach((piece, i) => {
+      const [x, y, z] = balls[piece.cell], {centre, size} = piece.first;
+      const moved = (p) => [x + factor * (p[0] - x), y + factor * (p[1] - y), z + factor * (p[2] - z)];
+      piece.centre = moved(centre);
+      piece.size = factor * size;
+      piece.margin = factor * piece.first.margin;
+      piece.radius = factor * piece.first.radius;
+      const {points} = piece.first;
+      piece.points = Float64Array.from([...moved(points.slice(0, 3)), ...moved(points.slice(3))]);
+      [...piece.centre, piece.size].forEach((number, k) => {
+        this.numbers[4 * kTubeTexels * i + kTubePlace + k] = number;
+      });
+    });
+  }
+
+  findEdges(set, cells, apart) {
     const edges = cells.flatMap((cell, number) => {
       const {corners, diagonal, faces, singular} = set.manifold.tetrahedra[cell.tetrahedron];
       const isometry = set.isometries[number];
@@ -45,10 +65,11 @@ class TubeSet {
           isFinite: [diagonal[v] < 0, diagonal[w] < 0],
           normals: () => kEdgeFaces[e].map((f) => Lorentz.apply(isometry, faces[f])),
           edgeClass: set.manifold.edgeClass[cell.tetrahedron][e],
-          isInner: kEdgeFaces[e].every((f) => set.partner[8 * number + f] < cells.length),
+          isInner: !apart && kEdgeFaces[e].every((f) => set.partner[8 * number + f] < cells.length),
           along: middle[0] + 0.6180339887 * middle[1] + 0.3247179572 * middle[2]};
       });
     });
+    if (apart) return edges;
     const order = [...edges].sort((one, other) => one.along - other.along);
     const known = new Set(), result = [];
     order.forEach((edge, i) => {
@@ -114,8 +135,8 @@ class TubeSet {
       // The square of the factor has one more factor 1 / size than the factor.
       local(kTubeFactors[this.model.number], this.model.number === 2 ? 1 / size : 1),
       bound(end, begin), bound(begin, end)];
-    this.pieces.push({points: Float64Array.from([...p, ...q]), margin, centre, size,
-                      radius: radius * this.scaleAt(m), cell: edge.cell, isInner: edge.isInner,
+    const first = {points: [...p, ...q], margin, centre, size, radius: radius * this.scaleAt(m)};
+    this.pieces.push({...first, points: Float64Array.from(first.points), first, cell: edge.cell, isInner: edge.isInner,
                       isSingular: edge.isSingular, edgeClass: edge.edgeClass});
     for (const {a, b} of polynomials) this.numbers.push(...b, a);
     this.numbers.push(...polynomials.map(({c}) => c), radius * radius, edge.isSingular ? 1 : 0,
@@ -148,12 +169,14 @@ class TubeDrawing {
   }
 
   upload(set, cells, state) {
-    const key = `${state.model} ${set.number} ${cells.length} ${state.colour}`;
+    const key = `${state.model} ${set.number} ${cells.length} ${state.colour} ${state.explode}`;
     if (key === this.shown) return;
     this.shown = key;
-    if (set.tubes?.count !== cells.length) set.tubes = {count: cells.length,
-                                                        tubes: new TubeSet(set, cells)};
+    const apart = state.explode > 0;
+    if (set.tubes?.count !== cells.length || set.tubes.apart !== apart)
+      set.tubes = {count: cells.length, apart, tubes: new TubeSet(set, cells, apart)};
     this.tubes = set.tubes.tubes;
+    if (apart) this.tubes.shrink(set.balls, 1 / (1 + state.explode));
     const {numbers, pieces} = this.tubes;
     pieces.forEach(({edgeClass, isSingular}, i) => {
       const colour = isSingular ? kSingularColour
@@ -165,7 +188,8 @@ class TubeDrawing {
   }
 
   draw(set, cells, state, view, width, height, scale, setCamera) {
-    if (!state.lines || state.identities || state.explode > 0) return;
+    // Cut cells that stand apart have lines.
+    if (!state.lines || state.identities || (state.explode > 0 && state.cut !== null)) return;
     this.upload(set, cells, state);
     const {mesh} = this, {gl} = this.graphics;
     mesh.clear();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,8 @@ constexpr double kFarthestMove = 1000;
 
 constexpr const char* kColourNames[kColourByCount] = {"tetrahedron", "face", "depth", "component",
                                                       "edge"};
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 /// The hyperbolic translation of the origin by a distance in a direction of unit length.
 geometry::Matrix4 translation(const Vector3& direction, double distance) {
@@ -35,11 +38,14 @@ Change ViewState::act(KeyAction action, const ViewState& first, const BoundingBa
   };
   switch (action) {
     case KeyAction::kNone:
-    case KeyAction::kChangeView:
     case KeyAction::kPicture:
     case KeyAction::kLink:
     case KeyAction::kTransparent:
       return Change::kNothing;
+    case KeyAction::kChangeView:
+      if (manifold == nullptr) return Change::kNothing;
+      is_inside = !is_inside;
+      break;
     case KeyAction::kNearer:
       return zoom(1.12);
     case KeyAction::kFarther:
@@ -92,6 +98,7 @@ Change ViewState::act(KeyAction action, const ViewState& first, const BoundingBa
       shown.labels = !shown.labels;
       break;
     case KeyAction::kFirstView: {
+      inside = first.inside;
       const bool was_moved = motion != first.motion;
       shown.camera = first.shown.camera;
       motion = first.motion;
@@ -111,17 +118,29 @@ Change ViewState::act(KeyAction action, const ViewState& first, const BoundingBa
 }
 
 Change ViewState::turn(double across, double up) {
+  if (is_inside) {
+    inside.walker.turn(radians(across), radians(up));
+    return Change::kPicture;
+  }
   shown.camera.azimuth = std::remainder(shown.camera.azimuth + across, 360);
   shown.camera.elevation = std::clamp(shown.camera.elevation + up, -89.0, 89.0);
   return Change::kPicture;
 }
 
+Change ViewState::roll(double clockwise) {
+  if (!is_inside) return Change::kNothing;
+  inside.walker.turn(0, 0, radians(clockwise));
+  return Change::kPicture;
+}
+
 Change ViewState::shift(double right, double up) {
+  if (is_inside) return Change::kNothing;
   shown.camera.shift += Eigen::Vector2d(right, up);
   return Change::kPicture;
 }
 
 Change ViewState::zoom(double factor, double x, double y) {
+  if (is_inside) return fly(Vector3(0, 0, factor > 1 ? 1 : -1), std::abs(std::log(factor)));
   Camera& camera = shown.camera;
   const double before = camera.zoom;
   camera.zoom = std::clamp(before * factor, kLeastZoom, kMostZoom);
@@ -131,6 +150,10 @@ Change ViewState::zoom(double factor, double x, double y) {
 }
 
 Change ViewState::fly(const Vector3& direction, double distance) {
+  if (is_inside) {
+    inside.walker.walk(*manifold, direction, distance);
+    return Change::kPicture;
+  }
   if (shown.renderer == RendererKind::kOpenCsg) return Change::kNothing;
   const View view = view_of(shown.camera, BoundingBall{Vector3::Zero(), 1}, 1, 1);
   const Vector3 in_eye_space(direction.x(), direction.y(), -direction.z());
@@ -160,6 +183,10 @@ std::string ViewState::as_options() const {
   if (shown.transparent) text += fmt::format(" --transparent {}", *shown.transparent);
   if (shown.labels) text += " --labels";
   if (shown.dark) text += " --dark";
+  if (is_inside) {
+    text += fmt::format(" --inside {}", inside.walker.tetrahedron);
+    for (int k = 0; k < 16; ++k) text += fmt::format(",{:.12g}", inside.walker.frame(k / 4, k % 4));
+  }
   if (motion != geometry::Matrix4::Identity()) {
     const geometry::MoebiusMap map = geometry::to_moebius(motion, false);
     text +=

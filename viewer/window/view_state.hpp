@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 
+#include "viewer/inside/inside_options.hpp"
 #include "viewer/keys.hpp"
 #include "viewer/picture.hpp"
 
@@ -22,6 +24,9 @@ struct ViewState {
   PictureOptions shown;
   std::size_t cells = 1;
   geometry::Matrix4 motion = geometry::Matrix4::Identity();  ///< of all cells
+  std::shared_ptr<const InsideManifold> manifold = nullptr;  ///< null: no view from inside
+  bool is_inside = false;                                    ///< needs the manifold
+  InsideOptions inside = {};
   bool help = true;
   bool rate = false;  ///< whether frames are counted on screen
 
@@ -30,15 +35,17 @@ struct ViewState {
   ///   focus  the ball that the camera looks at
   Change act(KeyAction action, const ViewState& first, const BoundingBall& focus);
 
-  /// Degrees.
+  /// Degrees; inside one turns, to the right and upwards.
   Change turn(double across, double up);
   /// Of the picture, in halves of its height.
   Change shift(double right, double up);
+  /// Inside: clockwise, degrees.
+  Change roll(double clockwise);
   /// By a factor, while what is at (x, y) stays there: in halves of the picture's height from its
-  /// middle.
+  /// middle. Inside one walks.
   Change zoom(double factor, double x = 0, double y = 0);
   /// Moves the cells by a hyperbolic distance, against the direction (right, up, forward) of
-  /// flight.
+  /// flight; inside one walks.
   Change fly(const Vector3& direction, double distance);
 
   /// Options of `tripus view` that show this very view.

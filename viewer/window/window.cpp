@@ -6,6 +6,7 @@
 #include <cmath>
 #include <exception>
 #include <filesystem>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -42,7 +43,8 @@ class Viewer {
       : window_(window),
         scene_of_(scene_of),
         options_(options),
-        first_{options.picture, options.cells, options.motion},
+        first_{options.picture,  options.cells,     options.motion,
+               options.manifold, options.is_inside, options.inside},
         state_(first_) {
     glfwSetWindowUserPointer(window, this);
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
@@ -91,6 +93,9 @@ class Viewer {
           if (const auto found = under_pointer()) {
             said_ = describe(scene_, found->cell, found->wall);
             stale_ = true;
+          } else if (state_.is_inside) {
+            said_ = met_under_pointer();
+            stale_ = !said_.empty();
           }
         }
       }
@@ -150,6 +155,11 @@ class Viewer {
       take(state_.fly(ways[way], kStep));
       return;
     }
+    if (state_.is_inside && (small == 'q' || small == 'e')) {
+      moving_ = true;
+      take(state_.roll(small == 'q' ? -5 : 5));
+      return;
+    }
     const KeyAction action = window_action(character);
     if (action == KeyAction::kPicture) save();
     if (action == KeyAction::kLink) link();
@@ -164,7 +174,10 @@ class Viewer {
     const int up = key == GLFW_KEY_UP ? 1 : key == GLFW_KEY_DOWN ? -1 : 0;
     if (across == 0 && up == 0) return;
     moving_ = true;
-    take(state_.turn(5.0 * across, 5.0 * up));
+    if (state_.is_inside && up != 0)
+      take(state_.fly(Vector3(0, 0, up), kStep));
+    else
+      take(state_.turn(5.0 * across, 5.0 * up));
   }
 
   /// Of the pointer, in halves of the window's height from its middle.
@@ -210,7 +223,11 @@ class Viewer {
     const bool left = is_held(GLFW_MOUSE_BUTTON_LEFT);
     if (!left && !is_held(GLFW_MOUSE_BUTTON_RIGHT)) return;
     moving_ = true;
-    if (left && !shifted) {
+    if (state_.is_inside) {
+      // As in pages, a height of the window is 1.6 radians.
+      const double degrees = 1.6 * 180 / std::numbers::pi / window_size(window_)[1];
+      take(state_.turn(-degrees * step.x(), degrees * step.y()));
+    } else if (left && !shifted) {
       take(state_.turn(-0.35 * step.x(), 0.35 * step.y()));
     } else {
       const double height = window_size(window_)[1];
@@ -227,6 +244,7 @@ class Viewer {
 
   /// What the pointer rests on, or nothing.
   std::optional<SeenWall> under_pointer() {
+    if (state_.is_inside) return std::nullopt;
     const auto [width, height] = window_size(window_);
     const Image image = identities();
     const auto seen = seen_at(image, static_cast<int>(mouse_.x() * image.width / width),
@@ -235,14 +253,30 @@ class Viewer {
     return seen;
   }
 
+  /// What the pointer rests on inside, in words.
+  std::string met_under_pointer() {
+    const auto [width, height] = window_size(window_);
+    const Image image = identities();
+    const int x = static_cast<int>(mouse_.x() * image.width / width),
+              y = static_cast<int>(mouse_.y() * image.height / height);
+    if (x < 0 || y < 0 || x >= image.width || y >= image.height) return {};
+    const auto at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                         static_cast<std::size_t>(x));
+    // Of the tetrahedron's number, a byte.
+    if (state_.manifold->tetrahedra.size() > 256) return {};
+    return describe_inside(*state_.manifold, image.pixels[at], image.pixels[at + 1],
+                           image.pixels[at + 2] & 15U);
+  }
+
   /// Which cells and walls the pixels of the window show.
   Image identities() {
     const auto [width, height] = picture_size(window_);
+    look();
     return canvas_.identities(state_.shown, width, height);
   }
 
   void make_transparent() {
-    if (state_.shown.renderer == RendererKind::kOpenCsg) return;
+    if (state_.shown.renderer == RendererKind::kOpenCsg || state_.is_inside) return;
     if (state_.shown.transparent) {
       state_.shown.transparent.reset();
     } else if (const auto found = under_pointer()) {
@@ -269,7 +303,8 @@ class Viewer {
     last_took_ = took.count();
     if (moving_) quality_ = next_quality(quality, last_took_);
     std::vector<SceneLabel> labels;
-    if (state_.shown.labels && !moving_) labels = labels_of(scene_, state_.shown, identities());
+    if (state_.shown.labels && !moving_ && !state_.is_inside)
+      labels = labels_of(scene_, state_.shown, identities());
     draw_overlay(scene_, state_,
                  {.status = status(),
                   .said = message_.empty() ? said_ : message_,
@@ -280,7 +315,10 @@ class Viewer {
   }
 
   std::string status() const {
-    std::string text = fmt::format("{}: {} cells", scene_.title, scene_.cells.size());
+    std::string text =
+        state_.is_inside
+            ? fmt::format("{}: in tetrahedron {}", scene_.title, state_.inside.walker.tetrahedron)
+            : fmt::format("{}: {} cells", scene_.title, scene_.cells.size());
     if (state_.rate)
       text += fmt::format(", {:.0f} frames a second", 1000 / std::max(last_took_, 0.1));
     else
@@ -291,7 +329,15 @@ class Viewer {
 
   void draw_scene(int width, int height, double quality) {
     const int samples = state_.shown.samples > 0 ? state_.shown.samples : fine_ ? 2 : 1;
+    look();
     canvas_.draw(state_.shown, width, height, quality, samples);
+  }
+
+  void look() {
+    if (state_.is_inside)
+      canvas_.look_from_inside(state_.manifold, state_.inside);
+    else
+      canvas_.look_from_outside();
   }
 
   /// What the window shows, without the text.
@@ -301,7 +347,8 @@ class Viewer {
     draw_scene(width, height, 1);
     Image image = read_pixels(width, height);
     add_legend(scene_, state_.shown, image);
-    if (state_.shown.labels) add_labels(scene_, state_.shown, identities(), image);
+    if (state_.shown.labels && !state_.is_inside)
+      add_labels(scene_, state_.shown, identities(), image);
     namespace fs = std::filesystem;
     for (int number = 1;; ++number) {
       const fs::path path =

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
+#include "viewer/inside/inside_options.hpp"
 #include "viewer/picture.hpp"
 
 namespace tripus::viewer {
@@ -11,7 +13,10 @@ struct WindowOptions {
   PictureOptions picture;
   int width = 1200;
   int height = 900;
-  std::size_t cells = 1;       ///< to begin with
+  std::size_t cells = 1;                                     ///< to begin with
+  std::shared_ptr<const InsideManifold> manifold = nullptr;  ///< null: no view from inside
+  bool is_inside = false;                                    ///< to begin with
+  InsideOptions inside = {};
   std::string picture_folder;  ///< where the key for it saves pictures; empty: the current one
   geometry::Matrix4 motion = geometry::Matrix4::Identity();  ///< moves all cells, to begin with
   /// What a shell runs for this scene: the key L adds the options of the view.

@@ -69,8 +69,10 @@ std::string to_json(const CanonicalProofText&) { refuse_proof(); }
 namespace detail {
 
 std::optional<Report> precise_minimiser(const topology::Triangulation&, const SolveOptions&,
-                                        const Report&) {
-  return std::nullopt;
+                                        const Report& report) {
+  Report unchanged = report;
+  unchanged.message += " The program goes on from here with more digits: tripus solve.";
+  return unchanged;
 }
 
 }  // namespace detail

@@ -2,6 +2,7 @@
 #include "viewer/web/page_data.hpp"
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -59,12 +60,14 @@ void add_page_data(CLI::App* verb, Command& chosen) {
   add_common_options(*verb, command->common);
   add_metric_search(*verb, command->search);
   verb->add_option("--cells", command->cells, "cells shown at first (default: 20)")
-      ->option_text("N");
+      ->option_text("N")
+      ->check(whole_number(std::numeric_limits<int>::max()));
   verb->add_option("--model", command->model, "ball (default), upper or klein")
       ->option_text("NAME");
   verb->add_flag("--discs", command->discs, "with the discs of arcs on the boundary");
   verb->add_option("--disc-length", command->length, "of the arcs up to this length")
-      ->option_text("L");
+      ->option_text("L")
+      ->check(positive_number());
   verb->final_callback([command, &chosen] {
     chosen = [command] {
       return answer_inputs(command->common,

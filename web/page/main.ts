@@ -113,10 +113,13 @@ function home(table = '') {
   refuse('');
   workspace.close();
   showScreen('home');
-  void gallery.show(table || kTables[0][0]);
+  const shown = gallery.show(table || kTables[0][0]);
   if (!table) return;
-  byId('gallery-title').scrollIntoView();
-  byId('gallery-title').focus({preventScroll: true});
+  const title = byId('gallery-title');
+  title.focus({preventScroll: true});
+  title.scrollIntoView();
+  // Again when there is something below it to scroll to, unless the reader went elsewhere.
+  void shown.then(() => document.activeElement === title && title.scrollIntoView());
 }
 
 /** What the address asks for. */

@@ -9,7 +9,7 @@
 export type Answer = Record<string, any>;
 
 /** Whoever may end a computation, and is told how it goes. All are called or read while the module
- *  works, in the thread that it works in. */
+ *  works, in the thread that it works in; what they throw ends the work and is thrown by the method. */
 export interface RunOptions {
   /** Polled where the work looks at its clock, at most twenty times a second; true ends it with what is
    *  known by then. A thread that works receives no messages: let it look at a SharedArrayBuffer, or end
@@ -50,6 +50,11 @@ export interface Tripus {
   ask(verb: string, inputs: Input | readonly Input[], flags?: readonly string[], options?: RunOptions): Answer[];
   /** A manifold from whatever INPUT the program takes. Throws TripusError. */
   manifold(input: Input, options?: RunOptions): Manifold;
+}
+
+// Where the lists of types of the reader's tsconfig.json have no WebAssembly.
+declare global {
+  namespace WebAssembly { interface Module {} }
 }
 
 /** The module, loaded once. `bytes` is a compiled module or its bytes if they are at hand (a worker is
@@ -146,7 +151,7 @@ export class Manifold {
   isIsometricTo(other: Manifold): boolean | undefined;
   /** The entry of the census, or null. */
   identify(options?: RunOptions): Answer | null;
-  /** `tripus orthospectrum --json` */
+  /** `tripus orthospectrum --json`. Kind "no-metric" where the triangulation carries none; so below. */
   orthospectrum(options?: OrthospectrumOptions): Answer;
 
   // Pictures

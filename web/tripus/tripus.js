@@ -9,6 +9,49 @@ export class TripusError extends Error {
   }
 }
 
+const usage = (message) => new TripusError('usage', message);
+
+/** Whatever is given as options: an object, or nothing; what all methods take is checked. */
+function optionsOf(options) {
+  if (options === undefined || options === null) return {};
+  if (typeof options !== 'object') throw usage(`options are an object, such as {timeLimit: 5}, not ${shown(options)}`);
+  const {files, stdin, stop, progress} = options;
+  for (const [name, callback] of Object.entries({stop, progress}))
+    if (isGiven(callback) && typeof callback !== 'function') throw usage(`the option ${name} is a function, not ${shown(callback)}`);
+  if (isGiven(stdin) && !isContent(stdin)) throw usage(`the option stdin is a text or a Uint8Array, not ${shown(stdin)}`);
+  if (!isGiven(files)) return options;
+  if (typeof files !== 'object') throw usage(`the option files is an object of names and contents, not ${shown(files)}`);
+  for (const [name, content] of Object.entries(files)) {
+    requireName(name);
+    if (!isContent(content)) throw usage(`the content of the file ${shown(name)} is a text or a Uint8Array, not ${shown(content)}`);
+  }
+  return options;
+}
+
+function requireName(name) {
+  if (name.includes('\0') || name.split('/').some((part) => part === '' || part === '..' || part === '.'))
+    throw usage(`${shown(name)} is no name of a file here: give one without a path`);
+}
+
+function requireArguments(args) {
+  if (!Array.isArray(args) || args.some((word) => typeof word !== 'string' || word.includes('\0')))
+    throw usage(`arguments are a list of texts, such as ["solve", "cPcbbbihq"], without the character NUL, not ${shown(args)}`);
+}
+
+/** What was given, for a message of one line. */
+function shown(value) {
+  let text;
+  try {
+    text = typeof value === 'bigint' || typeof value === 'symbol' ? String(value) : JSON.stringify(value) ?? String(value);
+  } catch {
+    text = String(value);
+  }
+  return text.length > 60 ? `${text.slice(0, 60)}...` : text;
+}
+
+const isGiven = (value) => value !== undefined && value !== null;
+const isContent = (content) => typeof content === 'string' || content instanceof Uint8Array;
+
 const kWork = '/work';
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
@@ -18,6 +61,7 @@ const isGzip = (bytes) => bytes.length > 2 && bytes[0] === 0x1f && bytes[1] === 
 
 /** What a file holds that may be compressed by gzip. */
 export async function unpacked(content) {
+  if (!isContent(content)) throw usage(`a content is a text or a Uint8Array, not ${shown(content)}`);
   const bytes = bytesOf(content);
   if (!isGzip(bytes)) return bytes;
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
@@ -49,7 +93,7 @@ class Program {
       printErr() {},
       stdin: () => (module.tripusInput ? module.tripusInput() : null),
     };
-    createModule(module);
+    createModule(module)?.catch?.(() => {});  // what fails is seen in the next line
     if (!module._tripus_run) throw new TripusError('internal', 'the module does not start');
     module.FS.mkdir(kWork);
     module.FS.chdir(kWork);
@@ -102,8 +146,6 @@ class Program {
     const {FS} = this.#module;
     for (const [name, content] of Object.entries(files)) {
       const parts = name.split('/');
-      if (name === '' || name.startsWith('/') || parts.some((part) => part === '' || part === '..' || part === '.'))
-        throw new TripusError('usage', `${JSON.stringify(name)} is no name of a file here: give one without a path`);
       for (let i = 1; i < parts.length; ++i) {
         const folder = `${kWork}/${parts.slice(0, i).join('/')}`;
         if (!FS.analyzePath(folder).exists) FS.mkdir(folder);
@@ -112,7 +154,9 @@ class Program {
     }
   }
 
-  run(args, options = {}) {
+  run(args, asked) {
+    const options = optionsOf(asked);
+    requireArguments(args);
     const given = options.files ?? {};
     const module = this.#running;
     this.#clear(kWork);
@@ -121,9 +165,19 @@ class Program {
     const input = bytesOf(options.stdin ?? '');
     let at = 0;
     module.tripusInput = () => (at < input.length ? input[at++] : null);
-    module.tripusStop = options.stop ?? null;
+    // What these throw ends the work, and is thrown when it has ended: nothing of C++ lies between.
+    const thrown = [];
+    const guarded = (callback) => (...values) => {
+      try {
+        return thrown.length > 0 || callback(...values);
+      } catch (error) {
+        thrown.push(error);
+        return true;
+      }
+    };
+    module.tripusStop = guarded(options.stop ?? (() => false));
     module.tripusProgress = options.progress
-      ? (address, size, tetrahedra) => options.progress(this.#text(address, size), tetrahedra)
+      ? guarded((address, size, tetrahedra) => options.progress(this.#text(address, size), tetrahedra))
       : null;
     const bytes = encoder.encode(words.map((word) => `${word}\0`).join(''));
     try {
@@ -138,13 +192,14 @@ class Program {
         files: this.#written(given),
       };
       module._free(address);
-      return result;
+      if (thrown.length === 0) return result;
     } catch (error) {
       this.#module = null;  // the next run begins with an empty memory
       if (!(error instanceof RangeError || error instanceof WebAssembly.RuntimeError ||
             error instanceof WebAssembly.Exception)) throw error;
       return failure(words, error);
     }
+    throw thrown[0];
   }
 }
 
@@ -163,9 +218,9 @@ function failure(words, error) {
 const kText = 'input';
 
 function checked(input) {
-  const isContent = typeof input?.content === 'string' || ArrayBuffer.isView(input?.content);
-  if (typeof input !== 'string' && !(typeof input?.name === 'string' && isContent))
-    throw new TripusError('usage', 'an input is a text, or {name, content} of a file, the content as text or as a Uint8Array');
+  if (typeof input !== 'string' && !(typeof input?.name === 'string' && isContent(input.content)))
+    throw usage('an input is a text, or {name, content} of a file, the content as text or as a Uint8Array');
+  if (typeof input !== 'string') requireName(input.name);
   return input;
 }
 
@@ -176,8 +231,9 @@ function argument(input, number) {
     const word = `${input.name.startsWith('-') ? './' : ''}${input.name}`;
     return [input.label === undefined ? word : `${word}#${input.label}`, {[input.name]: input.content}];
   }
-  // Only a diagram may have several lines in an argument; what else has them is a file's content.
-  if (!/^\s*[{[%<]|[\n\r]|^\s*-./.test(input)) return [input, {}];
+  // Only a diagram may have several lines in an argument; what else has them is a file's content, and
+  // so is what no command line can hold.
+  if (!/^\s*[{[%<]|[\n\r\0]|^\s*-./.test(input)) return [input, {}];
   const name = number === 0 ? kText : `${kText}-${number + 1}`;
   return [name, {[name]: input}];
 }
@@ -199,18 +255,26 @@ class Module {
     return {words: named.map(([word]) => word), files: Object.assign({}, ...named.map(([, files]) => files))};
   }
 
-  ask(verb, inputs, flags = [], options = {}) {
+  ask(verb, inputs, flags, asked) {
+    const options = optionsOf(asked);
+    if (!Array.isArray(flags ?? [])) throw usage(`flags are a list of texts, such as ["--degree", "2"], not ${shown(flags)}`);
     const {words, files} = this.words(inputs);
     const {status, stdout, stderr} =
-      this.run([verb, ...words, ...flags, '--json'], {...options, files: {...options.files, ...files}});
-    const answers = stdout.split('\n').filter((line) => line !== '').map((line) => JSON.parse(line));
+      this.run([verb, ...words, ...(flags ?? []), '--json'], {...options, files: {...options.files, ...files}});
+    const answers = stdout.split('\n').filter((line) => line !== '').map((line) => {
+      try {
+        return JSON.parse(line);
+      } catch {
+        throw usage(`the verb ${shown(verb)} does not answer in JSON: ask run() for it`);
+      }
+    });
     const failed = answers.find((answer) => answer.error);
     if (failed) throw new TripusError(failed.error.kind, failed.error.message);
-    if (status > 1) throw new TripusError(status === 2 ? 'usage' : 'internal', stderr.replace(/^tripus: /, '').trim());
+    if (status > 1 || answers.length === 0) throw new TripusError(status === 3 ? 'internal' : 'usage', stderr.replace(/^tripus: /, '').trim());
     return answers;
   }
 
-  manifold(input, options = {}) {
+  manifold(input, options) {
     const manifold = new Manifold(this, input);
     manifold.info(options);
     return manifold;
@@ -227,12 +291,16 @@ export function setSource(bytes) {
 
 async function compile(bytes) {
   if (bytes instanceof WebAssembly.Module) return bytes;
-  return WebAssembly.compile(await unpacked(bytes instanceof ArrayBuffer ? new Uint8Array(bytes) : bytes));
+  try {
+    return await WebAssembly.compile(await unpacked(bytes instanceof ArrayBuffer ? new Uint8Array(bytes) : bytes));
+  } catch (error) {
+    throw usage(`load(bytes): these are not the bytes of the module: ${error.message}`);
+  }
 }
 
 let own = null;
 export function compiled() {
-  if (!source) throw new TripusError('usage', 'load(bytes): the bytes of the module are not at hand');
+  if (!source) throw usage('load(bytes): the bytes of the module are not at hand');
   own ??= source().then(compile);
   return own;
 }
@@ -251,6 +319,7 @@ export class Manifold {
   #known = new Map();
 
   constructor(tripus, input) {
+    if (!(tripus instanceof Module)) throw usage('a manifold is made by Manifold.from(input)');
     this.#tripus = tripus;
     this.#input = input;
   }
@@ -261,7 +330,8 @@ export class Manifold {
   }
 
   /** The first answer of a verb; kept unless a stop or a time limit may have cut it short. */
-  #ask(verb, flags = [], options = {}) {
+  #ask(verb, flags = [], asked = undefined) {
+    const options = optionsOf(asked);
     const key = [verb, ...flags].join('\0');
     if (this.#known.has(key)) return this.#known.get(key);
     const [answer] = this.#tripus.ask(verb, this.#input, flags, options);
@@ -305,7 +375,8 @@ export class Manifold {
   }
   get valences() { return this.info().edge_valences; }
   get edgeClasses() { return this.info().edge_classes; }
-  triangulationIsosig({oriented = false} = {}) {
+  triangulationIsosig(options) {
+    const {oriented = false} = optionsOf(options);
     const found = this.info()[oriented ? 'oriented_isosig' : 'isosig'];
     if (found === null) throw new TripusError('undecided', 'this triangulation has no such signature');
     return found;
@@ -319,19 +390,22 @@ export class Manifold {
   get dihedralAngles() { return this.#metric().dihedral_angles; }
   toJSON() { return this.solve(); }
 
-  simplified({seed, effort, ...options} = {}) {
+  simplified(asked) {
+    const {seed, effort, ...options} = optionsOf(asked);
     const flags = [...(seed === undefined ? [] : ['--seed', String(seed)]),
                    ...(effort === undefined ? [] : ['--effort', String(effort)])];
     return this.#other(this.#ask('simplify', flags, options));
   }
-  retriangulated({seed, budget, ...options} = {}) {
+  retriangulated(asked) {
+    const {seed, budget, ...options} = optionsOf(asked);
     const flags = ['--retriangulate', ...(seed === undefined ? [] : ['--seed', String(seed)]),
                    ...(budget === undefined ? [] : ['--budget', String(budget)])];
     const answer = this.#ask('solve', flags, options);
     if (answer.outcome !== 'geometric') throw new TripusError('no-metric', answer.message);
     return this.#other(answer);
   }
-  covers(degree, {cyclic = false, distinct = false, limit, ...options} = {}) {
+  covers(degree, asked) {
+    const {cyclic = false, distinct = false, limit, ...options} = optionsOf(asked);
     const flags = [cyclic ? '--cyclic' : '--degree', String(degree), ...(distinct ? ['--distinct'] : []),
                    ...(limit === undefined ? [] : ['--limit', String(limit)])];
     return this.#tripus.ask('cover', this.#input, flags, options)
@@ -347,7 +421,7 @@ export class Manifold {
     return answer[name];
   }
   compare(other, options) {
-    if (!(other instanceof Manifold)) throw new TripusError('usage', 'compare(other): other is a Manifold');
+    if (!(other instanceof Manifold)) throw usage('compare(other): other is a Manifold');
     return this.#tripus.ask('compare', [this.#input, other.#input], [], options)[0];
   }
   isIsometricTo(other) {
@@ -355,21 +429,27 @@ export class Manifold {
     return verdict === 'same' ? true : verdict === 'different' ? false : undefined;
   }
   identify(options) { return this.#ask('identify', [], options).census ?? null; }
-  orthospectrum({length, words = false, ...options} = {}) {
-    return this.#ask('orthospectrum', [...(length === undefined ? [] : ['--length', String(length)]),
-                                       ...(words ? ['--words'] : [])], options);
+  orthospectrum(asked) {
+    const {length, words = false, ...options} = optionsOf(asked);
+    return this.#withMetric(this.#ask('orthospectrum', [...(length === undefined ? [] : ['--length', String(length)]),
+                                                        ...(words ? ['--words'] : [])], options), 'arcs');
+  }
+  /** An answer that has a part only where there is a metric. */
+  #withMetric(answer, part) {
+    if (!answer[part]) throw new TripusError('no-metric', answer.message);
+    return answer;
   }
 
-  embedding({cells, ...options} = {}) {
-    return this.#ask('embed', cells === undefined ? [] : ['--cells', String(cells)], options);
+  embedding(asked) {
+    const {cells, ...options} = optionsOf(asked);
+    return this.#withMetric(this.#ask('embed', cells === undefined ? [] : ['--cells', String(cells)], options), 'tetrahedra');
   }
-  pageData({cells, model, discs, ...options} = {}) {
+  pageData(asked) {
+    const {cells, model, discs, ...options} = optionsOf(asked);
     const flags = [...(cells === undefined ? [] : ['--cells', String(cells)]),
-                   ...(model === undefined ? [] : ['--model', model]),
+                   ...(model === undefined ? [] : ['--model', String(model)]),
                    ...(discs === true ? ['--discs'] : []),
                    ...(typeof discs === 'number' ? ['--disc-length', String(discs)] : [])];
-    const answer = this.#ask('page-data', flags, options);
-    if (!answer.face_pairings) throw new TripusError('no-metric', answer.message);
-    return answer;
+    return this.#withMetric(this.#ask('page-data', flags, options), 'face_pairings');
   }
 }

@@ -50,24 +50,31 @@ std::uint32_t TubeRegion::build(std::uint32_t first, std::uint32_t last) {
   return index;
 }
 
-TubeRegion::Nearest TubeRegion::nearest(const Point& p, double beyond) const {
-  Nearest best{beyond * beyond, kNone};
+template <class TooFar, class Visit>
+void TubeRegion::walk(const Point& p, TooFar&& too_far, Visit&& visit) const {
   std::array<std::uint32_t, kDeepest> todo;
   std::size_t count = 0;
   todo[count++] = 0;
   while (count > 0) {
     const std::uint32_t c = todo[--count];
     const Cell& cell = cells_[c];
-    const double far = cell.bounds.distance(p);
-    if (far * far >= best.squared) continue;
+    if (too_far(cell.bounds.distance(p))) continue;
     if (cell.right != 0) {
       todo[count++] = cell.right;
       todo[count++] = c + 1;
       continue;
     }
-    for (std::uint32_t s = cell.first; s < cell.last; ++s)
-      if (const double d = squared_distance(p, segments_[s]); d < best.squared) best = {d, s};
+    for (std::uint32_t s = cell.first; s < cell.last; ++s) visit(s);
   }
+}
+
+TubeRegion::Nearest TubeRegion::nearest(const Point& p, double beyond) const {
+  Nearest best{beyond * beyond, kNone};
+  walk(
+      p, [&](double distance) { return distance * distance >= best.squared; },
+      [&](std::uint32_t s) {
+        if (const double d = squared_distance(p, segments_[s]); d < best.squared) best = {d, s};
+      });
   return best;
 }
 
@@ -77,20 +84,9 @@ double TubeRegion::graph_distance(const Point& p, double beyond) const {
 
 template <class Visit>
 void TubeRegion::for_segments_within(const Point& p, double distance, Visit&& visit) const {
-  std::array<std::uint32_t, kDeepest> todo;
-  std::size_t count = 0;
-  todo[count++] = 0;
-  while (count > 0) {
-    const std::uint32_t c = todo[--count];
-    const Cell& cell = cells_[c];
-    if (cell.bounds.distance(p) >= distance) continue;
-    if (cell.right != 0) {
-      todo[count++] = cell.right;
-      todo[count++] = c + 1;
-      continue;
-    }
-    for (std::uint32_t s = cell.first; s < cell.last; ++s) visit(segments_[s]);
-  }
+  walk(
+      p, [&](double far) { return far >= distance; },
+      [&](std::uint32_t s) { visit(segments_[s]); });
 }
 
 /// A smooth minimum of the distances d, e from two segments is d - (k - (e - d))^2 / 4k where they

@@ -65,6 +65,9 @@ class TubeRegion {
   };
 
   std::uint32_t build(std::uint32_t first, std::uint32_t last);
+  /// Visits the segments (by number) of the cells that are not too far from p.
+  template <class TooFar, class Visit>
+  void walk(const Point& p, TooFar&& too_far, Visit&& visit) const;
   Nearest nearest(const Point& p, double beyond) const;
   template <class Visit>
   void for_segments_within(const Point& p, double distance, Visit&& visit) const;

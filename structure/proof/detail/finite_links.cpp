@@ -78,8 +78,8 @@ class Unfolding {
 
  private:
   static std::uint32_t place(std::size_t t, int v, int w) {
-    return static_cast<std::uint32_t>(16 * t + 4 * static_cast<std::size_t>(v) +
-                                      static_cast<std::size_t>(w));
+    return static_cast<std::uint32_t>(16 * t) + 4 * static_cast<std::uint32_t>(v) +
+           static_cast<std::uint32_t>(w);
   }
   std::uint32_t representative(std::uint32_t at) {
     if (ends_.size() == 0) join_ends();
@@ -162,7 +162,7 @@ class Unfolding {
   const std::vector<std::array<Arb, 6>>& angles_;
   std::vector<LinkTriangle> triangles_;
   std::vector<bool> known_;
-  topology::DisjointSets ends_;
+  topology::DisjointSets ends_;  ///< of edges, at their vertices; empty until they are asked for
 };
 
 }  // namespace

@@ -1,10 +1,12 @@
 #include "viewer/web/detail/assets.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "base/version.hpp"
 
 namespace tripus::viewer::detail {
 namespace {
@@ -41,6 +43,16 @@ std::string fill_template(std::string_view text,
     out += value->second;
     text.remove_prefix(close + 2);
   }
+}
+
+std::string page_head(std::string title, std::initializer_list<std::string_view> sheets,
+                      std::string policy) {
+  std::string style;
+  for (const std::string_view sheet : sheets) style += web_asset(sheet);
+  return fill_template(web_asset("head.html"), {{"policy", std::move(policy)},
+                                                {"version", std::string(kVersion)},
+                                                {"title", std::move(title)},
+                                                {"style", std::move(style)}});
 }
 
 std::string escape_html(std::string_view text) {

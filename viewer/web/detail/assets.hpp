@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,6 +33,13 @@ std::string_view web_asset(std::string_view name);
 /// a key. Throws InternalError for a key without a value.
 std::string fill_template(std::string_view text,
                           const std::vector<std::pair<std::string_view, std::string>>& values);
+
+/// What stands in the head of every page.
+///   title   as HTML
+///   sheets  names of the style sheets, in their order
+///   policy  a meta element that says what the page may load; empty: whatever it names
+std::string page_head(std::string title, std::initializer_list<std::string_view> sheets,
+                      std::string policy);
 
 /// Text of a user for the inside of an element or of a quoted attribute: escaped, and what is not
 /// UTF-8 or a control character replaced by U+FFFD.

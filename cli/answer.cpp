@@ -11,7 +11,6 @@
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
-#include "cli/output_names.hpp"
 #include "manifold/json_text.hpp"
 #include "topology/work_size.hpp"
 

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "cli/batch.hpp"
-#include "cli/exit_status.hpp"
 #include "cli/failure.hpp"
 #include "cli/verb.hpp"
 

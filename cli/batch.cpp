@@ -10,10 +10,9 @@
 #include <fmt/format.h>
 
 #include "base/threads.hpp"
-#include "cli/exit_status.hpp"
+#include "cli/failure.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
-#include "cli/output_names.hpp"
 #include "cli/progress.hpp"
 #include "manifold/load.hpp"
 

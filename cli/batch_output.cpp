@@ -6,7 +6,6 @@
 #include "base/checksum.hpp"
 #include "base/error.hpp"
 #include "cli/output.hpp"
-#include "cli/output_names.hpp"
 #include "manifold/json_text.hpp"
 
 namespace tripus::cli {

@@ -1,7 +1,6 @@
-#include "cli/census_file.hpp"
-
 #include "base/compression.hpp"
 #include "base/error.hpp"
+#include "cli/census.hpp"
 #include "manifold/load.hpp"
 
 namespace tripus::cli {

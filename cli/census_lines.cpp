@@ -1,8 +1,7 @@
-#include "cli/census_lines.hpp"
-
 #include "base/error.hpp"
 #include "cli/answer.hpp"
-#include "cli/output_names.hpp"
+#include "cli/census.hpp"
+#include "cli/output.hpp"
 #include "manifold/load.hpp"
 #include "topology/isosig.hpp"
 

@@ -1,5 +1,3 @@
-#include "cli/census_making.hpp"
-
 #include <cstdint>
 #include <optional>
 #include <unordered_set>
@@ -12,13 +10,11 @@
 #include "base/output_file.hpp"
 #include "base/version.hpp"
 #include "canonical/census_proofs.hpp"
-#include "cli/census_lines.hpp"
-#include "cli/census_shard.hpp"
+#include "cli/census.hpp"
 #include "cli/describe.hpp"
-#include "cli/exit_status.hpp"
+#include "cli/failure.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
-#include "cli/output_names.hpp"
 #include "cli/progress.hpp"
 #include "manifold/load.hpp"
 

@@ -1,4 +1,4 @@
-#include "cli/census_shard.hpp"
+#include "canonical/census_shard.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -11,13 +11,11 @@
 #include "base/journal.hpp"
 #include "base/output_file.hpp"
 #include "base/version.hpp"
-#include "canonical/census_shard.hpp"
-#include "cli/census_lines.hpp"
+#include "cli/census.hpp"
 #include "cli/describe.hpp"
-#include "cli/exit_status.hpp"
+#include "cli/failure.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
-#include "cli/output_names.hpp"
 #include "cli/progress.hpp"
 #include "cli/shard.hpp"
 #include "manifold/load.hpp"

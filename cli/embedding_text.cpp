@@ -1,5 +1,3 @@
-#include "cli/embedding_text.hpp"
-
 #include <algorithm>
 #include <string_view>
 
@@ -7,6 +5,7 @@
 
 #include "cli/describe.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/texts.hpp"
 #include "embedding/holonomy.hpp"
 
 namespace tripus::cli {

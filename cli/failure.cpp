@@ -8,7 +8,6 @@
 
 #include "base/error.hpp"
 #include "base/stop.hpp"
-#include "cli/exit_status.hpp"
 #include "cli/interrupt.hpp"
 #include "manifold/json_text.hpp"
 #include "topology/work_size.hpp"

@@ -1,6 +1,6 @@
-#include "cli/history_file.hpp"
-
 #include <fmt/format.h>
+
+#include "cli/files.hpp"
 
 namespace tripus::cli {
 

@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 #include "base/error.hpp"
-#include "cli/exit_status.hpp"
+#include "cli/failure.hpp"
 #include "cli/output.hpp"
 
 namespace tripus::cli {

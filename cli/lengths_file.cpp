@@ -1,5 +1,3 @@
-#include "cli/lengths_file.hpp"
-
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -9,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/binary.hpp"
+#include "base/detail/guarded_json.hpp"
 #include "base/error.hpp"
+#include "cli/files.hpp"
 #include "cli/numbers.hpp"
 
 namespace tripus::cli {
@@ -17,26 +17,9 @@ namespace {
 
 constexpr std::string_view kWhite = " \t\r\n\v\f";
 
-/// Deeper nesting than an answer of `tripus solve` has; the parser stops there.
-constexpr int kDeepest = 32;
-
-nlohmann::json parse_json(std::string_view text) {
-  const auto stop_deep = [](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
-    if (depth > kDeepest)
-      throw InvalidInput(fmt::format("the JSON is nested more than {} levels deep", kDeepest));
-    return true;
-  };
-  try {
-    return nlohmann::json::parse(text, stop_deep);
-  } catch (const nlohmann::json::parse_error& error) {
-    throw InvalidInput(fmt::format("it is not valid JSON: syntax error at byte {}", error.byte));
-  } catch (const nlohmann::json::exception& error) {
-    throw InvalidInput("it is not valid JSON: " + quoted(error.what(), 120));
-  }
-}
-
 std::vector<double> from_json(std::string_view text) {
-  const nlohmann::json document = parse_json(text);
+  const auto document =
+      detail::parse_guarded_json(text, "numbers, or an answer of `tripus solve --json`");
   const nlohmann::json* list = &document;
   if (document.is_object()) {
     const auto found = document.find("edge_lengths");

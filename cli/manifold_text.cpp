@@ -1,7 +1,7 @@
-#include "cli/manifold_text.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "cli/texts.hpp"
 
 namespace tripus::cli {
 namespace {

@@ -1,5 +1,3 @@
-#include "cli/orthospectrum_text.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -7,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/describe.hpp"
+#include "cli/texts.hpp"
 
 namespace tripus::cli {
 namespace {

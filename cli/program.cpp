@@ -12,7 +12,6 @@
 
 #include "base/version.hpp"
 #include "cli/arguments.hpp"
-#include "cli/exit_status.hpp"
 #include "cli/failure.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"

@@ -1,10 +1,9 @@
-#include "cli/report_text.hpp"
-
 #include <numbers>
 
 #include <fmt/format.h>
 
 #include "cli/remedies.hpp"
+#include "cli/texts.hpp"
 #include "structure/valence_theorem.hpp"
 
 namespace tripus::cli {

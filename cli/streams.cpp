@@ -9,7 +9,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "cli/exit_status.hpp"
+#include "cli/failure.hpp"
 
 namespace tripus::cli {
 

@@ -1,15 +1,12 @@
-#include "cli/triangulation_file.hpp"
-
 #include <array>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "base/output_file.hpp"
+#include "cli/files.hpp"
 #include "cli/output.hpp"
-#include "topology/formats/json.hpp"
-#include "topology/formats/regina.hpp"
-#include "topology/formats/snappea.hpp"
+#include "topology/formats/formats.hpp"
 
 namespace tripus::cli {
 

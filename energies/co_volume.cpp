@@ -182,22 +182,21 @@ bool CoVolume::is_between_hyperideal(std::size_t e) const {
       });
 }
 
-CoVolumeAt::CoVolumeAt(const CoVolume& energy)
-    : energy_(&energy),
-      gradient_(energy.dimension()),
-      theta_(geometry::block_count(energy.triangulation_.tetrahedron_count()) * 6 * kLanes) {}
-
 void CoVolumeAt::move_to(std::span<const double> x, solver::Order order) {
   const CoVolume& energy = *energy_;
   const bool second = order == solver::Order::kSecond;
-  x_.assign(x.begin(), x.end());
-  is_defined_ = std::all_of(x.begin(), x.end(), [](double l) { return std::isfinite(l); });
-  if (!is_defined_) return;
   const topology::Triangulation& triangulation = energy.triangulation_;
   const std::size_t blocks = geometry::block_count(triangulation.tetrahedron_count());
-  if (second) jacobian_.resize(blocks * kPackedJacobian * kLanes);
+  theta_ = 2 * x.size();
+  jacobian_ = theta_ + blocks * 6 * kLanes;
+  const std::size_t needed = jacobian_ + (second ? blocks * kPackedJacobian * kLanes : 0);
+  if (needed > few_.size() && needed > many_.size()) many_ = std::vector<double>(needed);
+  std::ranges::copy(x, memory());
+  is_defined_ = std::all_of(x.begin(), x.end(), [](double l) { return std::isfinite(l); });
+  if (!is_defined_) return;
 
-  std::transform(energy.cone_angles_.begin(), energy.cone_angles_.end(), gradient_.begin(),
+  const std::span<double> gradient(memory() + x.size(), x.size());
+  std::transform(energy.cone_angles_.begin(), energy.cone_angles_.end(), gradient.begin(),
                  [](double k) { return -k; });
   flat_count_ = 0;
   alignas(64) double lengths[kChunk * 6 * kLanes];
@@ -205,21 +204,19 @@ void CoVolumeAt::move_to(std::span<const double> x, solver::Order order) {
     const std::size_t count = std::min(kChunk, blocks - begin);
     for (std::size_t b = 0; b < count; ++b)
       Block(triangulation, begin + b).gather(x, kPaddingLength, lengths + 6 * kLanes * b);
-    const double* theta = theta_.data() + 6 * kLanes * begin;
     is_defined_ = angles(begin, count, lengths, second);
     if (!is_defined_) return;
     if (!energy.held_.empty()) flatten(begin, begin + count, second);
     for (std::size_t b = 0; b < count; ++b)
-      Block(triangulation, begin + b).scatter_add(theta + 6 * kLanes * b, gradient_);
+      Block(triangulation, begin + b).scatter_add(theta_block(begin + b), gradient);
   }
 }
 
 /// Angles, and Jacobians if asked for, of blocks whose lengths have been gathered.
 bool CoVolumeAt::angles(std::size_t first_block, std::size_t count, const double* lengths,
                         bool second_derivatives) {
-  double* theta = theta_.data() + 6 * kLanes * first_block;
-  double* jacobian =
-      second_derivatives ? jacobian_.data() + kPackedJacobian * kLanes * first_block : nullptr;
+  double* theta = theta_block(first_block);
+  double* jacobian = second_derivatives ? jacobian_block(first_block) : nullptr;
   using Form = CoVolume::Form;
   switch (energy_->form_) {
     case Form::kHyperideal:
@@ -254,9 +251,9 @@ bool CoVolumeAt::finite_angles(std::size_t first_block, std::size_t count, const
     if (!geometry::general_dihedral_angles(
             l, d, angle, second_derivatives ? std::span<double>(jacobian) : std::span<double>()))
       return false;
-    for (std::size_t e = 0; e < 6; ++e) theta_[(6 * block + e) * kLanes + lane] = angle[e];
+    for (std::size_t e = 0; e < 6; ++e) theta_block(block)[e * kLanes + lane] = angle[e];
     if (!second_derivatives) continue;
-    double* packed = jacobian_.data() + kPackedJacobian * kLanes * block + lane;
+    double* packed = jacobian_block(block) + lane;
     for (std::size_t i = 0, q = 0; i < 6; ++i)
       for (std::size_t j = i; j < 6; ++j, ++q) packed[q * kLanes] = jacobian[6 * i + j];
   }
@@ -272,11 +269,9 @@ void CoVolumeAt::flatten(std::size_t first_block, std::size_t last_block, bool s
     const std::size_t block = held[k] / kLanes, lane = held[k] % kLanes;
     if (!is_flat(dihedral_angles(held[k]))) ++flat_count_;
     for (std::size_t e = 0; e < 6; ++e)
-      theta_[(block * 6 + e) * kLanes + lane] =
-          std::min(e, 5 - e) == energy_->held_pi_[k] ? kPi : 0;
+      theta_block(block)[e * kLanes + lane] = std::min(e, 5 - e) == energy_->held_pi_[k] ? kPi : 0;
     if (!second_derivatives) continue;
-    for (std::size_t q = 0; q < kPackedJacobian; ++q)
-      jacobian_[(block * kPackedJacobian + q) * kLanes + lane] = 0;
+    for (std::size_t q = 0; q < kPackedJacobian; ++q) jacobian_block(block)[q * kLanes + lane] = 0;
   }
 }
 
@@ -363,7 +358,7 @@ void CoVolumeAt::hessian_diagonal_blocks(std::size_t block_size, std::span<doubl
 
 std::array<double, 6> CoVolumeAt::dihedral_angles(std::size_t t) const {
   std::array<double, 6> theta;
-  const double* block = theta_.data() + 6 * kLanes * (t / kLanes);
+  const double* block = theta_block(t / kLanes);
   for (std::size_t i = 0; i < 6; ++i) theta[i] = block[i * kLanes + t % kLanes];
   return theta;
 }
@@ -412,20 +407,21 @@ double CoVolumeAt::convexity_bound() const {
     largest_inverse = std::max(largest_inverse, inverse.norm());
   }
   std::size_t least_valence = energy_->triangulation_.valence(0);
-  for (std::size_t e = 1; e < x_.size(); ++e)
+  for (std::size_t e = 1; e < energy_->dimension(); ++e)
     least_valence = std::min(least_valence, energy_->triangulation_.valence(e));
   return largest_inverse > 0 ? static_cast<double>(least_valence) / largest_inverse : 0;
 }
 
 double CoVolumeAt::value() const {
+  const std::span<const double> x = lengths();
   Sum sum;
   for (std::size_t t = 0; t < energy_->triangulation_.tetrahedron_count(); ++t) {
     const auto theta = dihedral_angles(t);
     sum.add(2 * volume_of(theta));
     for (int i = 0; i < 6; ++i)
-      sum.add(theta[static_cast<std::size_t>(i)] * x_[energy_->triangulation_.edge_class(t, i)]);
+      sum.add(theta[static_cast<std::size_t>(i)] * x[energy_->triangulation_.edge_class(t, i)]);
   }
-  for (std::size_t e = 0; e < x_.size(); ++e) sum.add(-energy_->cone_angles_[e] * x_[e]);
+  for (std::size_t e = 0; e < x.size(); ++e) sum.add(-energy_->cone_angles_[e] * x[e]);
   return sum.value();
 }
 

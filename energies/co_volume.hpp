@@ -21,7 +21,7 @@ class CoVolume;
 /// The co-volume functional at given edge lengths: a value of its own.
 class CoVolumeAt final : public solver::Evaluation {
  public:
-  explicit CoVolumeAt(const CoVolume& energy);
+  explicit CoVolumeAt(const CoVolume& energy) : energy_(&energy) {}
 
   bool is_of(const CoVolume& energy) const { return energy_ == &energy; }
   const CoVolume& energy() const { return *energy_; }
@@ -29,10 +29,12 @@ class CoVolumeAt final : public solver::Evaluation {
   /// a true one. Then nothing below means anything.
   bool is_defined() const { return is_defined_; }
   /// The edge lengths [E].
-  std::span<const double> lengths() const { return x_; }
+  std::span<const double> lengths() const { return {memory(), energy_dimension()}; }
 
   /// -K, the edge curvatures [E].
-  std::span<const double> gradient() const override { return gradient_; }
+  std::span<const double> gradient() const override {
+    return {memory() + energy_dimension(), energy_dimension()};
+  }
   double value() const override;
   void hessian_values(std::span<double> values) const override;
   bool dense_hessian(std::span<double> lower) const override;
@@ -62,8 +64,18 @@ class CoVolumeAt final : public solver::Evaluation {
   bool finite_angles(std::size_t first_block, std::size_t count, const double* lengths,
                      bool second_derivatives);
   void flatten(std::size_t first_block, std::size_t last_block, bool second_derivatives);
+  std::size_t energy_dimension() const;
+  double* memory() { return many_.empty() ? few_.data() : many_.data(); }
+  const double* memory() const { return many_.empty() ? few_.data() : many_.data(); }
+  double* theta_block(std::size_t b) { return memory() + theta_ + 6 * geometry::kLanes * b; }
+  const double* theta_block(std::size_t b) const {
+    return memory() + theta_ + 6 * geometry::kLanes * b;
+  }
+  double* jacobian_block(std::size_t b) {
+    return memory() + jacobian_ + geometry::kPackedJacobian * geometry::kLanes * b;
+  }
   const double* jacobian_block(std::size_t b) const {
-    return jacobian_.data() + geometry::kPackedJacobian * geometry::kLanes * b;
+    return memory() + jacobian_ + geometry::kPackedJacobian * geometry::kLanes * b;
   }
   /// Entry q of the packed Jacobian of tetrahedron t.
   double jacobian_entry(std::size_t t, std::size_t q) const {
@@ -71,9 +83,12 @@ class CoVolumeAt final : public solver::Evaluation {
   }
 
   const CoVolume* energy_;
-  std::vector<double> x_, gradient_;  // [E]
-  std::vector<double> theta_;         // [T/8][6][8]
-  std::vector<double> jacobian_;      // [T/8][21][8], allocated at the first request
+  /// x [E], the gradient [E], the angles [T/8][6][8], and of the second order the Jacobians
+  /// [T/8][21][8]. Small manifolds are solved in microseconds: up to 8 tetrahedra with 48 edge
+  /// classes take no memory but this object's.
+  std::array<double, (6 + geometry::kPackedJacobian) * geometry::kLanes + 2 * 48> few_;
+  std::vector<double> many_;
+  std::size_t theta_ = 0, jacobian_ = 0;  // where these begin
   std::size_t flat_count_ = 0;
   bool is_defined_ = false;
 };
@@ -138,5 +153,7 @@ class CoVolume final : public solver::Problem {
   std::vector<std::size_t> held_pi_;  // the first of the two edges of each that have angle pi
   LazyElementPattern pattern_;
 };
+
+inline std::size_t CoVolumeAt::energy_dimension() const { return energy_->dimension(); }
 
 }  // namespace tripus::energies

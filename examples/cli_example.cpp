@@ -2,8 +2,8 @@
 #include <cstdio>
 
 #include "cli/describe.hpp"
-#include "cli/lengths_file.hpp"
-#include "cli/report_text.hpp"
+#include "cli/files.hpp"
+#include "cli/texts.hpp"
 #include "structure/solve.hpp"
 
 int main() {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/lengths_file.hpp"
+#include "cli/files.hpp"
 #include "fuzz/fuzzer.hpp"
 
 // The same text as lengths and as an angle: what one lets through, written out, reads the same.

@@ -1,5 +1,5 @@
 #include "fuzz/fuzzer.hpp"
-#include "topology/formats/regina.hpp"
+#include "topology/formats/formats.hpp"
 
 namespace {
 

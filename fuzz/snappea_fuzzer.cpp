@@ -1,5 +1,5 @@
 #include "fuzz/fuzzer.hpp"
-#include "topology/formats/snappea.hpp"
+#include "topology/formats/formats.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace tripus;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <typeinfo>
 #include <vector>
 
 namespace tripus::solver {
@@ -95,8 +96,8 @@ class Problem {
 /// constructor from the problem, and `is_of(problem)`.
 template <class E, class P>
 E& reuse(std::unique_ptr<Evaluation>& into, const P& problem) {
-  auto* found = dynamic_cast<E*>(into.get());
-  if (found != nullptr && found->is_of(problem)) return *found;
+  if (Evaluation* at = into.get(); at != nullptr && typeid(*at) == typeid(E))
+    if (E& found = static_cast<E&>(*at); found.is_of(problem)) return found;
   auto made = std::make_unique<E>(problem);
   E& result = *made;
   into = std::move(made);

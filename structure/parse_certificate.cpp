@@ -7,12 +7,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/detail/guarded_json.hpp"
 #include "base/error.hpp"
 #include "structure/certificate.hpp"
 
-// nlohmann's own tree would turn integers beyond 64 bits into doubles. The tree here is made from
-// its events instead, and keeps the text of every number, as a "binary" value: no JSON text makes
-// one.
+// nlohmann's own tree would turn integers beyond 64 bits into doubles. The tree here keeps their
+// text.
 
 namespace tripus::structure {
 namespace {
@@ -22,87 +22,22 @@ namespace {
 using json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
                                   std::uint64_t, long double>;
 
-/// Deeper nesting than any document of ours has; the parser stops there.
-constexpr std::size_t kDeepest = 32;
-
-json number_token(const std::string& text) {
-  return json::binary(std::vector<std::uint8_t>(text.begin(), text.end()));
-}
-
-/// Receives the parser's events; member names and signatures are nlohmann's.
-class TreeBuilder {
- public:
-  using number_integer_t = json::number_integer_t;
-  using number_unsigned_t = json::number_unsigned_t;
-  using number_float_t = json::number_float_t;
-  using string_t = json::string_t;
-  using binary_t = json::binary_t;
-
-  bool null() { return add(json()); }
-  bool boolean(bool value) { return add(json(value)); }
-  bool number_integer(number_integer_t value) { return add(number_token(std::to_string(value))); }
-  bool number_unsigned(number_unsigned_t value) { return add(number_token(std::to_string(value))); }
-  bool number_float(number_float_t /*value*/, const string_t& text) {
-    return add(number_token(text));
+/// Keeps the text of every number, as a "binary" value: no JSON text makes one.
+struct NumbersAsText {
+  template <class Tree, class Number>
+  static Tree keep(Number value) {
+    return keep_text<Tree>(std::to_string(value));
   }
-  bool string(string_t& value) { return add(json(std::move(value))); }
-  bool binary(binary_t& /*value*/) { return false; }
-  bool start_object(std::size_t /*size*/) { return open(json::object()); }
-  bool start_array(std::size_t /*size*/) { return open(json::array()); }
-  bool key(string_t& name) {
-    if (open_.back()->contains(name))
-      throw InvalidInput(
-          fmt::format("JSON: the key {} occurs twice in one object", tripus::quoted(name)));
-    key_ = std::move(name);
-    return true;
+  template <class Tree>
+  static Tree keep(typename Tree::number_float_t /*value*/, const std::string& text) {
+    return keep_text<Tree>(text);
   }
-  bool end_object() { return close(); }
-  bool end_array() { return close(); }
-  bool parse_error(std::size_t byte, const std::string& /*token*/, const json::exception& error) {
-    if (dynamic_cast<const json::out_of_range*>(&error) != nullptr)
-      throw InvalidInput(fmt::format("JSON: the number before byte {} is too large", byte));
-    throw InvalidInput(
-        fmt::format("JSON: syntax error at byte {}; expected a certificate {{\"kind\": ..., "
-                    "\"edge\": [...], \"vertex\": [...]}} or an answer of `tripus solve --json`",
-                    byte));
-  }
-
-  json take() { return std::move(root_); }
 
  private:
-  json* place(json value) {
-    if (open_.empty()) {
-      root_ = std::move(value);
-      return &root_;
-    }
-    json& parent = *open_.back();
-    if (parent.is_array()) {
-      parent.push_back(std::move(value));
-      return &parent.back();
-    }
-    json& member = parent[key_];
-    member = std::move(value);
-    return &member;
+  template <class Tree>
+  static Tree keep_text(const std::string& text) {
+    return Tree::binary(std::vector<std::uint8_t>(text.begin(), text.end()));
   }
-  bool add(json value) {
-    place(std::move(value));
-    return true;
-  }
-  /// The pointers stay valid: only the innermost open container grows.
-  bool open(json value) {
-    if (open_.size() == kDeepest)
-      throw InvalidInput(fmt::format("JSON: nested more than {} levels deep", kDeepest));
-    open_.push_back(place(std::move(value)));
-    return true;
-  }
-  bool close() {
-    open_.pop_back();
-    return true;
-  }
-
-  json root_;
-  std::vector<json*> open_;
-  std::string key_;
 };
 
 std::string shown(const json& value) {
@@ -191,9 +126,11 @@ topology::ConeAngle read_cone_angle(const json& value, const std::string& place)
 }  // namespace
 
 Certificate parse_certificate(std::string_view text) {
-  TreeBuilder builder;
-  json::sax_parse(text.begin(), text.end(), &builder);
-  const json document = builder.take();
+  const auto document = tripus::detail::parse_guarded_json<json, NumbersAsText>(
+      text,
+      "a certificate {\"kind\": ..., \"edge\": [...], \"vertex\": [...]} or an answer of `tripus "
+      "solve "
+      "--json`");
   const json& object = find_certificate(document);
 
   Certificate certificate;

@@ -12,8 +12,8 @@
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/manifold_text.hpp"
 #include "cli/remedies.hpp"
+#include "cli/texts.hpp"
 #include "cli/verb.hpp"
 
 namespace tripus::cli {

@@ -3,10 +3,9 @@
 #include <optional>
 
 #include "base/output_file.hpp"
-#include "cli/exit_status.hpp"
+#include "cli/failure.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
-#include "cli/output_names.hpp"
 #include "cli/verb.hpp"
 #include "drawing/drawing.hpp"
 #include "manifold/load_diagram.hpp"

@@ -5,12 +5,12 @@
 
 #include "cli/arguments.hpp"
 #include "cli/canonize_options.hpp"
-#include "cli/census_file.hpp"
+#include "cli/census.hpp"
 #include "cli/describe.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/manifold_text.hpp"
 #include "cli/remedies.hpp"
+#include "cli/texts.hpp"
 #include "cli/verb.hpp"
 
 namespace tripus::cli {

@@ -11,18 +11,18 @@
 #include "cli/answer.hpp"
 #include "cli/arguments.hpp"
 #include "cli/describe.hpp"
+#include "cli/files.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
-#include "cli/output_names.hpp"
+#include "cli/output.hpp"
 #include "cli/progress.hpp"
-#include "cli/triangulation_file.hpp"
 #include "cli/verb.hpp"
 #include "manifold/load.hpp"
 #include "meshing/formats/formats.hpp"
 #include "meshing/manifold.hpp"
 #include "meshing/picture.hpp"
-#include "topology/formats/json.hpp"
+#include "topology/formats/formats.hpp"
 
 namespace tripus::cli {
 namespace {

@@ -1,7 +1,7 @@
 // tripus methods: every energy, method and flow by name.
 #include <fmt/format.h>
 
-#include "cli/exit_status.hpp"
+#include "cli/failure.hpp"
 #include "cli/output.hpp"
 #include "cli/verb.hpp"
 #include "energies/energies.hpp"

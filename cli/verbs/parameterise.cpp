@@ -13,7 +13,7 @@
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
-#include "cli/output_names.hpp"
+#include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/verb.hpp"
 #include "parameterise/refine.hpp"

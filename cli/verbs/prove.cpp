@@ -9,7 +9,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"
 #include "cli/remedies.hpp"
-#include "cli/report_text.hpp"
+#include "cli/texts.hpp"
 #include "cli/verb.hpp"
 #include "structure/proof/prove_report.hpp"
 #include "structure/solve.hpp"

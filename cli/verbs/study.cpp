@@ -12,7 +12,7 @@
 #include "canonical/census.hpp"
 #include "cli/arguments.hpp"
 #include "cli/describe.hpp"
-#include "cli/exit_status.hpp"
+#include "cli/failure.hpp"
 #include "cli/help.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/numbers.hpp"

@@ -9,10 +9,9 @@
 
 #include "base/output_file.hpp"
 #include "base/svg_text.hpp"
-#include "cli/exit_status.hpp"
+#include "cli/failure.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
-#include "cli/output_names.hpp"
 #include "cli/progress.hpp"
 #include "cli/verb.hpp"
 #include "drawing/drawing.hpp"

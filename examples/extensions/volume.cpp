@@ -1,7 +1,7 @@
 // A verb of one's own: `tripus volume INPUT` prints the volume and nothing else. This file is all
 // that it takes: help, --batch, --json, --threads and --time-limit come with the common options.
 #include "cli/answer.hpp"
-#include "cli/exit_status.hpp"
+#include "cli/failure.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/verb.hpp"
 #include "manifold/json_text.hpp"

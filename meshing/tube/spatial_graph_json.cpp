@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/detail/guarded_json.hpp"
 #include "base/error.hpp"
 #include "meshing/tube/spatial_graph.hpp"
 
@@ -9,9 +10,6 @@ namespace tripus::meshing {
 namespace {
 
 using nlohmann::json;
-
-/// Deeper nesting than any document of ours has; the parser stops there.
-constexpr int kDeepest = 32;
 
 constexpr const char* kForm = "{\"vertices\": [[x,y,z], ...], \"edges\": [[[x,y,z], ...], ...]}";
 
@@ -22,22 +20,10 @@ std::string shown(const json& value) {
 }
 
 json parse(std::string_view text) {
-  const auto stop_deep = [](int depth, json::parse_event_t, json&) {
-    if (depth > kDeepest)
-      throw InvalidInput("spatial graph: nested more than " + std::to_string(kDeepest) +
-                         " levels deep");
-    return true;
-  };
   try {
-    return json::parse(text.begin(), text.end(), stop_deep);
-  } catch (const json::parse_error& error) {
-    throw InvalidInput("spatial graph: JSON syntax error at byte " + std::to_string(error.byte) +
-                       "; expected an object " + kForm);
-  } catch (const json::out_of_range&) {
-    throw InvalidInput(
-        "spatial graph: a number is too large; numbers must be finite, below 1.8e308");
-  } catch (const json::exception&) {
-    throw InvalidInput(std::string("spatial graph: this is not JSON; expected an object ") + kForm);
+    return tripus::detail::parse_guarded_json(text, std::string("an object ") + kForm);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(std::string("spatial graph: ") + error.what());
   }
 }
 

@@ -12,10 +12,7 @@
 #include "python/src/arrays.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/meshes.hpp"
-#include "topology/formats/json.hpp"
-#include "topology/formats/orb.hpp"
-#include "topology/formats/regina.hpp"
-#include "topology/formats/snappea.hpp"
+#include "topology/formats/formats.hpp"
 
 namespace tripus::python {
 namespace {

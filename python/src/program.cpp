@@ -3,7 +3,7 @@
 #include <nanobind/nanobind.h>
 
 #include "cli/batch_output.hpp"
-#include "cli/output_names.hpp"
+#include "cli/output.hpp"
 #include "manifold/load.hpp"
 #include "python/src/bindings.hpp"
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "structure/detail/candidate.hpp"
 #include "structure/detail/existence_routes.hpp"
 #include "structure/detail/rational_system.hpp"
 

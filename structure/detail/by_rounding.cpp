@@ -3,7 +3,6 @@
 #include <cstdint>
 
 #include "base/tolerances.hpp"
-#include "structure/detail/candidate.hpp"
 #include "structure/detail/existence_routes.hpp"
 
 namespace tripus::structure::detail {

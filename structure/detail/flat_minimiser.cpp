@@ -1,5 +1,3 @@
-#include "structure/detail/flat_minimiser.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +7,7 @@
 #include "geometry/mixed_tetrahedron.hpp"
 #include "geometry/truncated_tetrahedron.hpp"
 #include "structure/assess.hpp"
+#include "structure/detail/other_ways.hpp"
 #include "structure/method.hpp"
 
 // Two kinds of minimiser at which Newton's method stalls.

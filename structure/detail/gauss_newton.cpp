@@ -1,5 +1,3 @@
-#include "structure/detail/gauss_newton.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include "base/error.hpp"
+#include "structure/detail/other_ways.hpp"
 
 namespace tripus::structure::detail {
 namespace {

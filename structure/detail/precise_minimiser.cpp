@@ -1,5 +1,3 @@
-#include "structure/detail/precise_minimiser.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,7 +7,8 @@
 #include "geometry/curvature.hpp"
 #include "geometry/edge_frames.hpp"
 #include "geometry/truncated_tetrahedron.hpp"
-#include "structure/proof/detail/arb_matrix.hpp"
+#include "structure/detail/other_ways.hpp"
+#include "structure/proof/detail/arb_number.hpp"
 #include "structure/proof/detail/precise_tetrahedron.hpp"
 #include "structure/proof/digits.hpp"
 #include "topology/requirements.hpp"

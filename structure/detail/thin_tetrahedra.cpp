@@ -1,11 +1,10 @@
-#include "structure/detail/thin_tetrahedra.hpp"
-
 #include <algorithm>
 #include <numbers>
 #include <variant>
 
 #include "base/tolerances.hpp"
 #include "structure/detail/angle_programme.hpp"
+#include "structure/detail/other_ways.hpp"
 #include "structure/existence.hpp"
 
 namespace tripus::structure::detail {

@@ -5,8 +5,8 @@
 #include <array>
 
 #include "base/error.hpp"
+#include "structure/proof/detail/arb_number.hpp"
 #include "structure/proof/detail/cone_metric.hpp"
-#include "structure/proof/detail/decimal.hpp"
 #include "structure/proof/digits.hpp"
 
 namespace tripus::structure {

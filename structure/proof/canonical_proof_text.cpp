@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/detail/guarded_json.hpp"
 #include "base/error.hpp"
 #include "structure/proof/detail/checked_field.hpp"
 #include "structure/proof/detail/proof_json.hpp"
@@ -112,12 +113,12 @@ bool looks_like_canonical_proof(std::string_view text) {
 }
 
 CanonicalProofText parse_canonical_proof(std::string_view text) {
-  const json document = json::parse(text, nullptr, false);
+  constexpr std::string_view kExpected =
+      "an object with the \"proof\" of a canonical decomposition, such as an answer of `tripus "
+      "canonize --prove --json`";
+  const json document = tripus::detail::parse_guarded_json(text, kExpected);
   const json* object = canonical_member(document);
-  if (object == nullptr)
-    throw InvalidInput(
-        "JSON: expected an object with the \"proof\" of a canonical decomposition, such as an "
-        "answer of `tripus canonize --prove --json`");
+  if (object == nullptr) throw InvalidInput(fmt::format("JSON: expected {}", kExpected));
   CanonicalProofText proof;
   const json& proved = member(*object, "proved", "true or false");
   if (!proved.is_boolean()) refuse("\"proved\"", "true or false");

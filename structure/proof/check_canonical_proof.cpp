@@ -7,9 +7,9 @@
 
 #include "base/error.hpp"
 #include "structure/proof/canonical_proof_text.hpp"
+#include "structure/proof/detail/arb_number.hpp"
 #include "structure/proof/detail/checked_exact.hpp"
 #include "structure/proof/detail/checked_tetrahedron.hpp"
-#include "structure/proof/detail/read_number.hpp"
 #include "topology/cone_angle.hpp"
 #include "topology/isosig.hpp"
 #include "topology/labelled_isosig.hpp"

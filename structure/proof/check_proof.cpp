@@ -13,7 +13,6 @@
 #include "structure/proof/detail/checked_convexity.hpp"
 #include "structure/proof/detail/checked_finite.hpp"
 #include "structure/proof/detail/checked_tetrahedron.hpp"
-#include "structure/proof/detail/read_number.hpp"
 #include "structure/proof/proof_text.hpp"
 #include "topology/requirements.hpp"
 

@@ -7,9 +7,8 @@
 
 #include "base/error.hpp"
 #include "geometry/edge_frames.hpp"
-#include "structure/proof/detail/arb_matrix.hpp"
+#include "structure/proof/detail/arb_number.hpp"
 #include "structure/proof/detail/cone_metric.hpp"
-#include "structure/proof/detail/decimal.hpp"
 #include "structure/proof/detail/precise_tetrahedron.hpp"
 #include "structure/proof/proof_text.hpp"
 

@@ -8,9 +8,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/detail/guarded_json.hpp"
 #include "base/error.hpp"
+#include "structure/proof/detail/arb_number.hpp"
 #include "structure/proof/detail/proof_json.hpp"
-#include "structure/proof/detail/read_number.hpp"
 
 namespace tripus::structure {
 namespace {
@@ -81,10 +82,10 @@ std::size_t read_count(const json& object, const char* name, std::size_t without
 }
 
 json parse_object(std::string_view text) {
-  json document = json::parse(text, nullptr, false);
-  if (!document.is_object())
-    throw InvalidInput(
-        "JSON: expected an object with a \"proof\", such as an answer of `tripus prove --json`");
+  constexpr std::string_view kExpected =
+      "an object with a \"proof\", such as an answer of `tripus prove --json`";
+  json document = tripus::detail::parse_guarded_json(text, kExpected);
+  if (!document.is_object()) throw InvalidInput(fmt::format("JSON: expected {}", kExpected));
   return document;
 }
 

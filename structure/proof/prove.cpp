@@ -9,9 +9,8 @@
 #include "base/error.hpp"
 #include "structure/proof/detail/cone_metric.hpp"
 #include "structure/proof/detail/edge_sums.hpp"
-#include "structure/proof/detail/factorisation_proof.hpp"
-#include "structure/proof/detail/interval_newton.hpp"
 #include "structure/proof/detail/precise_tetrahedron.hpp"
+#include "structure/proof/detail/proof_routes.hpp"
 #include "structure/proof/proof.hpp"
 
 // The strong-convexity test of docs/theory.md section 9. On the box |x - x0| <= box all tetrahedra

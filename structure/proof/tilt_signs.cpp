@@ -6,9 +6,9 @@
 
 #include "geometry/edge_frames.hpp"
 #include "geometry/enclosure_formulae.hpp"
-#include "structure/proof/detail/decimal.hpp"
+#include "structure/proof/detail/arb_number.hpp"
+#include "structure/proof/detail/cone_metric.hpp"
 #include "structure/proof/detail/exact_metric.hpp"
-#include "structure/proof/detail/horosphere_areas.hpp"
 #include "structure/proof/digits.hpp"
 
 namespace tripus::structure {

@@ -8,7 +8,6 @@
 #include "structure/detail/angle_programme.hpp"
 #include "structure/detail/existence_routes.hpp"
 #include "structure/detail/small_decision.hpp"
-#include "structure/detail/small_programme.hpp"
 #include "structure/solve.hpp"
 #include "tests/support/data_files.hpp"
 #include "topology/isomorphism.hpp"

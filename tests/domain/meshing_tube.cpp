@@ -27,9 +27,9 @@ TEST_P(BadGraph, IsRefusedWithPlaceAndReason) {
 }
 
 const Bad kBad[] = {
-    {"Nothing", "", {"JSON syntax error at byte"}},
+    {"Nothing", "", {"JSON: syntax error at byte"}},
     {"NoObject", "[1,2]", {"found an array of 2", "expected an object"}},
-    {"NaN", R"({"edges": [[[NaN,0,0],[1,0,0]]]})", {"JSON syntax error"}},
+    {"NaN", R"({"edges": [[[NaN,0,0],[1,0,0]]]})", {"JSON: syntax error"}},
     {"HugeNumber", R"({"edges": [[[1e999,0,0],[1,0,0]]]})", {"too large; numbers must be finite"}},
     {"LargeNumber",
      R"({"vertices": [[0,0,0],[1e300,0,0]], "edges": [[[0,0,0],[1e300,0,0]]]})",

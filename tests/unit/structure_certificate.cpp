@@ -3,7 +3,7 @@
 
 #include "base/error.hpp"
 #include "structure/certificate.hpp"
-#include "structure/detail/candidate.hpp"
+#include "structure/detail/existence_routes.hpp"
 #include "structure/detail/rational_system.hpp"
 #include "tests/support/triangulations.hpp"
 #include "topology/isosig.hpp"

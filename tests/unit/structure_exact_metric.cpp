@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "structure/proof/detail/decimal.hpp"
+#include "structure/proof/detail/arb_number.hpp"
 #include "structure/proof/detail/exact_metric.hpp"
 #include "structure/proof/digits.hpp"
 #include "structure/solve.hpp"
@@ -66,8 +66,8 @@ Solved solved(const char* signature) {
   EXPECT_TRUE(digits.proved) << digits.reason;
   std::vector<Arb> lengths;
   for (std::size_t e = 0; e < digits.lengths.size(); ++e)
-    lengths.push_back(detail::from_decimal(digits.lengths[e])
-                          .widened_by(detail::from_decimal(digits.radii[e])));
+    lengths.push_back(
+        detail::from_decimal(digits.lengths[e]).widened_by(detail::from_decimal(digits.radii[e])));
   return {std::move(m), std::move(lengths)};
 }
 

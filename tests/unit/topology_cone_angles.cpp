@@ -10,8 +10,6 @@
 
 #include "base/error.hpp"
 #include "topology/formats/formats.hpp"
-#include "topology/formats/json.hpp"
-#include "topology/formats/orb.hpp"
 #include "topology/isosig.hpp"
 #include "topology/requirements.hpp"
 #include "topology/vertex_kinds.hpp"

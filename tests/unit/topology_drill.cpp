@@ -11,7 +11,7 @@
 #include "topology/diagrams/small_exterior.hpp"
 #include "topology/diagrams/tables.hpp"
 #include "topology/drill.hpp"
-#include "topology/formats/signature.hpp"
+#include "topology/formats/formats.hpp"
 #include "topology/homology.hpp"
 #include "topology/isosig.hpp"
 #include "topology/orientation.hpp"

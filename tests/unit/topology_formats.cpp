@@ -4,9 +4,6 @@
 
 #include "base/error.hpp"
 #include "topology/formats/formats.hpp"
-#include "topology/formats/json.hpp"
-#include "topology/formats/regina.hpp"
-#include "topology/formats/snappea.hpp"
 #include "topology/isomorphism.hpp"
 #include "topology/isosig.hpp"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "topology/formats/foreign_names.hpp"
+#include "topology/formats/formats.hpp"
 #include "topology/homology.hpp"
 
 namespace tripus::topology {

@@ -1,9 +1,8 @@
-#include "topology/formats/foreign_names.hpp"
-
 #include <array>
 
 #include "base/error.hpp"
 #include "topology/detail/text.hpp"
+#include "topology/formats/formats.hpp"
 
 namespace tripus::topology {
 namespace {

@@ -1,10 +1,9 @@
-#include "topology/formats/json.hpp"
-
 #include <cstdint>
 #include <optional>
 
 #include <nlohmann/json.hpp>
 
+#include "base/detail/guarded_json.hpp"
 #include "base/error.hpp"
 #include "topology/detail/text.hpp"
 #include "topology/formats/formats.hpp"
@@ -16,9 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-/// Deeper nesting than any document of ours has; the parser stops there.
-constexpr int kDeepest = 32;
-
 std::string place(std::size_t t, std::size_t f) {
   return "JSON: face " + std::to_string(f) + " of tetrahedron " + std::to_string(t) + ": ";
 }
@@ -28,22 +24,6 @@ std::string shown(const json& value) {
   if (value.is_object() || value.is_array())
     return std::string("an ") + value.type_name() + " of " + std::to_string(value.size());
   return quoted(value.dump(-1, ' ', true, json::error_handler_t::replace));
-}
-
-json parse(std::string_view text) {
-  const auto stop_deep = [](int depth, json::parse_event_t, json&) {
-    if (depth > kDeepest)
-      throw InvalidInput("JSON: nested more than " + std::to_string(kDeepest) + " levels deep");
-    return true;
-  };
-  try {
-    return json::parse(text.begin(), text.end(), stop_deep);
-  } catch (const json::parse_error& error) {
-    throw InvalidInput("JSON: syntax error at byte " + std::to_string(error.byte) +
-                       "; expected an object {\"gluings\": [...]}");
-  } catch (const json::exception& error) {
-    throw InvalidInput("JSON: " + quoted(error.what(), 120));
-  }
 }
 
 void read_face(const json& entry, std::size_t t, std::size_t f, Gluings& gluings) {
@@ -138,13 +118,13 @@ class PlainReader : public nlohmann::json_sax<json> {
 
  private:
   /// Depths of the table, of the row of a tetrahedron and of a face.
-  static constexpr int kTable = 2, kRow = 3, kFace = 4;
+  static constexpr std::size_t kTable = 2, kRow = 3, kFace = 4;
 
   bool in_table() const { return key_ == "gluings" && depth_ >= 1; }
   bool outside() const { return !in_table() && (depth_ > 1 || key_ != "name"); }
   bool open() {
     ++depth_;
-    return depth_ <= kDeepest && (depth_ > 1 || !in_table());
+    return depth_ <= tripus::detail::kDeepestJson && (depth_ > 1 || !in_table());
   }
   bool close() {
     --depth_;
@@ -167,7 +147,7 @@ class PlainReader : public nlohmann::json_sax<json> {
 
   NamedGluings result_;
   std::string key_;  // at the top level
-  int depth_ = 0;
+  std::size_t depth_ = 0;
   bool done_ = false;
   std::size_t sides_ = 0, row_begins_ = 0;
   int entries_ = 0;  // of a face
@@ -193,7 +173,7 @@ std::optional<NamedGluings> read_plain(std::string_view text) {
 
 NamedGluings read_json(std::string_view text) {
   if (auto plain = read_plain(text)) return *std::move(plain);
-  const json document = parse(text);
+  const json document = tripus::detail::parse_guarded_json(text, "an object {\"gluings\": [...]}");
   const auto table = document.is_object() ? document.find("gluings") : document.end();
   if (!document.is_object() || table == document.end() || !table->is_array())
     throw InvalidInput("JSON: expected an object with an array \"gluings\", found " +

@@ -1,5 +1,3 @@
-#include "topology/formats/orb.hpp"
-
 #include <algorithm>
 #include <array>
 #include <vector>

@@ -4,7 +4,6 @@
 #include "base/error.hpp"
 #include "topology/detail/text.hpp"
 #include "topology/formats/formats.hpp"
-#include "topology/formats/regina.hpp"
 
 namespace tripus::topology {
 namespace {

@@ -9,8 +9,6 @@
 #include "base/error.hpp"
 #include "topology/detail/text.hpp"
 #include "topology/formats/formats.hpp"
-#include "topology/formats/regina.hpp"
-#include "topology/formats/snappea.hpp"
 
 // The generations differ in their elements and in how permutations are numbered. The tree is walked
 // without recursion, so that deep nesting costs nothing.

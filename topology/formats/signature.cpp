@@ -1,5 +1,3 @@
-#include "topology/formats/signature.hpp"
-
 #include "base/error.hpp"
 #include "topology/detail/text.hpp"
 #include "topology/formats/formats.hpp"

@@ -1,5 +1,3 @@
-#include "topology/formats/snappea.hpp"
-
 #include <algorithm>
 #include <array>
 #include <optional>

@@ -5,7 +5,7 @@
 #include "canonical/census.hpp"
 #include "manifold/diagram_table.hpp"
 #include "orthospectrum/proved_lengths.hpp"
-#include "structure/detail/precise_minimiser.hpp"
+#include "structure/detail/other_ways.hpp"
 #include "structure/proof/arc_lengths.hpp"
 #include "structure/proof/canonical_proof_text.hpp"
 #include "structure/proof/digits.hpp"

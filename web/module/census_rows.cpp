@@ -1,7 +1,7 @@
 // The verb that the page's gallery asks: the census that is in the module, a row a manifold. (The
 // program's `census` makes and reads files, and is not in the module.)
 #include "canonical/census.hpp"
-#include "cli/exit_status.hpp"
+#include "cli/failure.hpp"
 #include "cli/output.hpp"
 #include "cli/verb.hpp"
 #include "manifold/canonical_json.hpp"

@@ -8,7 +8,7 @@
 #include <emscripten.h>
 
 #include "base/version.hpp"
-#include "cli/exit_status.hpp"
+#include "cli/failure.hpp"
 #include "cli/output.hpp"
 #include "cli/program.hpp"
 #include "cli/progress.hpp"

@@ -14,7 +14,7 @@
 #include "cli/metric.hpp"
 #include "cli/numbers.hpp"
 #include "cli/remedies.hpp"
-#include "cli/report_text.hpp"
+#include "cli/texts.hpp"
 #include "cli/verb.hpp"
 #include "manifold/report_json.hpp"
 #include "viewer/wall_discs.hpp"

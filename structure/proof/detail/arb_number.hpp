@@ -1,15 +1,37 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <string>
 #include <utility>
 
 #include <acb.h>
 #include <acb_hypgeom.h>
 #include <arb.h>
+#include <arb_mat.h>
 
 /// Arb's balls with operators, as geometry/enclosure_formulae.hpp wants them. The precision of
 /// every operation is that of the thread's latest `Precision`.
+
 namespace tripus::structure::detail {
+
+/// A matrix of Arb's balls, all 0 at first.
+class ArbMatrix {
+ public:
+  ArbMatrix(std::size_t rows, std::size_t columns) {
+    arb_mat_init(m_, static_cast<long>(rows), static_cast<long>(columns));
+  }
+  ~ArbMatrix() { arb_mat_clear(m_); }
+  ArbMatrix(const ArbMatrix&) = delete;
+  ArbMatrix& operator=(const ArbMatrix&) = delete;
+  arb_mat_struct* get() { return m_; }
+  arb_ptr at(std::size_t i, std::size_t j) {
+    return arb_mat_entry(m_, static_cast<long>(i), static_cast<long>(j));
+  }
+
+ private:
+  arb_mat_t m_;
+};
 
 class Precision {
  public:
@@ -139,5 +161,20 @@ class Arb {
 Arb clausen(const Arb& x);
 /// The same of all |x| <= a: an interval about 0.
 Arb clausen_near_zero(const Arb& a);
+
+/// A number of a proof for its checker: binary, "0x1.3p-1", exactly, or decimal, "0.25e-3", within
+/// Arb's rounding. Throws InvalidInput for anything else.
+Arb read_number(const std::string& text);
+
+/// The greatest decimal number with so many digits after the point that is at most every member of
+/// x, and the least that is at least every member.
+std::string decimal_below(const Arb& x, int digits);
+std::string decimal_above(const Arb& x, int digits);
+/// A decimal number near the midpoint.
+std::string decimal_near(const Arb& x, int digits);
+/// What decimal_near wrote, as an enclosure.
+Arb from_decimal(const std::string& text);
+/// An upper bound of x >= 0 as a whole number of units of the last digit, such as "3e-50".
+std::string decimal_radius(const Arb& x, int digits);
 
 }  // namespace tripus::structure::detail

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "structure/proof/detail/arb_matrix.hpp"
+#include "structure/proof/detail/arb_number.hpp"
 
 namespace tripus::structure::detail {
 namespace {

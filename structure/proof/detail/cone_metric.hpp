@@ -64,4 +64,8 @@ class ConeMetric {
   bool finite_vertex_ = false;
 };
 
+/// Moves the horospheres of lengths [E] to one common area, structure::kHorosphereArea. The areas
+/// are sums of Euclidean triangles, docs/theory.md (80).
+void equalise_horospheres(const ConeMetric& metric, std::vector<Arb>& lengths);
+
 }  // namespace tripus::structure::detail

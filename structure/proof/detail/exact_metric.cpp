@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "structure/proof/detail/arb_matrix.hpp"
+#include "structure/proof/detail/arb_number.hpp"
 
 // The argument is in docs/theory.md 9.7. Guesses come from lattice reduction; everything that is
 // concluded is an identity modulo the polynomial f, or an inequality between balls at a root of f.

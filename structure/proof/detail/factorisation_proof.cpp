@@ -1,5 +1,3 @@
-#include "structure/proof/detail/factorisation_proof.hpp"
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -11,9 +9,9 @@
 #include "base/threads.hpp"
 #include "geometry/edge_frames.hpp"
 #include "structure/proof/detail/edge_sums.hpp"
-#include "structure/proof/detail/mixed_doubles.hpp"
 #include "structure/proof/detail/positive_definite.hpp"
 #include "structure/proof/detail/precise_tetrahedron.hpp"
+#include "structure/proof/detail/proof_routes.hpp"
 
 namespace tripus::structure::detail {
 namespace {

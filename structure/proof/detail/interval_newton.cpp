@@ -1,5 +1,3 @@
-#include "structure/proof/detail/interval_newton.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -9,9 +7,10 @@
 #include <fmt/format.h>
 
 #include "geometry/edge_frames.hpp"
-#include "structure/proof/detail/arb_matrix.hpp"
+#include "structure/proof/detail/arb_number.hpp"
 #include "structure/proof/detail/finite_links.hpp"
 #include "structure/proof/detail/precise_tetrahedron.hpp"
+#include "structure/proof/detail/proof_routes.hpp"
 
 namespace tripus::structure::detail {
 namespace {

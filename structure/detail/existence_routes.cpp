@@ -1,4 +1,4 @@
-#include "structure/detail/candidate.hpp"
+#include "structure/detail/existence_routes.hpp"
 
 #include <algorithm>
 

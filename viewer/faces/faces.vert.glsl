@@ -41,5 +41,8 @@ void main() {
 #if kBends > 0
   for (int i = 0; i < kBends; ++i) vBend[i] = record(4 + kBounds + (kBounds + 3) / 4 + i);
 #endif
+#ifdef kHandOn
+  handOn();
+#endif
   gl_Position = vec4(aCorner.xy, 0.0, 1.0);
 }

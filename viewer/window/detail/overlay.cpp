@@ -26,7 +26,8 @@ void draw_overlay(const Scene& scene, const ViewState& state, const Overlay& ove
   const int across = width / scale, up = height / scale;
   const auto at = [&](int pixels) { return static_cast<float>(pixels * scale); };
   draw_text(overlay.status, at(10), at(10), scale, width, height);
-  if (!overlay.said.empty()) {
+  // In small windows the help takes its place.
+  if (!overlay.said.empty() && (!state.help || up > 450)) {
     // Beside the slider or, where that leaves too little, above it.
     const bool beside = across > 560;
     const std::string lines = broken_at_blanks(

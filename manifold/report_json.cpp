@@ -62,7 +62,7 @@ void append_valence_theorem(JsonText& out, const structure::ValenceTheorem& theo
   fmt::format_to(std::back_inserter(out),
                  ", \"valence_theorem\": {{\"claim\": \"{}\", \"least_valence\": {}, \"source\": "
                  "\"{}\", \"message\": ",
-                 structure::to_string(theorem.claim), theorem.least_valence, theorem.source());
+                 structure::to_string(theorem.claim()), theorem.least_valence, theorem.source());
   append_string(out, structure::message(theorem));
   out.push_back('}');
 }

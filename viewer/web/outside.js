@@ -249,7 +249,7 @@ class OutsideView {
            `#define kStrips ${kSkyStrips}`);
     draw(isOutside ? 'outside_ball.vert.glsl' : 'fullscreen.vert.glsl', 'outside_ground.frag.glsl',
          isOutside ? gl.TRIANGLE_FAN : gl.TRIANGLES, isOutside ? 8 : 3,
-         `#define kUpper ${isUpper ? 1 : 0}` + (isOutside ? '\n#define kHandOn' : ''));
+         `#define kHandOn\n#define kUpper ${isUpper ? 1 : 0}`);
   }
 
   drawFaces(state, view, width, height, scale, setCamera) {

@@ -73,8 +73,9 @@ void require_drawable(const Scene& scene, const PictureOptions& options, int wid
   require(options.renderer == RendererKind::kFaces || options.model != Model::kKleinBall ||
               std::ranges::none_of(scene.cells,
                                    [](const SceneCell& cell) {
-                                     return std::ranges::find(cell.diagonal, 0.0) !=
-                                            cell.diagonal.end();
+                                     return !cell.parabolic_edges.empty() ||
+                                            std::ranges::find(cell.diagonal, 0.0) !=
+                                                cell.diagonal.end();
                                    }),
           "the renderer opencsg draws spheres and planes, and horospheres of the Klein ball are "
           "neither; the renderer faces draws them, and opencsg does in the other models");

@@ -42,7 +42,10 @@ std::string describe_edge(const Scene& scene, const SceneCell& cell, std::size_t
   std::size_t found = 0;
   for (std::size_t v = 0; v < 4; ++v)
     if (v != face && v != other) ends.at(found++) = v;
-  const std::uint32_t number = cell.edge_class[edge_between(ends[0], ends[1])];
+  const std::size_t edge = edge_between(ends[0], ends[1]);
+  const std::uint32_t number = cell.edge_class[edge];
+  if (parabolic_edge(cell, edge) != nullptr)
+    return fmt::format("{}{} of class {} (parabolic)", ends[0], ends[1], number);
   std::string length;
   if (number < scene.edge_lengths.size())
     length = fmt::format("length {:.8g}, ", scene.edge_lengths[number]);
@@ -69,9 +72,26 @@ bool is_near(const Image& image, int x, int y, std::size_t cell) {
   return false;
 }
 
-/// The corner of a cell on truncation v, on the edge to w.
-const Vector4& corner_of(const SceneCell& cell, std::size_t v, std::size_t w) {
-  return cell.corners[3 * v + w - (w > v ? 1 : 0)];
+/// A point in the middle of edge vw; of a parabolic edge in the middle of its wall.
+Vector4 middle_of_edge(const SceneCell& cell, std::size_t v, std::size_t w) {
+  const auto corner = [&](std::size_t i, std::size_t j) -> const Vector4& {
+    return cell.corners[3 * i + j - (j > i ? 1 : 0)];
+  };
+  const Vector4 sum = corner(v, w) + corner(w, v);
+  if (const ParabolicEdge* const parabolic = parabolic_edge(cell, edge_between(v, w)))
+    return geometry::on_horosphere(sum / 2, parabolic->wall);
+  return sum / std::sqrt(-geometry::lorentz_product(sum, sum));
+}
+
+/// The half-spaces of which one must not hold the eye for an edge to be seen: those of its faces,
+/// or, if it is parabolic, that of its wall.
+std::vector<HalfSpace> half_spaces_at_edge(Model model, const SceneCell& cell, std::size_t edge) {
+  if (parabolic_edge(cell, edge) != nullptr)
+    return {half_space(model, cell, kPlainWallCount + edge)};
+  std::vector<HalfSpace> result;
+  for (const std::size_t face : faces_at_edge(edge))
+    result.push_back(half_space(model, cell, face));
+  return result;
 }
 
 }  // namespace
@@ -94,6 +114,12 @@ std::string describe(const Scene& scene, std::size_t cell_number, std::size_t wa
   const SceneCell& cell = scene.cells.at(cell_number);
   std::string text = fmt::format("tetrahedron {}", cell.tetrahedron);
   if (wall >= kWallCount) return text + ", cut";
+  if (is_edge_wall(wall)) {
+    const std::size_t edge = wall - kPlainWallCount;
+    return text + fmt::format(", horosphere of the parabolic edge {}{} of class {}",
+                              topology::kEdgeEnds[edge][0], topology::kEdgeEnds[edge][1],
+                              cell.edge_class[edge]);
+  }
   if (is_horosphere(cell, wall)) {
     return text + fmt::format(", horosphere {} of cusp {}", wall - 4, cell.vertex_class[wall - 4]);
   }
@@ -154,9 +180,8 @@ std::vector<SceneLabel> labels_of(const Scene& scene, const PictureOptions& opti
       add(x, y, fmt::format("{}", cell.tetrahedron));
     for (std::size_t v = 0; v < 4; ++v) {
       for (std::size_t w = v + 1; w < 4; ++w) {
-        const Vector4 sum = corner_of(cell, v, w) + corner_of(cell, w, v);
-        const Vector3 middle = geometry::to_model(
-            options.model, sum / std::sqrt(-geometry::lorentz_product(sum, sum)));
+        const std::size_t edge = edge_between(v, w);
+        const Vector3 middle = geometry::to_model(options.model, middle_of_edge(cell, v, w));
         const Vector4 clip = to_clip * Vector4(middle.x(), middle.y(), middle.z(), 1);
         const double px = (clip[0] / clip[3] + 1) / 2 * identities.width;
         const double py = (1 - clip[1] / clip[3]) / 2 * identities.height;
@@ -165,12 +190,10 @@ std::vector<SceneLabel> labels_of(const Scene& scene, const PictureOptions& opti
         // An edge is seen where its cell is seen around its middle, and one of its faces turns
         // towards the eye.
         if (!is_near(identities, static_cast<int>(px), static_cast<int>(py), number)) continue;
-        bool towards = false;
-        for (std::size_t f = 0; f < 4; ++f) {
-          if (f == v || f == w) continue;
-          towards = towards || half_space(options.model, cell.walls[f])(view.eye) > 0;
-        }
-        if (towards) add(px, py, fmt::format("e{}", cell.edge_class[edge_between(v, w)]));
+        if (std::ranges::any_of(
+                half_spaces_at_edge(options.model, cell, edge),
+                [&](const HalfSpace& half_space) { return half_space(view.eye) > 0; }))
+          add(px, py, fmt::format("e{}", cell.edge_class[edge]));
       }
     }
   }

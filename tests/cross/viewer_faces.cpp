@@ -49,9 +49,11 @@ std::vector<std::string> random_signatures(std::mt19937& random) {
 struct Agreement {
   int compared = 0;  ///< away from silhouettes: one cell and wall all around
   int wrong = 0;
+  int edge_walls = 0;  ///< of these pixels show the wall of a parabolic edge
 
   void add(const Agreement& other) {
     compared += other.compared;
+    edge_walls += other.edge_walls;
     wrong += other.wrong;
   }
 };
@@ -81,6 +83,7 @@ Agreement compare(const Scene& scene, const PictureOptions& options, std::mt1993
     if (!alone) continue;
     const Hit pixel = shown(image, x, y);
     ++result.compared;
+    result.edge_walls += expected.cell != 0 && is_edge_wall(expected.wall - 1);
     result.wrong += pixel.cell != expected.cell || pixel.wall != expected.wall;
   }
   return result;
@@ -133,9 +136,6 @@ std::vector<testing::Embedded> random_of_all_kinds(std::mt19937& random) {
       const auto& row = orbifolds[random() % orbifolds.size()];
       if (row.at("solution") != "geometric_solution") continue;
       const testing::Labelled example = testing::orb_example(row);
-      if (std::ranges::any_of(example.cone_angles,
-                              [](const auto& angle) { return angle.is_parabolic(); }))
-        continue;
       found = testing::try_embed(example.triangulation, example.cone_angles);
       if (found && !found->embedding.develops()) continue;
     }
@@ -160,6 +160,38 @@ TEST(ViewerFaces, AreWhereRaysMeetThemWithVerticesOfAllKinds) {
   EXPECT_LE(agreement.wrong * 1000, agreement.compared);
   EXPECT_GT(ideal, 30);
   EXPECT_GT(finite, 5);
+}
+
+/// All of two tetrahedra with an edge class that is parabolic in turn, some of three, and others.
+std::vector<testing::Embedded> parabolic_manifolds() {
+  std::vector<std::string> names(std::begin(testing::kParabolic), std::end(testing::kParabolic));
+  for (const std::string& line : testing::data_lines("triangulations-2.txt"))
+    names.push_back(line + " 0=0");
+  const auto three = testing::data_lines("triangulations-3.txt");
+  for (std::size_t n = 0; n < three.size(); n += 10) {
+    const topology::Triangulation triangulation(topology::decode_isosig(three[n]));
+    names.push_back(three[n] + " " + std::to_string(n / 10 % triangulation.edge_count()) + "=0");
+  }
+  std::vector<testing::Embedded> result;
+  for (const std::string& name : names)
+    if (auto found = testing::try_embed_parabolic(name)) result.push_back(std::move(*found));
+  return result;
+}
+
+TEST(ViewerFaces, AreWhereRaysMeetThemAtParabolicEdges) {
+  std::mt19937 random(20261204);
+  int number = 0;
+  Agreement agreement;
+  for (const testing::Embedded& manifold : parabolic_manifolds()) {
+    ASSERT_TRUE(std::ranges::any_of(manifold.embedding.tetrahedra,
+                                    [](const auto& shape) { return shape.parabolic_edges != 0; }));
+    agreement.add(compare_random_view(manifold, number, 4.5, std::to_string(number), random));
+    ++number;
+  }
+  EXPECT_GT(number, 25);
+  EXPECT_GT(agreement.compared, 4000);
+  EXPECT_GT(agreement.edge_walls, 300);
+  EXPECT_LE(agreement.wrong * 1000, agreement.compared);
 }
 
 TEST(ViewerFaces, AreWhereRaysMeetThemWithAsManyCellsAsThereMayBe) {

@@ -12,6 +12,7 @@
 #include "geometry/boost.hpp"
 #include "tests/support/embedded_manifolds.hpp"
 #include "tests/support/one_renderer.hpp"
+#include "viewer/web/thumbnail.hpp"
 
 namespace tripus::viewer {
 namespace {
@@ -57,15 +58,19 @@ double meet_tube(const Vector4& v, const Vector4& w, const Vector4& x, const Vec
   return t < 1 ? std::atanh(t) : kInfinity;
 }
 
+/// The direction of the ray through a place of the picture, in the walker's frame.
+Vector3 ray_of(double px, double py) {
+  constexpr double kTangent = 0.72;
+  return Vector3((2 * px / kSide - 1) * kTangent, (1 - 2 * py / kSide) * kTangent, 1).normalized();
+}
+
 /// Nothing where that is too far for single precision.
 std::optional<Met> trace(const testing::Embedded& manifold, const Walker& walker, double px,
                          double py) {
-  constexpr double kTangent = 0.72, kFar = 4;
+  constexpr double kFar = 4;
   constexpr std::array<std::array<std::size_t, 2>, 6> kEnds{
       {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-  const Vector3 ray =
-      Vector3((2 * px / kSide - 1) * kTangent, (1 - 2 * py / kSide) * kTangent, 1).normalized();
-  const Vector4 x = walker.position(), u = walker.frame.leftCols<3>() * ray;
+  const Vector4 x = walker.position(), u = walker.frame.leftCols<3>() * ray_of(px, py);
   Matrix4 place = Matrix4::Identity();
   std::size_t t = walker.tetrahedron;
   int came_by = -1;
@@ -93,10 +98,15 @@ std::optional<Met> trace(const testing::Embedded& manifold, const Walker& walker
       if (shape.is_hyperideal(v)) take(meet_plane(pole, x, u), 1, v);
       if (shape.is_ideal(v)) take(meet_horosphere(pole, x, u), 1, v);
     }
-    for (std::size_t e = 0; e < 6; ++e)
-      take(
-          meet_tube(place * shape.vertices[kEnds[e][0]], place * shape.vertices[kEnds[e][1]], x, u),
-          2, e);
+    for (std::size_t e = 0; e < 6; ++e) {
+      const Vector4 v = place * shape.vertices[kEnds[e][0]],
+                    w = place * shape.vertices[kEnds[e][1]];
+      // Where two truncations touch, a horosphere around that point is a wall.
+      if (shape.is_parabolic(e))
+        take(meet_horosphere(shape.parabolic_scale * (v + w), x, u), 1, 4 + e);
+      else
+        take(meet_tube(v, w, x, u), 2, e);
+    }
     if (first < leaves) return first < kFar ? std::optional(met) : std::nullopt;
     if (face < 0 || leaves > kFar) return std::nullopt;
     gone = leaves;
@@ -111,6 +121,7 @@ std::optional<Met> trace(const testing::Embedded& manifold, const Walker& walker
 struct Compared {
   int rays = 0, moved = 0, wrong = 0;
   std::array<int, 3> kinds{};
+  int edge_walls = 0;
 };
 
 /// Pixels show what their ray meets, or one less than a pixel away.
@@ -129,6 +140,7 @@ void compare_inside(const testing::Embedded& manifold, const InsideOptions& insi
       if (!met) continue;
       ++compared.rays;
       ++compared.kinds.at(static_cast<std::size_t>(std::get<0>(*met)));
+      compared.edge_walls += std::get<0>(*met) == 1 && std::get<2>(*met) >= 4;
       if (met == shown) continue;
       ++compared.moved;
       bool near = false;
@@ -140,26 +152,30 @@ void compare_inside(const testing::Embedded& manifold, const InsideOptions& insi
   }
 }
 
+/// From places in a manifold.
+void compare_places(const std::string& signature, std::mt19937& random, Compared& all) {
+  std::uniform_real_distribution<double> share(-1, 1);
+  const testing::Embedded manifold = *testing::try_embed_parabolic(signature);
+  const InsideManifold places = inside_manifold(manifold.embedding, manifold.triangulation);
+  for (int n = 0; n < 6; ++n) {
+    InsideOptions inside;
+    inside.tube = kTube;
+    inside.walker = standing_at(places, static_cast<StandingPlace>(n % 3));
+    if (n >= 3) {  // elsewhere
+      inside.walker.turn(3 * share(random), share(random), share(random));
+      inside.walker.walk(places, {share(random), share(random), share(random)}, 1.5);
+    }
+    ASSERT_TRUE(stands_inside(places, inside.walker)) << signature << n;
+    compare_inside(manifold, inside, all);
+  }
+}
+
 TEST(ViewerInside, ShowsWhatGeodesicsMeet) {
   std::mt19937 random(20261130);
-  std::uniform_real_distribution<double> share(-1, 1);
   Compared all;
   for (const char* signature :
-       {"cPcbbbihq", "dLQbcccherw", "eLMkbbddddhape", "cPcbbbiht", "bkaaid", "dLQbccchrqg"}) {
-    const testing::Embedded manifold = *testing::try_embed(signature);
-    const InsideManifold places = inside_manifold(manifold.embedding, manifold.triangulation);
-    for (int n = 0; n < 6; ++n) {
-      InsideOptions inside;
-      inside.tube = kTube;
-      inside.walker = standing_at(places, static_cast<StandingPlace>(n % 3));
-      if (n >= 3) {  // elsewhere
-        inside.walker.turn(3 * share(random), share(random), share(random));
-        inside.walker.walk(places, {share(random), share(random), share(random)}, 1.5);
-      }
-      ASSERT_TRUE(stands_inside(places, inside.walker)) << signature << n;
-      compare_inside(manifold, inside, all);
-    }
-  }
+       {"cPcbbbihq", "dLQbcccherw", "eLMkbbddddhape", "cPcbbbiht", "bkaaid", "dLQbccchrqg"})
+    compare_places(signature, random, all);
   EXPECT_GT(all.rays, 8000);
   EXPECT_GT(all.kinds[1], 1000);
   EXPECT_GT(all.kinds[2], 1000);
@@ -167,11 +183,54 @@ TEST(ViewerInside, ShowsWhatGeodesicsMeet) {
   EXPECT_LE(20 * all.moved, all.rays);
 }
 
+TEST(ViewerInside, ShowsWhatGeodesicsMeetAtParabolicEdges) {
+  std::mt19937 random(20261201);
+  Compared all;
+  for (const char* name : testing::kParabolic) compare_places(name, random, all);
+  EXPECT_GT(all.rays, 8000);
+  EXPECT_GT(all.kinds[1], 1000);
+  EXPECT_GT(all.kinds[2], 100);
+  EXPECT_GT(all.edge_walls, 1000);
+  EXPECT_LE(1000 * all.wrong, all.rays);
+  EXPECT_LE(20 * all.moved, all.rays);
+}
+
+// Thumbnails are made by rays of their own; they have no tubes.
+TEST(ViewerInside, ThumbnailsShowTheSameWalls) {
+  int compared = 0, edge_walls = 0;
+  std::vector<const char*> names(std::begin(testing::kParabolic), std::end(testing::kParabolic));
+  names.insert(names.end(), {"cPcbbbihq", "cPcbbbiht"});
+  for (const char* name : names) {
+    const testing::Embedded manifold = *testing::try_embed_parabolic(name);
+    Walker walker;
+    for (int turn = 0; turn < 3; ++turn, walker.turn(2, 0.6)) {
+      for (int y = 2; y < kSide; y += 7) {
+        for (int x = 2; x < kSide; x += 7) {
+          const auto met = trace(manifold, walker, x + 0.5, y + 0.5);
+          if (!met || std::get<0>(*met) != 1) continue;
+          const Sight sight =
+              look(manifold.embedding, manifold.triangulation, walker.tetrahedron,
+                   walker.position(), walker.frame.leftCols<3>() * ray_of(x + 0.5, y + 0.5));
+          ASSERT_TRUE(sight.wall);
+          EXPECT_EQ(sight.tetrahedron, std::get<1>(*met)) << name;
+          EXPECT_EQ(sight.vertex, std::get<2>(*met)) << name;
+          EXPECT_GE(sight.side, -1e-9);
+          ++compared;
+          edge_walls += sight.vertex >= 4;
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 2000);
+  EXPECT_GT(edge_walls, 300);
+}
+
 TEST(ViewerInside, WalksEndBeforeTheWalls) {
   std::mt19937 random(3);
   std::normal_distribution<double> part;
-  for (const char* signature : {"cPcbbbihq", "cPcbbbiht", "bkaaid"}) {
-    const testing::Embedded manifold = *testing::try_embed(signature);
+  for (const char* signature :
+       {"cPcbbbihq", "cPcbbbiht", "bkaaid", "cPcbbbihq 0=0", "dLQbcccherw 1=0"}) {
+    const testing::Embedded manifold = *testing::try_embed_parabolic(signature);
     const InsideManifold places = inside_manifold(manifold.embedding, manifold.triangulation);
     Walker walker = standing_at(places, StandingPlace::kCentre);
     int touched = 0;
@@ -182,6 +241,10 @@ TEST(ViewerInside, WalksEndBeforeTheWalls) {
       for (std::size_t v = 0; v < 4; ++v) {
         const double level = shape.is_hyperideal(v) ? -std::sinh(kWallClearance) : -1;
         EXPECT_LE(lorentz_product(shape.vertices[v], walker.position()), level + 1e-6);
+      }
+      for (std::size_t e = 0; e < 6; ++e) {
+        if (!shape.is_parabolic(e)) continue;
+        EXPECT_LE(lorentz_product(shape.parabolic_point(e), walker.position()), -1 + 1e-6);
       }
     }
     EXPECT_GT(touched, 20);

@@ -10,24 +10,21 @@
 #include <gtest/gtest.h>
 
 #include "embedding/universal_cover.hpp"
-#include "structure/solve.hpp"
 #include "tests/support/data_files.hpp"
+#include "tests/support/embedded_manifolds.hpp"
 #include "tests/support/one_renderer.hpp"
 #include "tests/support/scene_rays.hpp"
-#include "topology/isosig.hpp"
 
 namespace tripus::viewer {
 namespace {
 
 Scene scene_of(const std::string& signature, std::size_t cells, Model model) {
-  const topology::Triangulation triangulation(topology::decode_isosig(signature));
-  const auto report = structure::solve(triangulation);
-  const auto embedding = embedding::embed(triangulation, report.edge_lengths);
+  const testing::Embedded manifold = *testing::try_embed_parabolic(signature);
   embedding::UniversalCoverOptions options;
   options.max_cells = cells;
-  return make_scene(signature, embedding,
-                    embedding::universal_cover(embedding, triangulation, options),
-                    default_frame(model, embedding));
+  return make_scene(signature, manifold.embedding,
+                    embedding::universal_cover(manifold.embedding, manifold.triangulation, options),
+                    default_frame(model, manifold.embedding));
 }
 
 Image identities(const Scene& scene, const PictureOptions& options, int width, int height) {
@@ -137,6 +134,20 @@ TEST_P(ViewerPicture, IsTheSameHollowAndFromElsewhere) {
                    cells > 2 ? 5 : 1);
 }
 
+TEST(ViewerPictures, ShowParabolicEdges) {
+  for (const char* name : {"cPcbbbihq 0=0", "dLQbcccherw 1=0"}) {
+    for (const Model model : {Model::kUpperHalfSpace, Model::kPoincareBall}) {
+      const Scene scene = scene_of(name, 12, model);
+      for (const RendererKind renderer : {RendererKind::kFaces, RendererKind::kOpenCsg}) {
+        PictureOptions options;
+        options.model = model;
+        options.renderer = renderer;
+        expect_agreement(compare(scene, options, 320, 240, 1500), 12, 5);
+      }
+    }
+  }
+}
+
 TEST(ViewerPictures, AreCutOpen) {
   for (const auto& [model, renderer] : std::initializer_list<std::pair<Model, RendererKind>>{
            {Model::kUpperHalfSpace, RendererKind::kFaces},
@@ -153,7 +164,8 @@ TEST(ViewerPictures, AreCutOpen) {
     EXPECT_EQ(agreement.wrong, 0) << agreement.first;
     const Image image = identities(scene, options, 320, 240);
     std::size_t cut = 0;
-    for (std::size_t i = 2; i < image.pixels.size(); i += 4) cut += image.pixels[i] == 9 ? 1 : 0;
+    for (std::size_t i = 2; i < image.pixels.size(); i += 4)
+      cut += image.pixels[i] == kWallCount + 1 ? 1 : 0;
     EXPECT_GT(cut, image.pixels.size() / 4 / 50);
   }
 }

@@ -14,13 +14,14 @@ namespace {
 
 using geometry::kModels;
 
-/// Manifolds of three kinds: with geodesic boundary, with a cusp, non-orientable with a cusp.
+/// Manifolds of four kinds: with geodesic boundary, with a cusp, non-orientable with a cusp, with a
+/// parabolic edge.
 class ViewerStillness : public ::testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(All, ViewerStillness,
-                         ::testing::Values("cPcbbbihq", "cPcbbbiht", "bkaaid"));
+                         ::testing::Values("cPcbbbihq", "cPcbbbiht", "bkaaid", "dLQbcccherw 0=0"));
 
 TEST_P(ViewerStillness, HasNoCracks) {
-  const testing::Embedded manifold = *testing::try_embed(GetParam());
+  const testing::Embedded manifold = *testing::try_embed_parabolic(GetParam());
   for (const Model model : kModels) {
     const Scene scene = scene_of(manifold, 300, model);
     const BoundingBall ball = bounding_ball(model, scene);
@@ -67,7 +68,7 @@ TEST_P(ViewerStillness, HasNoCracks) {
 }
 
 TEST_P(ViewerStillness, IsWithoutFlicker) {
-  const testing::Embedded manifold = *testing::try_embed(GetParam());
+  const testing::Embedded manifold = *testing::try_embed_parabolic(GetParam());
   for (const Model model : kModels) {
     const Scene scene = scene_of(manifold, 200, model);
     PictureOptions options;

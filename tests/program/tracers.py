@@ -39,12 +39,25 @@ def kinds(shape):
     return shape.get("diagonal", [1, 1, 1, 1])
 
 
+ENDS = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)]
+CUT = 14  # the number of a cut among the walls of a cell
+
+
+def edge_walls(shape):
+    """Of the six edges of a tetrahedron the null vector around which a parabolic one is cut off, or
+    []: the planes of its ends touch in its ideal point."""
+    return [[shape["scale"] * (a + b)
+             for a, b in zip(shape["vertices"][i], shape["vertices"][j])]
+            if shape.get("parabolic", 0) >> e & 1 else [] for e, (i, j) in enumerate(ENDS)]
+
+
 def walls(shape):
     """Of a tetrahedron (normal, level): products are at most the level inside. ([], 0) beside a
-    finite vertex."""
+    finite vertex, and at edges that are not parabolic."""
     return ([(n, 0) for n in shape["faces"]] +
             [(v if kind >= 0 else [], kind - 1 if kind == 0 else 0)
-             for v, kind in zip(shape["vertices"], kinds(shape))])
+             for v, kind in zip(shape["vertices"], kinds(shape))] +
+            [(v, -1 if v else 0) for v in edge_walls(shape)])
 
 
 class OutsideTracer:
@@ -125,7 +138,7 @@ class OutsideTracer:
             ways = [(surface, s) for surface, (n, level) in enumerate(normals) if n
                     for s in self.crossings(n, level, o, d)]
             if self.cut is not None and d[0] != 0:
-                ways.append((8, (self.cut - o[0]) / d[0]))
+                ways.append((CUT, (self.cut - o[0]) / d[0]))
             for surface, s in ways:
                 if s >= nearest or s <= 0:
                     continue
@@ -133,7 +146,7 @@ class OutsideTracer:
                 point = self.lift(place)
                 if point is None:
                     continue
-                if self.cut is not None and surface != 8 and place[0] > self.cut:
+                if self.cut is not None and surface != CUT and place[0] > self.cut:
                     continue
                 if all(i == surface or not m or product(m, point) <= level
                        for i, (m, level) in enumerate(normals)):
@@ -146,7 +159,6 @@ class InsideTracer:
     """One geodesic in the frame of the tetrahedron in which it begins."""
 
     KINDS = {"wall": 1, "edge": 2}
-    ENDS = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)]
 
     def __init__(self, data, picture, tube=0.03, tangent=None):
         self.data = data
@@ -213,8 +225,10 @@ class InsideTracer:
             exit_at, face = min((self.meet(n, p, u), f) for f, n in enumerate(faces) if f != came)
             events = [(self.meet(v, p, u) if kind > 0 else self.meet_horosphere(v, p, u), 1, i)
                       for i, (v, kind) in enumerate(zip(poles, kinds(shape))) if kind >= 0]
-            events += [(self.meet_tube(poles[i], poles[j], p, u), 2, e)
-                       for e, (i, j) in enumerate(self.ENDS)]
+            cut_off = edge_walls(shape)
+            events += [(self.meet_horosphere(apply(place, cut_off[e]), p, u), 1, 4 + e)
+                       if cut_off[e] else (self.meet_tube(poles[i], poles[j], p, u), 2, e)
+                       for e, (i, j) in enumerate(ENDS)]
             # A tube that was met beside an earlier tetrahedron was its business.
             first = min(event for event in events if event[0] >= gone - 1e-9)
             if first[0] < exit_at:

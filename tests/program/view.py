@@ -1,5 +1,6 @@
 """tripus view: pictures without a display, and what is refused."""
 
+import json
 import os
 import resource
 import signal
@@ -97,6 +98,15 @@ class Pictures(ProgramTest):
         rows = self.picture("covers/cover-000001.json", "--inside", "wall", "--no-lines")
         self.assertEqual(rows, self.picture("covers/cover-000001.json", "--inside", "wall", "--no-lines"))
         self.assertGreater(len({p for row in rows for p in row}), 200)
+        cover = read_json((self.folder / "covers/cover-000001.json").read_bytes())
+        self.write("parabolic.json", json.dumps(cover | {"cone_orders": [0] * 5000}))
+        # The same walls as in the manifold that it covers, with other colours.
+        ink = [{(x, y) for y, row in enumerate(self.picture(manifold, "--inside", "wall", "--no-lines"))
+                for x in range(3, len(row) - 3)
+                if sum(row[x]) < 0.85 * min(sum(row[x - 3]), sum(row[x + 3]))}
+               for manifold in ("parabolic.json", TRIPUS + " 0=0")]
+        self.assertGreater(len(ink[0] & ink[1]), 0.9 * len(ink[1]))
+        self.assertGreater(len(ink[1]), 50)
 
     def test_of_cusps_finite_vertices_and_singular_edges(self):
         seen = []
@@ -115,6 +125,23 @@ class Pictures(ProgramTest):
                for rows in (usual, singular)]
         self.assertEqual(red[0], 0)
         self.assertGreater(red[1], 20)
+
+    def test_of_parabolic_edges(self):
+        seen = []
+        for arguments in (["--model", "upper"], ["--model", "ball"], ["--model", "klein"],
+                          ["--model", "klein", "--cut-away", "0"], ["--colour-by", "component"],
+                          ["--colour-by", "edge"], ["--renderer", "opencsg", "--cells", "3"],
+                          ["--inside", "centre"], ["--inside", "wall"], ["--no-faces"],
+                          ["--inside", "wall", "--colour-by", "component"], ["--transparent", "0"]):
+            for manifold in (TRIPUS + " 0=0", "dLQbcccherw 1=0"):
+                rows = self.picture(manifold, *arguments)
+                self.assertGreater(len({p for row in rows for p in row}), 200, arguments)
+                self.assertNotIn(rows, seen)
+                seen.append(rows)
+        message = self.run_program("view", TRIPUS + " 0=0", "--png", "a.png", "--model", "klein",
+                                   "--renderer", "opencsg")
+        self.assertEqual(message.status, 2)
+        self.assertIn("opencsg", message.err)
 
     def test_names_are_written_where_there_is_room(self):
         pictures = [self.picture(TRIPUS, "--cells", "2", *labels, size=size)

@@ -11,20 +11,20 @@ from random import Random
 
 import samples
 from browser import draw, notice, page_data, page_text
+from drawn_pages import MAGENTA, DrawnPages
 from live_browser import LiveBrowser
 from support import DATA, TRIPUS, TRIPUS_VOLUME, ProgramTest, read_json
-from tracers import InsideTracer, OutsideTracer, defect, multiply, product
+from tracers import CUT, InsideTracer, OutsideTracer, defect, multiply, product
 
 # One of another shape, with two edge classes, and a triangulation that carries no metric.
 ASYMMETRIC = "dLQbcccherw"
 WITHOUT_METRIC = "eLAkbccdddprdk"
 # With a cusp; the latter is not orientable.
 FIGURE_EIGHT, GIESEKING = "cPcbbbiht", "bkaaid"
-BACKGROUND, MAGENTA = (0, 0), (255, 0, 255)
 IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
 
 
-class Pictures(ProgramTest):
+class Pictures(DrawnPages, ProgramTest):
     """Two pages, each drawn in all these ways by one browser, which takes seconds to start."""
 
     WISHES = {
@@ -86,64 +86,6 @@ class Pictures(ProgramTest):
         },
     }
 
-    @classmethod
-    def setUpClass(cls):
-        super().setUpClass()
-        cls.data, cls.pictures = {}, {}
-        with tempfile.TemporaryDirectory() as folder:
-            page = Path(folder) / "page.html"
-            for signature, wishes in cls.WISHES.items():
-                subprocess.run([os.environ["TRIPUS_PROGRAM"], "view", signature, "-o", page],
-                               check=True, stdout=subprocess.DEVNULL, timeout=100)
-                cls.data[signature] = page_data(page.read_text())
-                cls.pictures.update(zip(wishes, draw(page, *wishes.values())))
-
-    def facts(self, name):
-        return self.pictures[name].facts
-
-    def test_are_sound(self):
-        """No pixel is left out, none is not a number, and there is something to see."""
-        for name, picture in self.pictures.items():
-            with self.subTest(name):
-                self.assertEqual((picture.problem, picture.facts["error"]), ("", 0))
-                colours = [picture.at(picture.colours, x, y)
-                           for y in range(picture.height) for x in range(picture.width)]
-                self.assertEqual({colour[3] for colour in colours}, {255})
-                self.assertNotIn(MAGENTA, {colour[:3] for colour in colours})
-                self.assertGreater(len(set(colours)), 200)
-
-    def assert_shows(self, picture, tracer, read, step):
-        """Samples agree with the tracer, or with what it sees less than a pixel away; `read` makes
-        an answer of the tracer's kind of the four bytes of a pixel. Returns what was seen."""
-        seen, moved = [], 0
-        for y in range(step // 2, picture.height, step):
-            for x in range(step // 2, picture.width, step):
-                shown = read(picture.at(picture.identities, x, y))
-                expected = tracer.see(x + 0.5, y + 0.5)
-                if expected is None:
-                    continue
-                seen.append(expected)
-                if shown == expected:
-                    continue
-                moved += 1
-                around = [tracer.see(x + 0.5 + dx, y + 0.5 + dy)
-                          for dx in (-0.7, 0, 0.7) for dy in (-0.7, 0, 0.7)]
-                self.assertIn(shown, around, f"at pixel {x}, {y}")
-        self.assertGreater(len(seen), 300)
-        self.assertLess(moved, len(seen) / 20)
-        return seen
-
-    def check_outside(self, signature, name, least, greatest):
-        """`least`, `greatest`: the share of the picture that the cells cover."""
-        picture = self.pictures[name]
-        self.assertLess(defect(picture.facts["toModel"]), 1e-9)
-        seen = self.assert_shows(picture, OutsideTracer(self.data[signature], picture),
-                                 lambda pixel: (pixel[0] + 256 * pixel[1], pixel[2]), 6)
-        share = sum(answer != BACKGROUND for answer in seen) / len(seen)
-        self.assertGreater(share, least)
-        self.assertLess(share, greatest)
-        return seen
-
     def test_cells_stand_where_rays_meet_them(self):
         self.assertGreater(len(set(self.check_outside(TRIPUS, "ball", 0.2, 0.6))), 15)
         self.check_outside(TRIPUS, "upper", 0.05, 0.6)
@@ -153,7 +95,7 @@ class Pictures(ProgramTest):
         self.assertNotEqual(moved, self.check_outside(TRIPUS, "ball", 0.2, 0.6))
         self.check_outside(TRIPUS, "moved upper", 0.02, 0.7)
         for name in ("cut", "cut klein"):
-            self.assertIn(9, {surface for _, surface in self.check_outside(TRIPUS, name, 0.05, 0.6)})
+            self.assertIn(CUT + 1, {surface for _, surface in self.check_outside(TRIPUS, name, 0.05, 0.6)})
         clear = {cell for cell, surface in self.check_outside(TRIPUS, "clear", 0.05, 0.6) if surface}
         self.assertEqual({self.facts("clear")["cells"][cell]["tetrahedron"] for cell in clear}, {0})
 
@@ -299,12 +241,6 @@ class Pictures(ProgramTest):
         self.assertEqual(steady, coarse)
         self.assertEqual(fine, 1)
 
-    def check_inside(self, signature, name):
-        picture = self.pictures[name]
-        self.assertLess(defect(picture.facts["frame"]), 1e-12)
-        return self.assert_shows(picture, InsideTracer(self.data[signature], picture, tube=0.05),
-                                 lambda pixel: pixel[:3], 9)
-
     def test_walls_and_edges_stand_where_geodesics_meet_them(self):
         for name in ("centre", "wall", "edge"):
             with self.subTest(name):
@@ -361,9 +297,6 @@ class Pictures(ProgramTest):
         self.assertEqual(cells[0]["isometry"], IDENTITY)
         for cell in cells:
             self.assertLess(defect(cell["isometry"]), 1e-12 * cell["isometry"][15] ** 2)
-
-    def place(self, name):
-        return [self.facts(name)["frame"][4 * i + 3] for i in range(4)]
 
     def axis(self, name, j):
         return [self.facts(name)["frame"][4 * i + j] for i in range(4)]

@@ -8,6 +8,7 @@
 #include "embedding/embedding.hpp"
 #include "structure/solve.hpp"
 #include "tests/support/data_files.hpp"
+#include "topology/cone_angle.hpp"
 #include "topology/isosig.hpp"
 
 /// Metrics in space, for the tests of embedding/.
@@ -34,6 +35,24 @@ inline std::optional<Embedded> try_embed(topology::Triangulation triangulation,
 inline std::optional<Embedded> try_embed(const std::string& isosig) {
   return try_embed(topology::Triangulation(topology::decode_isosig(isosig)));
 }
+
+/// "SIGNATURE" or "SIGNATURE E=0", where edge class E is parabolic.
+inline std::optional<Embedded> try_embed_parabolic(const std::string& text) {
+  const std::size_t blank = text.find(' ');
+  topology::Triangulation triangulation(topology::decode_isosig(text.substr(0, blank)));
+  std::vector<topology::ConeAngle> cone_angles;
+  if (blank != std::string::npos) {
+    cone_angles.resize(triangulation.edge_count());
+    cone_angles.at(std::stoul(text.substr(blank + 1))) = topology::ConeAngle::rational(0, 1);
+  }
+  return try_embed(std::move(triangulation), cone_angles);
+}
+
+/// Manifolds with a parabolic edge: all six of a tetrahedron or some, cusps beside it or geodesic
+/// boundary alone, orientable and not.
+inline constexpr const char* kParabolic[] = {
+    "cPcbbbihq 0=0",   "cPcbbbiht 0=0",   "cPcbbbiht 1=0",   "dLQbcccherw 0=0", "dLQbcccherw 1=0",
+    "dLQabccjkjn 0=0", "dLQacccjjkg 0=0", "dLQbccchrqg 1=0", "bkaaid 0=0",      "cPcbbbdhq 0=0"};
 
 inline Embedded embedded_tripus() { return *try_embed("cPcbbbihq"); }
 

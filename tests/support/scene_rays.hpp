@@ -44,7 +44,7 @@ inline double side_factor(Model model, const Vector3& p) {
 /// The same of a wall of a cell, negative inside: of a horosphere <v, X(p)> + 1.
 inline double side(Model model, const SceneCell& cell, std::size_t wall, const Vector3& p) {
   if (!has_wall(cell, wall)) return -1;
-  const double plane = side(model, cell.walls[wall], p);
+  const double plane = side(model, wall_vector(cell, wall), p);
   return is_horosphere(cell, wall) ? plane + side_factor(model, p) : plane;
 }
 
@@ -57,7 +57,7 @@ inline std::vector<double> crossings(Model model, const SceneCell& cell, std::si
   const auto value = [&](double t) {
     const Vector3 p = ray.origin + t * length * ray.direction;
     if (model != Model::kKleinBall || !is_horosphere(cell, wall)) return side(model, cell, wall, p);
-    const double plane = side(model, cell.walls[wall], p);
+    const double plane = side(model, wall_vector(cell, wall), p);
     return plane * plane - 1 + p.squaredNorm();
   };
   const double c = value(0), plus = value(1), minus = value(-1);

@@ -39,13 +39,13 @@ Vector3 random_point(Model model, const SceneCell& cell, std::size_t wall, std::
   std::exponential_distribution<double> weight;
   Vector4 x = Vector4::Zero();
   double sum = 0;
-  for (const std::size_t corner : corners_of_wall(wall)) {
+  for (const Vector4& corner : corners_of_wall(cell, wall)) {
     const double share = weight(random);
-    x += share * cell.corners[corner];
+    x += share * corner;
     sum += share;
   }
   if (is_horosphere(cell, wall))
-    return geometry::to_model(model, geometry::on_horosphere(x / sum, cell.walls[wall]));
+    return geometry::to_model(model, geometry::on_horosphere(x / sum, wall_vector(cell, wall)));
   return geometry::to_model(model, x / std::sqrt(-geometry::lorentz_product(x, x)));
 }
 
@@ -63,9 +63,9 @@ TEST(ViewerProxies, HoldTheirFaces) {
   constexpr int kSide = 400;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> share(0, 1);
-  for (const char* name :
-       {"cPcbbbihq", "dLQabccjkjn", "eLMkbbddddhape", "dLQbccchrqg", "dLQacccjjkg", "bkaaid"}) {
-    const testing::Embedded manifold = *testing::try_embed(name);
+  for (const char* name : {"cPcbbbihq", "dLQabccjkjn", "eLMkbbddddhape", "dLQbccchrqg",
+                           "dLQacccjjkg", "bkaaid", "cPcbbbihq 0=0", "dLQbcccherw 1=0"}) {
+    const testing::Embedded manifold = *testing::try_embed_parabolic(name);
     for (const Model model : kModels) {
       const Scene scene = placed(manifold, 60, model).scene;
       const BoundingBall ball = bounding_ball(model, scene);
@@ -80,6 +80,7 @@ TEST(ViewerProxies, HoldTheirFaces) {
         const Projector projector(view, kSide, kSide);
         for (std::size_t i = 0; i < set.faces().size(); ++i) {
           const SceneFace& face = set.faces()[i];
+          if (!has_wall(scene.cells[face.cell], face.wall)) continue;
           const std::span points(set.points().data() + face.first_point, face.point_count);
           ProxyMesh mesh;
           projector.add(points, face.margin, 0, mesh);
@@ -105,14 +106,15 @@ TEST(ViewerProxies, HoldTheirFaces) {
 
 // Two cells that are glued in the scene share a face, and no others do: here by the isometries.
 TEST(ViewerFaceSet, KnowsSharedFaces) {
-  for (const char* name : {"cPcbbbihq", "eLMkbbddddhape", "dLQbccchrqg", "cPcbbbiht", "bkaaid"}) {
-    const testing::Embedded manifold = *testing::try_embed(name);
+  for (const char* name : {"cPcbbbihq", "eLMkbbddddhape", "dLQbccchrqg", "cPcbbbiht", "bkaaid",
+                           "cPcbbbihq 0=0", "dLQbcccherw 0=0"}) {
+    const testing::Embedded manifold = *testing::try_embed_parabolic(name);
     for (const Model model : kModels) {
       const auto [cells, scene] = placed(manifold, 80, model);
       const FaceSet set(model, scene, bounding_ball(model, scene).radius);
       int shared = 0;
       for (const SceneFace& face : set.faces()) {
-        if (is_truncation(face.wall)) {
+        if (!is_face(face.wall)) {
           EXPECT_FALSE(face.is_shared());
           continue;
         }
@@ -142,17 +144,48 @@ TEST(ViewerPace, FollowsTheTimeOfFrames) {
   EXPECT_GT(next_quality(0.5, 0), 0.5);
 }
 
+// Walls that have two corners in common bound each other. Two faces at a parabolic edge have none,
+// and its wall is between them.
 TEST(ViewerFaceSet, BoundsWallsByTheirNeighbours) {
-  for (std::size_t wall = 0; wall < kWallCount; ++wall) {
-    const auto bounds = bounds_of_wall(wall);
-    EXPECT_EQ(bounds.size(), is_truncation(wall) ? 3u : 6u);
-    // Each bounding wall has two corners with it.
-    const auto own = corners_of_wall(wall);
-    for (std::size_t other = 0; other < kWallCount; ++other) {
-      const auto theirs = corners_of_wall(other);
-      const auto common = std::ranges::count_if(
-          own, [&](std::size_t corner) { return std::ranges::count(theirs, corner) > 0; });
-      EXPECT_EQ(std::ranges::count(bounds, other), other != wall && common == 2 ? 1 : 0);
+  for (const char* name :
+       {"cPcbbbihq", "cPcbbbiht", "cPcbbbihq 0=0", "dLQbcccherw 0=0", "dLQbcccherw 1=0"}) {
+    const testing::Embedded manifold = *testing::try_embed_parabolic(name);
+    for (const SceneCell& cell : placed(manifold, 4, Model::kPoincareBall).scene.cells) {
+      const bool with_edge_walls = std::string(name).size() > 12;
+      for (std::size_t wall = 0; wall < kWallCount; ++wall) {
+        if (!has_wall(cell, wall)) continue;
+        const auto bounds = bounds_of_wall(wall, with_edge_walls);
+        EXPECT_EQ(bounds.size(), bound_count(record_kind(wall), with_edge_walls));
+        const auto own = corners_of_wall(cell, wall);
+        // They go around: each two next to each other lie on another wall.
+        for (std::size_t k = 0; k < own.size(); ++k) {
+          const auto on = [&](std::size_t other, const Vector4& x) {
+            const double level = is_horosphere(cell, other) ? -1 : 0;
+            return std::abs(geometry::lorentz_product(wall_vector(cell, other), x) - level) < 1e-9;
+          };
+          EXPECT_TRUE(on(wall, own[k]));
+          EXPECT_EQ(std::ranges::count_if(bounds,
+                                          [&](std::size_t other) {
+                                            return has_wall(cell, other) && on(other, own[k]) &&
+                                                   on(other, own[(k + 1) % own.size()]);
+                                          }),
+                    1)
+              << name << " wall " << wall << " side " << k;
+        }
+        for (std::size_t other = 0; other < kWallCount; ++other) {
+          if (other == wall || !has_wall(cell, other)) continue;
+          const auto theirs = corners_of_wall(cell, other);
+          const auto common = std::ranges::count_if(
+              own, [&](const Vector4& corner) { return std::ranges::count(theirs, corner) > 0; });
+          const bool touch = is_face(wall) && is_face(other) &&
+                             parabolic_edge(cell, 5 - edge_between(wall, other)) != nullptr;
+          if (touch) {
+            EXPECT_EQ(common, 0);
+          }
+          EXPECT_EQ(std::ranges::count(bounds, other), common == 2 || touch ? 1 : 0)
+              << name << " walls " << wall << ' ' << other;
+        }
+      }
     }
   }
 }

@@ -57,7 +57,7 @@ void DrawnDiscs::use_cell(GLuint program, const ToTetrahedron& to_tetrahedron) c
 }
 
 void DrawnDiscs::use_wall(GLuint program, const SceneCell& cell, std::size_t wall) const {
-  if (wall >= kWallCount || !is_truncation(wall)) return use_none(program);
+  if (!is_truncation(wall)) return use_none(program);
   glUniform1f(glGetUniformLocation(program, "first_disc"),
               first_texel(cell.tetrahedron, static_cast<std::uint32_t>(wall - 4)));
 }

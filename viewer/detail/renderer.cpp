@@ -15,10 +15,9 @@ void Renderer::set_scene(const Scene& scene, Model model) {
       known_ && model == model_ && scene.discs == scene_.discs &&
       scene.focus.has_value() == scene_.focus.has_value() &&
       std::ranges::equal(scene.cells, scene_.cells, [](const SceneCell& a, const SceneCell& b) {
-        return a.tetrahedron == b.tetrahedron && a.depth == b.depth && a.walls == b.walls &&
-               a.diagonal == b.diagonal && a.singular_edges == b.singular_edges &&
-               a.face_class == b.face_class && a.vertex_class == b.vertex_class &&
-               a.edge_class == b.edge_class;
+        return a.tetrahedron == b.tetrahedron && a.depth == b.depth && have_same_walls(a, b) &&
+               a.singular_edges == b.singular_edges && a.face_class == b.face_class &&
+               a.vertex_class == b.vertex_class && a.edge_class == b.edge_class;
       });
   if (same) return;
   known_ = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "embedding/colour.hpp"
@@ -18,15 +19,16 @@ constexpr double kSamePlace = 1e-6;
 
 }  // namespace
 
-FaceSet::FaceSet(Model model, const Scene& scene, double scene_radius) : model_(model) {
-  const std::size_t count = kWallCount * scene.cells.size();
+FaceSet::FaceSet(Model model, const Scene& scene, double scene_radius)
+    : model_(model), walls_per_cell_(has_parabolic_edges(scene) ? kWallCount : kPlainWallCount) {
+  const std::size_t count = walls_per_cell_ * scene.cells.size();
   faces_.reserve(count);
   half_spaces_.reserve(count);
   balls_.reserve(scene.cells.size());
   for (std::size_t number = 0; number < scene.cells.size(); ++number) {
     const SceneCell& cell = scene.cells[number];
     balls_.push_back(bounding_ball(model, cell));
-    for (std::size_t wall = 0; wall < kWallCount; ++wall) {
+    for (std::size_t wall = 0; wall < walls_per_cell_; ++wall) {
       const WallOutline outline = wall_outline(model, cell, wall, kDetail * scene_radius);
       SceneFace& face = faces_.emplace_back();
       face.cell = static_cast<std::uint32_t>(number);
@@ -49,7 +51,7 @@ void FaceSet::find_shared() {
   std::vector<std::pair<double, std::size_t>> order;
   double largest = 0;
   for (std::size_t i = 0; i < faces_.size(); ++i) {
-    if (is_truncation(faces_[i].wall)) continue;
+    if (!is_face(faces_[i].wall)) continue;
     order.emplace_back(faces_[i].ball.centre.dot(line), i);
     largest = std::max(largest, faces_[i].ball.radius);
   }
@@ -67,12 +69,31 @@ void FaceSet::find_shared() {
   }
 }
 
-std::vector<std::size_t> bounds_of_wall(std::size_t wall) {
+std::vector<std::size_t> bounds_of_wall(std::size_t wall, bool with_edge_walls) {
   std::vector<std::size_t> bounds;
+  const RecordKind kind = record_kind(wall);
+  if (kind == RecordKind::kCut) {
+    bounds.resize(bound_count(kind, with_edge_walls));
+    std::iota(bounds.begin(), bounds.end(), std::size_t{0});
+    return bounds;
+  }
+  if (kind == RecordKind::kEdgeWall) {
+    const std::size_t edge = wall - kPlainWallCount;
+    for (const std::size_t face : faces_at_edge(edge)) bounds.push_back(face);
+    for (const std::size_t vertex : faces_at_edge(5 - edge)) bounds.push_back(4 + vertex);
+    return bounds;
+  }
   for (std::size_t i = 0; i < 4; ++i)
     if (i != wall % 4) bounds.push_back(i);
-  if (!is_truncation(wall))
+  if (is_face(wall))
     for (std::size_t i = 0; i < 3; ++i) bounds.push_back(4 + bounds[i]);
+  if (!with_edge_walls) return bounds;
+  for (std::size_t i = 0; i < 3; ++i) {
+    // Of a face: the edge that it has in common with the other one; of a truncation: the edge from
+    // there to the vertex.
+    const std::size_t edge = edge_between(wall % 4, bounds[i]);
+    bounds.push_back(kPlainWallCount + (is_face(wall) ? 5 - edge : edge));
+  }
   return bounds;
 }
 
@@ -117,11 +138,10 @@ void append_record(std::vector<float>& texels, const BoundingBall& cell_ball, co
     for (int k = 0; k < 3; ++k) append(local(h).d[k]);
     append(0);
   };
-  if (bounds.size() == 3)
-    append_bend(own);
-  else
-    std::for_each(bounds.end() - static_cast<std::ptrdiff_t>(bends_of_record(bounds.size())),
-                  bounds.end(), append_bend);
+  const RecordKind kind = record_kind(look.wall);
+  if (kind == RecordKind::kTruncation || kind == RecordKind::kEdgeWall) append_bend(own);
+  std::for_each(bounds.begin() + static_cast<std::ptrdiff_t>(flat_bounds(kind)), bounds.end(),
+                append_bend);
 }
 
 }  // namespace tripus::viewer

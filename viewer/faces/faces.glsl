@@ -1,7 +1,7 @@
 // Where the ray of a pixel meets a face: faces.vert.glsl has its numbers. After a camera, which
 // has uEye, uAxes (right, up, forward) and uPixel (the angle of a pixel), and before a main() that
 // gives the colour; with discs also after discs.glsl. Defined in front of it, and no uniforms, as
-// renderers in software compute branches that are not taken: kBounds; kBends; kSides, 1 for the outer side
+// renderers in software compute branches that are not taken: kKind; kBounds; kBends; kSides, 1 for the outer side
 // of faces alone, 2 for both; kModel, 0 upper half-space, 1 Poincare ball, 2 Klein ball; kCut,
 // whether uCut is heeded; kDiscs, whether discs are drawn; kEdges, whether edges have the colours of
 // their classes.
@@ -17,11 +17,32 @@ flat in vec4 vAbout;
 flat in vec4 vEye;
 flat in vec4 vCentre;
 flat in vec4 vColour;
+// Those of kinds 0 and 3 have a d of their own half-space, in front of the others.
+#define kOwnBend (kKind == 0 || kKind == 3)
+#define kFlatBounds (kKind < 2 ? 3 : 4)
+#define kFetched (kBounds > 9)
+#if kFetched
+uniform sampler2D uFaces;
+flat in float vRecord;
+vec4 fetched(int i) {
+  int at = int(vRecord) + i;
+  return texelFetch(uFaces, ivec2(at % 2048, at / 2048), 0);
+}
+#define boundOf(i) fetched(4 + (i))
+#define constantOf(i) fetched(4 + kBounds + (i) / 4)[(i) % 4]
+#define storedBend(i) fetched(4 + kBounds + (kBounds + 3) / 4 + (i)).xyz
+#else
 flat in vec4 vBound[kBounds];
 flat in vec4 vBoundConstant[(kBounds + 3) / 4];
 #if kBends > 0
 flat in vec4 vBend[kBends];
-#define kBendOf(i) vBend[i].xyz
+#endif
+#define boundOf(i) vBound[i]
+#define constantOf(i) vBoundConstant[(i) / 4][(i) % 4]
+#define storedBend(i) vBend[i].xyz
+#endif
+#if kBends > 0
+#define kBendOf(i) storedBend(i)
 #else
 #define kBendOf(i) vec3(0.0)
 #endif
@@ -75,7 +96,7 @@ bool holds(vec3 ray, vec3 u, float along, float towards, out Meeting met) {
   met.u = u;
   met.along = along;
   met.normal = 2.0 * vOwn.w * u + vOwn.xyz;
-#if kBends > 0 && kBounds == 3
+#if kBends > 0 && kOwnBend
   met.normal -= 2.0 * dot(kBendOf(0), u) * kBendOf(0);
   float steep = inversesqrt(max(dot(met.normal, met.normal), 1e-30));
   met.normal *= steep;
@@ -100,11 +121,21 @@ bool holds(vec3 ray, vec3 u, float along, float towards, out Meeting met) {
   met.up = size * uAxes[1] - away * dot(met.normal, uAxes[1]);
   float square = dot(u, u), right = 2.0 * dot(u, met.right), up = 2.0 * dot(u, met.up);
   vec3 edges = vec3(1e9);  // pixels to them
-  bounded(vBound[0], vBoundConstant[0].x, vec3(0.0), met, square, right, up, inside, edges.x);
-  bounded(vBound[1], vBoundConstant[0].y, vec3(0.0), met, square, right, up, inside, edges.y);
-  bounded(vBound[2], vBoundConstant[0].z, vec3(0.0), met, square, right, up, inside, edges.z);
+  bounded(boundOf(0), constantOf(0), vec3(0.0), met, square, right, up, inside, edges.x);
+  bounded(boundOf(1), constantOf(1), vec3(0.0), met, square, right, up, inside, edges.y);
+  bounded(boundOf(2), constantOf(2), vec3(0.0), met, square, right, up, inside, edges.z);
   float faces = min(edges.x, min(edges.y, edges.z)), others = 1e9;
-#if kBounds == 6
+#if kKind == 3
+  bounded(boundOf(3), constantOf(3), vec3(0.0), met, square, right, up, inside, others);
+#elif kKind == 0 || kBounds > 8
+  for (int i = 3; i < kBounds; ++i) {
+    vec3 bend = vec3(0.0);
+#if kBends > 0
+    if (i >= kFlatBounds) bend = storedBend((kOwnBend ? 1 : 0) + i - kFlatBounds);
+#endif
+    bounded(boundOf(i), constantOf(i), bend, met, square, right, up, inside, others);
+  }
+#elif kBounds == 6
   bounded(vBound[3], vBoundConstant[0].w, kBendOf(0), met, square, right, up, inside, others);
   bounded(vBound[4], vBoundConstant[1].x, kBendOf(1), met, square, right, up, inside, others);
   bounded(vBound[5], vBoundConstant[1].y, kBendOf(2), met, square, right, up, inside, others);
@@ -121,8 +152,8 @@ bool holds(vec3 ray, vec3 u, float along, float towards, out Meeting met) {
   // Where two faces meet is an edge of the triangulation. Small cells have thin lines, or they
   // would be nothing but lines.
   vec2 widths = min(uLine, vec2(0.03, 0.015) * vCentre.w);
-#if kEdges && kBounds == 6
-  int classes = int(vBoundConstant[1].z);
+#if kEdges && kKind == 1
+  int classes = int(constantOf(kBounds));  // behind those of the bounds
   int edge = edges.x == faces ? classes : edges.y == faces ? classes >> 6 : classes >> 12;
   float wide = min(2.5 * uLine.x, 0.05 * vCentre.w);
   met.edge = vec4(uPalette[edge & 63], lineAt(faces - wide));
@@ -130,7 +161,7 @@ bool holds(vec3 ray, vec3 u, float along, float towards, out Meeting met) {
 #elif kEdges
   met.edge = vec4(0.0);
   met.border = 0.55 * lineAt(min(faces, others) - widths.y);
-#elif kBounds == 6
+#elif kKind == 1
   met.border = max(0.85 * lineAt(faces - widths.x), 0.55 * lineAt(others - widths.y));
 #else
   met.border = 0.55 * lineAt(min(faces, others) - widths.y);
@@ -144,7 +175,7 @@ bool meet(vec3 ray, out Meeting met) {
   vec3 o = vEye.xyz + nearest * ray;  // the point of the ray nearest to the cell's middle
   float a = vOwn.w, b = dot(vOwn.xyz, ray);
   float c = a * dot(o, o) + dot(vOwn.xyz, o) + vAbout.x;
-#if kBends > 0 && kBounds == 3
+#if kBends > 0 && kOwnBend
   float start = dot(kBendOf(0), o), step = dot(kBendOf(0), ray);
   a -= step * step;
   b -= 2.0 * start * step;

@@ -72,6 +72,7 @@ std::vector<TubeSet::Edge> TubeSet::find_edges(const Scene& scene, const FaceSet
     std::size_t e = 0;
     for (std::size_t v = 0; v < 4; ++v) {
       for (std::size_t w = v + 1; w < 4; ++w, ++e) {
+        if (parabolic_edge(cell, e) != nullptr) continue;
         Edge& edge = edges.emplace_back();
         edge.begin = cell.corners[3 * v + w - 1];
         edge.end = cell.corners[3 * w + v];
@@ -81,7 +82,8 @@ std::vector<TubeSet::Edge> TubeSet::find_edges(const Scene& scene, const FaceSet
         edge.is_inner = true;
         for (std::size_t f = 0; f < 4; ++f)
           if (f != v && f != w)
-            edge.is_inner = edge.is_inner && faces.faces()[kWallCount * number + f].is_shared();
+            edge.is_inner =
+                edge.is_inner && faces.faces()[faces.walls_per_cell() * number + f].is_shared();
         order.emplace_back(edge.middle.dot(line), edges.size() - 1);
       }
     }

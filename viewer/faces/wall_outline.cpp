@@ -84,23 +84,23 @@ class Cutter {
 
 WallOutline wall_outline(Model model, const SceneCell& cell, std::size_t wall, double detail) {
   if (!has_wall(cell, wall)) return {};
-  const std::vector<std::size_t> around = corners_of_wall(wall);
+  const std::vector<Vector4> around = corners_of_wall(cell, wall);
   Vector4 sum = Vector4::Zero();
   double radius = 0;
-  const Vector3 first = geometry::to_model(model, cell.corners[around[0]]);
-  for (const std::size_t corner : around) {
-    sum += cell.corners[corner];
-    radius = std::max(radius, (geometry::to_model(model, cell.corners[corner]) - first).norm());
+  const Vector3 first = geometry::to_model(model, around[0]);
+  for (const Vector4& corner : around) {
+    sum += corner;
+    radius = std::max(radius, (geometry::to_model(model, corner) - first).norm());
   }
   Cutter cutter(model, std::max(detail, kTightness * radius) / kSafety,
-                is_horosphere(cell, wall) ? &cell.walls[wall] : nullptr);
+                is_horosphere(cell, wall) ? &wall_vector(cell, wall) : nullptr);
   const Corner middle = cutter.corner(sum, static_cast<double>(around.size()));
   std::vector<Corner> corners;
-  for (const std::size_t corner : around) {
-    corners.push_back(cutter.corner(cell.corners[corner]));
+  for (const Vector4& corner : around) {
+    corners.push_back(cutter.corner(corner));
     cutter.add(corners.back());
   }
-  if (is_truncation(wall)) {
+  if (corners.size() == 3) {
     cutter.cut(corners[0], corners[1], corners[2]);
   } else {
     cutter.add(middle);

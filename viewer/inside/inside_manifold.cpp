@@ -41,7 +41,7 @@ void write_record(float* texels, const InsideManifold& m, std::size_t t,
     const auto [k, l] = faces_at(e);
     const double cosine = lorentz_product(shape.faces[k], shape.faces[l]);
     put(104 + e, cosine);
-    put(128 + e, 1 / (1 - cosine * cosine));
+    put(128 + e, shape.is_parabolic(e) ? -shape.parabolic_scale : 1 / (1 - cosine * cosine));
     texels[112 + e] = as_class(m.edge_class[t][e]);
     put(140 + e, m.singular_edges[t] >> e & 1);
   }
@@ -54,10 +54,13 @@ void write_record(float* texels, const InsideManifold& m, std::size_t t,
 
 }  // namespace
 
-bool InsideManifold::is_compact() const {
-  return std::ranges::all_of(tetrahedra, [](const embedding::HyperboloidTetrahedron& shape) {
-    return std::ranges::all_of(shape.diagonal, [](double d) { return d > 0; });
-  });
+int InsideManifold::kinds() const {
+  int result = 0;
+  for (const embedding::HyperboloidTetrahedron& shape : tetrahedra) {
+    if (shape.parabolic_edges != 0) return 2;
+    if (!std::ranges::all_of(shape.diagonal, [](double d) { return d > 0; })) result = 1;
+  }
+  return result;
 }
 
 InsideManifold inside_manifold(const embedding::Embedding& embedding,
@@ -70,8 +73,6 @@ InsideManifold inside_manifold(const embedding::Embedding& embedding,
   m.edge_lengths = std::move(edge_lengths);
   m.discs = std::move(discs);
   for (std::size_t t = 0; t < m.tetrahedra.size(); ++t) {
-    if (m.tetrahedra[t].parabolic_edges != 0)
-      throw Unsupported("parabolic edges (cone order 0) are not drawn");
     auto& neighbour = m.neighbour.emplace_back();
     auto& entry = m.entry.emplace_back();
     auto& crossing = m.crossing.emplace_back();
@@ -110,6 +111,12 @@ std::string describe_inside(const InsideManifold& manifold, int kind, std::size_
                        is_cusp ? "horosphere" : "truncation", number,
                        is_cusp ? "cusp" : "boundary component",
                        manifold.vertex_class[tetrahedron][number]);
+  }
+  if (kind == 1 && number < 10) {
+    const std::size_t edge = number - 4;
+    return fmt::format("tetrahedron {}, horosphere of the parabolic edge {}{} of class {}",
+                       tetrahedron, topology::kEdgeEnds[edge][0], topology::kEdgeEnds[edge][1],
+                       manifold.edge_class[tetrahedron][edge]);
   }
   if (kind != 2 || number >= 6) return {};
   const std::uint32_t edge = manifold.edge_class[tetrahedron][number];

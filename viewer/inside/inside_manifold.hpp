@@ -24,11 +24,11 @@ struct InsideManifold {
   std::vector<double> edge_lengths;                           ///< [E]; may be empty
   std::shared_ptr<const WallDiscs> discs;                     ///< null: none
 
-  /// Whether all vertices are hyperideal.
-  bool is_compact() const;
+  /// What web/inside.frag.glsl has to know of, its kKinds: 0 hyperideal vertices alone; 1 vertices
+  /// of other kinds; 2 parabolic edges.
+  int kinds() const;
 };
 
-/// Throws Unsupported for parabolic edges.
 InsideManifold inside_manifold(const embedding::Embedding& embedding,
                                const topology::Triangulation& triangulation,
                                std::vector<double> edge_lengths = {},
@@ -45,7 +45,7 @@ std::vector<float> inside_records(const InsideManifold& manifold,
 
 /// What a pixel shows, in a line for people; empty for nothing.
 ///   kind         0 nothing, 1 a wall, 2 an edge
-///   number       of the vertex or edge of the tetrahedron
+///   number       of the vertex or edge of the tetrahedron; of the wall of parabolic edge e 4 + e
 std::string describe_inside(const InsideManifold& manifold, int kind, std::size_t tetrahedron,
                             std::size_t number);
 

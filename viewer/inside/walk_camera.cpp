@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 
 #include "geometry/boost.hpp"
+#include "viewer/scene.hpp"
 
 namespace tripus::viewer {
 namespace {
@@ -73,9 +74,24 @@ double distance_to_level(double a, double b, double level) {
   return least;
 }
 
-/// Where walls are for one who walks: the product with their normal.
-double wall_level(const embedding::HyperboloidTetrahedron& shape, std::size_t vertex) {
-  return shape.is_hyperideal(vertex) ? -std::sinh(kWallClearance) : -std::exp(kWallClearance);
+/// A wall of a tetrahedron: its vector, and whether it is a horosphere.
+struct StandingWall {
+  Vector4 vector;
+  bool is_horosphere = false;
+};
+
+std::vector<StandingWall> walls_of(const embedding::HyperboloidTetrahedron& shape) {
+  std::vector<StandingWall> walls;
+  for (std::size_t v = 0; v < 4; ++v)
+    if (!shape.is_finite(v)) walls.push_back({shape.vertices[v], shape.is_ideal(v)});
+  for (std::size_t e = 0; e < 6; ++e)
+    if (shape.is_parabolic(e)) walls.push_back({shape.parabolic_point(e), true});
+  return walls;
+}
+
+/// Where walls are for one who walks: the product with their vector.
+double wall_level(const StandingWall& wall) {
+  return wall.is_horosphere ? -std::exp(kWallClearance) : -std::sinh(kWallClearance);
 }
 
 /// What is left of a step where a wall is near, and its normal.
@@ -105,15 +121,14 @@ std::optional<Touch> step(Walker& walker, const InsideManifold& m, const Vector3
       reach = s;
       face = f;
     }
-    for (std::size_t v = 0; v < 4; ++v) {
-      const double towards = lorentz_product(shape.vertices[v], u);
-      if (shape.is_finite(v) || towards <= 0) continue;
-      const double s =
-          distance_to_level(lorentz_product(shape.vertices[v], p), towards, wall_level(shape, v));
+    for (const StandingWall& one : walls_of(shape)) {
+      const double towards = lorentz_product(one.vector, u);
+      if (towards <= 0) continue;
+      const double s = distance_to_level(lorentz_product(one.vector, p), towards, wall_level(one));
       if (s >= reach) continue;
       reach = s;
       face.reset();
-      wall = shape.vertices[v];
+      wall = one.vector;
     }
     walker.frame =
         geometry::reorthogonalised(walker.frame * geometry::boost(std::sinh(reach) * direction));
@@ -159,7 +174,7 @@ Walker standing_at(const InsideManifold& manifold, StandingPlace place) {
   const auto middle = [](const Vector4& sum) -> Vector4 {
     return sum / std::sqrt(-lorentz_product(sum, sum));
   };
-  const auto corner = [&](int i, int j) { return geometry::corner(shape, i, j); };
+  const auto corner = [&](int i, int j) { return drawn_corner(shape, i, j); };
   const Vector4 centre = geometry::origin();
   Walker walker;
   if (place == StandingPlace::kWall) {
@@ -188,12 +203,9 @@ bool stands_inside(const InsideManifold& manifold, const Walker& walker) {
   const Vector4 p = walker.position();
   for (const Vector4& face : shape.faces)
     if (!(lorentz_product(face, p) <= kRounding)) return false;
-  for (std::size_t v = 0; v < 4; ++v) {
-    const double level = shape.is_hyperideal(v) ? 0 : -1;
-    if (!shape.is_finite(v) && !(lorentz_product(shape.vertices[v], p) <= level + kRounding))
-      return false;
-  }
-  return true;
+  return std::ranges::all_of(walls_of(shape), [&](const StandingWall& wall) {
+    return lorentz_product(wall.vector, p) <= (wall.is_horosphere ? -1 : 0) + kRounding;
+  });
 }
 
 }  // namespace tripus::viewer

@@ -64,7 +64,7 @@ class WalkCamera {
 
   /// One of three places in tetrahedron 0: its centre, near the wall of vertex 0, near edge 01.
   place(name) {
-    const {vertices, faces, corners} = this.manifold.tetrahedra[0];
+    const tetrahedron = this.manifold.tetrahedra[0], {vertices, corners} = tetrahedron;
     this.tetrahedron = 0;
     const corner = (i, j) => corners.find((c) => c.vertex === i && c.other === j).point;
     const middle = (...points) =>
@@ -80,7 +80,7 @@ class WalkCamera {
     } else {
       this.lookFrom(Lorentz.origin, middle(corner(2, 3), corner(3, 2), corner(1, 0)), vertices[1]);
     }
-    if (faces.some((n) => Lorentz.dot(n, this.position()) > 0)) this.frame = Lorentz.identity;
+    if (!standsIn(tetrahedron, this.position())) this.frame = Lorentz.identity;
   }
 
   /// Stands at p and looks at q, with `up` upwards as far as possible.
@@ -143,7 +143,7 @@ class WalkCamera {
     const unit = scaled3(direction, 1 / Math.max(Math.hypot(...direction), 1e-12));
     let left = distance;
     for (let crossing = 0; crossing < 64 && left > 0; ++crossing) {
-      const {faces, vertices, diagonal} = this.manifold.tetrahedra[this.tetrahedron];
+      const tetrahedron = this.manifold.tetrahedra[this.tetrahedron], {faces} = tetrahedron;
       const p = this.position();
       const u = unit.reduce((sum, x, i) => Lorentz.combine(1, sum, x, Lorentz.column(this.frame, i)),
                             [0, 0, 0, 0]);
@@ -155,10 +155,10 @@ class WalkCamera {
         const s = ratio >= 1 ? Infinity : Math.atanh(Math.max(ratio, 0));
         if (s < reach) [reach, face, wall] = [s, f, null];
       });
-      vertices.forEach((v, i) => {
-        if (diagonal[i] < 0 || Lorentz.dot(v, u) <= 0) return;
-        const level = diagonal[i] > 0 ? -Math.sinh(WalkCamera.kClearance)
-                                      : -Math.exp(WalkCamera.kClearance);
+      cutOff(tetrahedron).forEach(({wall: v, isHorosphere}) => {
+        if (Lorentz.dot(v, u) <= 0) return;
+        const level = isHorosphere ? -Math.exp(WalkCamera.kClearance)
+                                   : -Math.sinh(WalkCamera.kClearance);
         const s = distanceToLevel(Lorentz.dot(v, p), Lorentz.dot(v, u), level);
         if (s < reach) [reach, face, wall] = [s, -1, v];
       });

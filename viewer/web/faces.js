@@ -1,14 +1,30 @@
 // The faces of cells, as the renderer of faces draws them: what viewer/faces/ is for the desktop. A
 // face has a record of numbers for the shaders (faces.vert.glsl), an outline, whose convex hull holds
 // it but for a margin, and, if another cell has it too, that cell's number.
-const kFaceBounds = [0, 1, 2, 3].map((w) => {
-  const others = [0, 1, 2, 3].filter((i) => i !== w);
-  return [...others, ...others.map((i) => 4 + i)];
-});
-const kTruncationBounds = [0, 1, 2, 3].map((v) => [0, 1, 2, 3].filter((i) => i !== v));
-const kCutWall = 8, kAllWalls = [0, 1, 2, 3, 4, 5, 6, 7];
-const boundsOfWall = (wall) => (
-    wall === kCutWall ? kAllWalls : wall < 4 ? kFaceBounds[wall] : kTruncationBounds[wall - 4]);
+const kOtherFaces = [0, 1, 2, 3].map((w) => [0, 1, 2, 3].filter((i) => i !== w));
+/// Walls 0..3 are faces, 4..7 truncations, 8..13 those of parabolic edges; then comes the cut.
+const kCutWall = 14, kPlainWalls = 8;
+/// RecordKind of face_set.hpp.
+const kTruncationKind = 0, kFaceKind = 1, kCutKind = 2, kEdgeWallKind = 3;
+const kindOfWall = (wall) => (wall < 4 ? kFaceKind : wall < kPlainWalls ? kTruncationKind
+    : wall < kCutWall ? kEdgeWallKind : kCutKind);
+/// The walls that bound a wall, as bounds_of_wall of face_set.hpp has them.
+function boundsOfWall(wall, withEdgeWalls) {
+  const kind = kindOfWall(wall);
+  if (kind === kCutKind)
+    return Array.from({length: withEdgeWalls ? kCutWall : kPlainWalls}, (_, i) => i);
+  if (kind === kEdgeWallKind) {
+    const edge = wall - kPlainWalls;
+    return [...kEdgeFaces[edge], ...kEdgeEnds[edge].map((v) => 4 + v)];
+  }
+  const others = kOtherFaces[wall % 4];
+  const bounds = kind === kFaceKind ? [...others, ...others.map((i) => 4 + i)] : others;
+  if (!withEdgeWalls) return bounds;
+  return [...bounds, ...others.map((i) => {
+    const edge = edgeBetween(wall % 4, i);
+    return kPlainWalls + (kind === kFaceKind ? 5 - edge : edge);
+  })];
+}
 /// Cells without some of their walls are not solid.
 const isSolid = (state) => !state.hollow && state.faces && state.truncations;
 const kClearAlpha = 0.22;
@@ -16,20 +32,28 @@ const kClearAlpha = 0.22;
 const kSmallCell = 2.5;
 const kRecordTexelsPerRow = 2048;
 const recordTexels = (bounds, bends) => 4 + bounds + Math.ceil(bounds / 4) + bends;
-/// As bends_of_kind of face_set.hpp: of how many half-spaces a record of the Klein ball with cusps has d.
-const kBends = {3: 1, 6: 3, 8: 4};
+/// As flat_bounds of face_set.hpp: how many bounds are planes.
+const kFlatBounds = [3, 3, 4, 4];
+const hasOwnBend = (kind) => kind === kTruncationKind || kind === kEdgeWallKind;
 
 // As in wall_outline.cpp.
 const kOutlineTightness = 0.02, kOutlineHalvings = 8, kOutlineSafety = 1.7, kOutlineDetail = 5e-4;
 
-/// The corners of a wall of a tetrahedron, in cyclic order.
-function cornersOfWall({corners}, wall) {
-  const around = [0, 1, 2, 3].filter((v) => v !== wall % 4);
-  const corner = (i, j) => corners.find((c) => c.vertex === i && c.other === j).point;
+/// The corners of a wall of a tetrahedron, in cyclic order; none if it is not there.
+function cornersOfWall({corners, edges}, wall) {
+  if (wall >= kPlainWalls) return edges[wall - kPlainWalls]?.corners ?? [];
+  const around = kOtherFaces[wall % 4];
+  // Of a parabolic edge there is one in each of its faces.
+  const corner = (i, j, face) => {
+    const edge = edgeBetween(i, j), there = face === kEdgeFaces[edge][0] ? [0, 1] : [3, 2];
+    return edges[edge] ? edges[edge].corners[there[i < j ? 0 : 1]]
+                       : corners.find((c) => c.vertex === i && c.other === j).point;
+  };
   return around.flatMap((here, i) => {
-    if (wall >= 4) return [corner(wall - 4, here)];
     const [before, after] = [around[(i + 2) % 3], around[(i + 1) % 3]];
-    return [corner(here, before), corner(here, after)];
+    if (wall < 4) return [corner(here, before, wall), corner(here, after, wall)];
+    const v = wall - 4, one = [corner(v, here, after)];
+    return edges[edgeBetween(v, here)] ? [...one, corner(v, here, before)] : one;
   });
 }
 
@@ -45,18 +69,27 @@ class FaceSet {
     this.manifold = manifold;
     this.model = kModels[model];
     // Horospheres of the Klein ball are no spheres.
-    this.isBent = model === 'klein' && !manifold.isCompact;
+    this.isBent = model === 'klein' && manifold.kinds > 0;
+    this.walls = manifold.hasEdgeWalls ? kCutWall : kPlainWalls;
+    this.bounds = Array.from({length: kCutWall + 1},
+                             (_, wall) => boundsOfWall(wall, manifold.hasEdgeWalls));
     this.toModel = toModel;
     this.balls = [];       // of cells: x, y, z, radius
-    this.halfSpaces = [];  // [8 cells] of {a, b, c}
+    this.halfSpaces = [];  // [walls x cells] of {a, b, c}
     this.isometries = [];
-    this.outlines = [];    // [8 cells] of {points, margin, middle, radius}
-    this.partner = [];     // [8 cells] cell on the other side, Infinity if there is none
-    this.corners = manifold.tetrahedra.map(
-        (tetrahedron) => [0, 1, 2, 3, 4, 5, 6, 7].map((wall) => cornersOfWall(tetrahedron, wall)));
+    this.outlines = [];    // [walls x cells] of {points, margin, middle, radius}
+    this.partner = [];     // [walls x cells] cell on the other side, Infinity if there is none
+    this.corners = manifold.tetrahedra.map((tetrahedron) => Array.from(
+        {length: this.walls}, (_, wall) => cornersOfWall(tetrahedron, wall)));
   }
 
-  bends(bounds) { return this.isBent ? kBends[bounds] : 0; }
+  /// How many half-spaces bound what is of a kind, and of how many its record has d.
+  boundCount(kind) { return this.bounds[[4, 0, kCutWall, kPlainWalls][kind]].length; }
+  bends(kind) {
+    if (!this.isBent) return 0;
+    return this.boundCount(kind) - kFlatBounds[kind] + (hasOwnBend(kind) ? 1 : 0);
+  }
+  texels(kind) { return recordTexels(this.boundCount(kind), this.bends(kind)); }
 
   /// Takes cells in until there are as many as in `cells`.
   grow(cells) {
@@ -72,13 +105,14 @@ class FaceSet {
     this.isometries.push(isometry);
     this.balls.push(this.model.ballOf(
         Lorentz.apply(isometry, tetrahedron.ball.centre), tetrahedron.ball.radius,
-        () => tetrahedron.corners.map((c) => place(c.point))));
+        () => tetrahedron.points.map(place)));
     wallsOf(tetrahedron, isometry, this.model).forEach(({A, b, C, d = [0, 0, 0]}, wall) => {
       this.halfSpaces.push({a: A / 2, b, c: C / 2, d});
-      const kind = wall < 4 ? 1 : tetrahedron.diagonal[wall - 4];
+      const edge = tetrahedron.edges[wall - kPlainWalls];
+      const kind = wall < 4 ? 1 : wall < kPlainWalls ? tetrahedron.diagonal[wall - 4] : edge ? 0 : -1;
       this.outlines.push(kind < 0 ? kNoOutline : this.outline(
           this.corners[cell.tetrahedron][wall], place,
-          kind === 0 ? tetrahedron.vertices[wall - 4] : null));
+          kind === 0 ? edge?.wall ?? tetrahedron.vertices[wall - 4] : null));
       this.partner.push(Infinity);
     });
   }
@@ -130,7 +164,7 @@ class FaceSet {
       cut(corners, 0);
     } else {
       number(middle);
-      corners.forEach((a, k) => cut([middle, a, corners[(k + 1) % 6]], 0));
+      corners.forEach((a, k) => cut([middle, a, corners[(k + 1) % corners.length]], 0));
     }
     const radius = Math.max(...points.map((p) => away(p, middle.p))) + margin;
     return {points: Float64Array.from(points.flat()), margin, middle: middle.p, radius,
@@ -157,7 +191,7 @@ class FaceSet {
   findPartners() {
     const order = [];
     this.outlines.forEach(({middle: [x, y, z]}, i) => {
-      if (i % 8 < 4) order.push([x + 0.6180339887 * y + 0.3247179572 * z, i]);
+      if (i % this.walls < 4) order.push([x + 0.6180339887 * y + 0.3247179572 * z, i]);
     });
     order.sort((one, other) => one[0] - other[0]);
     for (let i = 0; i < order.length; ++i) {
@@ -165,8 +199,8 @@ class FaceSet {
       for (let j = i + 1; j < order.length && order[j][0] - order[i][0] <= 2e-6 * radius; ++j) {
         const q = this.outlines[order[j][1]].middle;
         if (Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) > 1e-6 * radius) continue;
-        this.partner[order[i][1]] = order[j][1] >> 3;
-        this.partner[order[j][1]] = order[i][1] >> 3;
+        this.partner[order[i][1]] = Math.floor(order[j][1] / this.walls);
+        this.partner[order[j][1]] = Math.floor(order[i][1] / this.walls);
         break;
       }
     }
@@ -188,13 +222,16 @@ class FaceSet {
     const {a, b, c, d} = local(own);
     numbers.set([...b, a, c, wall, look.shared ? 1 : 0, look.disc, x, y, z, radius,
                  ...look.colour, cell], at);
-    const bounds = boundsOfWall(wall).map((other) => local(this.halfSpaces[8 * cell + other]));
+    const kind = kindOfWall(wall);
+    const bounds =
+        this.bounds[wall].map((other) => local(this.halfSpaces[this.walls * cell + other]));
     bounds.forEach((h, i) => numbers.set([...h.b, h.a], at + 16 + 4 * i));
     bounds.forEach((h, i) => { numbers[at + 16 + 4 * bounds.length + i] = h.c; });
     if (bounds.length % 4 !== 0) numbers[at + 16 + 5 * bounds.length] = look.edges;
     const end = at + 4 * recordTexels(bounds.length, 0);
     if (!this.isBent) return end;
-    const bends = bounds.length === 3 ? [d] : bounds.slice(-kBends[bounds.length]).map((h) => h.d);
+    const bends = [...(hasOwnBend(kind) ? [d] : []),
+                   ...bounds.slice(kFlatBounds[kind]).map((h) => h.d)];
     bends.forEach((bend, i) => numbers.set(bend, end + 4 * i));
     return end + 4 * bends.length;
   }
@@ -251,8 +288,8 @@ class FaceDrawing {
     this.manifold = manifold;
     this.discs = discs;
     const gl = graphics.gl;
-    this.kinds = [3, 6, 8].map((bounds) => ({
-      bounds, programs: new Map(), mesh: new ProxyMesh(), corners: gl.createBuffer(),
+    this.kinds = [kTruncationKind, kFaceKind, kCutKind, kEdgeWallKind].map((kind) => ({
+      kind, programs: new Map(), mesh: new ProxyMesh(), corners: gl.createBuffer(),
       triangles: gl.createBuffer(),
     }));
     this.array = gl.createVertexArray();
@@ -261,14 +298,15 @@ class FaceDrawing {
   }
 
   /// The program for faces of a kind; see faces.glsl for what is defined.
-  program({bounds, programs}, set, discs, state) {
-    const cut = state.cut !== null && bounds !== 8, edges = state.colour === 'edge' && state.lines;
-    const defined = `#define kBounds ${bounds}\n#define kSides ${isSolid(state) ? 1 : 2}\n` +
-        `#define kModel ${set.model.number}\n#define kBends ${set.isBent ? kBends[bounds] : 0}\n` +
+  program({kind, programs}, set, discs, state) {
+    const cut = state.cut !== null && kind !== kCutKind, edges = state.colour === 'edge' && state.lines;
+    const defined = `#define kKind ${kind}\n#define kBounds ${set.boundCount(kind)}\n` +
+        `#define kBends ${set.bends(kind)}\n#define kSides ${isSolid(state) ? 1 : 2}\n` +
+        `#define kModel ${set.model.number}\n` +
         `#define kDiscs ${discs}\n#define kCut ${cut ? 1 : 0}\n` +
         `#define kEdges ${edges ? 1 : 0}\n` +
         // Of few bounds, or there would be more numbers than graphics cards must take.
-        (bounds === 3 && !set.isBent ? '#define kHandOn\n' : '');
+        (set.boundCount(kind) === 3 && !set.isBent ? '#define kHandOn\n' : '');
     if (!programs.has(defined))
       programs.set(defined, this.graphics.program(
           'faces.vert.glsl', 'outside_faces.frag.glsl', [defined, 'outside_camera.glsl'],
@@ -287,18 +325,20 @@ class FaceDrawing {
   }
 
   uploadFaces(set, cells, state) {
-    const texels = cells.length * 4 * (recordTexels(3, set.bends(3)) + recordTexels(6, set.bends(6)));
+    const texels = cells.length * (4 * (set.texels(kTruncationKind) + set.texels(kFaceKind)) +
+        (set.walls - kPlainWalls) * set.texels(kEdgeWallKind));
     const rows = Math.max(1, Math.ceil(texels / kRecordTexelsPerRow));
     const numbers = new Float32Array(4 * kRecordTexelsPerRow * rows);
-    this.first = new Float32Array(8 * cells.length);
+    this.first = new Float32Array(set.walls * cells.length);
     let at = 0;
     cells.forEach((cell, number) => {
-      for (let wall = 0; wall < 8; ++wall) {
-        const face = 8 * number + wall;
+      for (let wall = 0; wall < set.walls; ++wall) {
+        const face = set.walls * number + wall;
         this.first[face] = at / 4;
+        if (set.outlines[face] === kNoOutline) continue;
         at = set.write(numbers, at, number, wall, set.halfSpaces[face], {
           shared: set.partner[face] < cells.length,
-          disc: wall < 4 ? -1 : this.manifold.discs.first[4 * cell.tetrahedron + wall - 4],
+          disc: kindOfWall(wall) !== kTruncationKind ? -1 : this.manifold.discs.first[4 * cell.tetrahedron + wall - 4],
           colour: this.colour(state, cell, wall),
           edges: wall < 4 ? this.edgeColours(cell.tetrahedron, wall) : 0});
       }
@@ -316,7 +356,7 @@ class FaceDrawing {
 
   /// The records of the cells' cuts, and the balls that hold them.
   uploadCuts(set, cells, state) {
-    const texels = recordTexels(8, set.bends(8));
+    const texels = set.texels(kCutKind);
     const own = {a: 0, b: [1, 0, 0], c: -state.cut, d: [0, 0, 0]};
     this.cutBalls = [];
     set.balls.slice(0, cells.length).forEach(([x, y, z, radius], cell) => {
@@ -335,7 +375,7 @@ class FaceDrawing {
 
   /// As FaceLook::edge_colours of face_set.hpp.
   edgeColours(t, face) {
-    return kTruncationBounds[face].reduce((sum, other, i) => {
+    return kOtherFaces[face].reduce((sum, other, i) => {
       const edge = kEdgeEnds.findIndex((ends) => !ends.includes(face) && !ends.includes(other));
       return sum + (this.manifold.edgeClass[t][edge] % linearPalette.length) * 64 ** i;
     }, 0);
@@ -344,15 +384,19 @@ class FaceDrawing {
   colour(state, cell, wall) {
     const grey = [0.46, 0.47, 0.49], paper = [0.88, 0.86, 0.80];
     if (state.colour === 'edge') return wall < 4 ? grey : paper;
-    if (state.colour === 'component')
-      return wall < 4 ? grey : paletteColour(this.manifold.vertexClass[cell.tetrahedron][wall - 4]);
+    if (state.colour === 'component') {
+      const {vertexClass, edgeClass} = this.manifold, t = cell.tetrahedron;
+      return wall < 4 ? grey : wall < kPlainWalls ? paletteColour(vertexClass[t][wall - 4])
+          : lastPaletteColour(edgeClass[t][wall - kPlainWalls]);
+    }
     let base = paletteColour(cell.tetrahedron);
     if (state.colour === 'depth') base = kDepthPalette[Math.min(cell.depth, 11)];
     if (state.colour === 'face' && wall < 4)
       base = paletteColour(this.manifold.faceClass[cell.tetrahedron][wall]);
     if (wall < 4) return base;
     // Truncations, the geodesic boundary, are pale, whatever the colours say; horospheres are bluish.
-    const isCusp = this.manifold.tetrahedra[cell.tetrahedron].diagonal[wall - 4] === 0;
+    const isCusp = wall >= kPlainWalls ||
+        this.manifold.tetrahedra[cell.tetrahedron].diagonal[wall - 4] === 0;
     return base.map((x, k) => x + 0.4 * ((isCusp ? [0.62, 0.77, 0.95] : [0.95, 0.93, 0.88])[k] - x));
   }
 
@@ -392,8 +436,9 @@ class FaceDrawing {
       if (state.cut !== null && ball[0] - state.cut > ball[3]) continue;
       // Squares around the balls of their faces serve small cells.
       const small = radius * focal < kSmallCell * Math.sqrt(square);
-      for (let face = 8 * cell; face < 8 * cell + 8; ++face) {
-        if (face % 8 < 4 ? !state.faces : !state.truncations) continue;
+      for (let wall = 0; wall < set.walls; ++wall) {
+        const face = set.walls * cell + wall;
+        if (wall < 4 ? !state.faces : !state.truncations) continue;
         if (set.outlines[face] === kNoOutline) continue;
         const partner = set.partner[face];
         // Through a transparent partner it is seen.
@@ -404,7 +449,7 @@ class FaceDrawing {
           points = facingPart(set.halfSpaces[face], outline, eye);
           if (points.length === 0) continue;
         }
-        const {mesh} = this.kinds[face % 8 < 4 ? 1 : 0];
+        const {mesh} = this.kinds[kindOfWall(wall)];
         const first = this.first[face];
         if (small) {
           mesh.add(outline.middle, outline.radius, ball, shrink, first);
@@ -417,8 +462,8 @@ class FaceDrawing {
     if (state.cut !== null && solid && !clear) {
       this.cutBalls.forEach(({cell, points, margin}, i) => {
         if (!isClear(cell))
-          this.kinds[2].mesh.add(points, margin, set.balls[cell], shrink,
-                                 recordTexels(8, set.bends(8)) * i);
+          this.kinds[kCutKind].mesh.add(points, margin, set.balls[cell], shrink,
+                                 set.texels(kCutKind) * i);
       });
     }
     return shrink;
@@ -451,7 +496,7 @@ class FaceDrawing {
     for (const kind of this.kinds) {
       const {mesh, corners, triangles} = kind;
       if (mesh.triangleCount === 0) continue;
-      const withDiscs = kind.bounds === 3 && this.manifold.discs.exist && state.discs;
+      const withDiscs = kind.kind === kTruncationKind && this.manifold.discs.exist && state.discs;
       const program = this.program(kind, set, withDiscs ? 1 : 0, state);
       setCamera(program);
       this.manifold.discs.use(gl, program, this.discs, state.discs);
@@ -460,7 +505,7 @@ class FaceDrawing {
         gl.bindTexture(gl.TEXTURE_2D, texture);
         gl.uniform1i(program.at(name), unit);
       };
-      bind(0, 'uFaces', kind.bounds === 8 ? this.cuts : this.records);
+      bind(0, 'uFaces', kind.kind === kCutKind ? this.cuts : this.records);
       bind(2, 'uPlaces', this.places ?? this.records);
       gl.uniform1f(program.at('uShrink'), shrink);
       gl.uniform1f(program.at('uCut'), state.cut ?? 0);

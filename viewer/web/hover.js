@@ -46,7 +46,7 @@ class Hover {
     for (let cell = cells[number]; cell.parent !== null; cell = cells[cell.parent])
       letters.unshift(this.letter(cells[cell.parent].tetrahedron, cell.face));
     const t = cells[number].tetrahedron;
-    if (surface === 9) return `tetrahedron ${t}, cut; word ${this.word(letters)}`;
+    if (surface === kCutWall + 1) return `tetrahedron ${t}, cut; word ${this.word(letters)}`;
     return `${surface > 4 ? this.truncation(t, surface - 5, disc) : this.face(t, surface - 1)}; ` +
         `word ${this.word(letters)}`;
   }
@@ -73,7 +73,11 @@ class Hover {
         `${manifold.neighbour[t][f]}; edges ${edges.join(', ')}`;
   }
 
+  /// Of vertex v, or of the wall of the parabolic edge v - 4.
   truncation(t, v, disc) {
+    if (v >= 4)
+      return `tetrahedron ${t}, horosphere of the parabolic edge ${kEdgeEnds[v - 4].join('')} of ` +
+          `class ${this.page.manifold.edgeClass[t][v - 4]}`;
     if (this.page.manifold.tetrahedra[t].diagonal[v] === 0)
       return `tetrahedron ${t}, horosphere ${v} of cusp ${this.page.manifold.vertexClass[t][v]}`;
     const length = this.page.manifold.discs.lengthOf(t, v, disc);
@@ -90,6 +94,7 @@ class Hover {
   /// The length of an edge and its dihedral angle in the tetrahedron.
   measures(t, e) {
     const {edgeClass, tetrahedra} = this.page.manifold;
+    if (tetrahedra[t].edges[e]) return 'parabolic';
     const [k, l] = [0, 1, 2, 3].filter((v) => !kEdgeEnds[e].includes(v));
     const cosine = -Lorentz.dot(tetrahedra[t].faces[k], tetrahedra[t].faces[l]);
     const degrees = Math.acos(Math.min(1, Math.max(-1, cosine))) * 180 / Math.PI;

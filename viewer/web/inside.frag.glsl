@@ -2,13 +2,15 @@
 // tetrahedra. In the coordinates of the current one a plane <n, x> = 0 ahead is met where
 // tanh s = -<n, x> / <n, u>. At a face the geodesic goes on in the neighbour's coordinates; at a
 // truncation plane it has met the geodesic boundary, at a horosphere <v, x> = -1 a cusp: the wall.
-// Coordinates in one tetrahedron stay small, which is what single precision needs. kKinds, whether
-// there are vertices other than hyperideal ones, is defined in front of this text.
+// Coordinates in one tetrahedron stay small, which is what single precision needs. kKinds is defined
+// in front of this text: 0 where all vertices are hyperideal, 1 where some are not, 2 where there are
+// parabolic edges, which are walls: of edge e number 4 + e, a horosphere around s (v_i + v_j).
 //
 // Texels of a tetrahedron (normals come with their time negated, so that dot() is the product):
 //   0-3 faces, 4-7 vertices, 8-23 rows of the four crossings, 24 neighbours, 25 entry faces,
 //   26-27 cosines g = <n_k, n_l> at the six edges, 28-29 edge classes, 30 boundary components,
-//   31 where the discs of the four truncations begin, 32-33 1 / (1 - g^2) at the edges,
+//   31 where the discs of the four truncations begin, 32-33 1 / (1 - g^2) at the edges, of parabolic
+//   ones -s,
 //   34 kinds of the vertices: 1 hyperideal, 0 ideal, -1 finite, 35-36 1 at singular edges
 const int kTexels = 37;
 uniform sampler2D uTetrahedra;
@@ -79,11 +81,24 @@ float meetHorosphere(float a, float b) {
   return b > 0.0 && discriminant > 0.0 ? max(t, 0.0) : 2.0;
 }
 #endif
-/// The unit normal of the wall of vertex v of the current tetrahedron at a point x.
-vec4 wallNormal(int v, vec4 x) {
-  vec4 normal = texel(4 + v) * vec4(1, 1, 1, -1);
+/// The vector of a wall of the current tetrahedron, its time negated.
+vec4 wallVector(int wall) {
+#if kKinds == 2
+  if (wall > 3) {
+    ivec2 ends = facesAt(9 - wall);  // those of an edge are the faces at the opposite one
+    return -texel(32 + (wall - 4) / 4)[wall & 3] * (texel(4 + ends.x) + texel(4 + ends.y));
+  }
+#endif
+  return texel(4 + wall);
+}
+/// The unit normal of a wall of the current tetrahedron at a point x.
+vec4 wallNormal(int wall, vec4 x) {
+  vec4 normal = wallVector(wall) * vec4(1, 1, 1, -1);
+#if kKinds == 2
+  if (wall > 3) return normal - x;
+#endif
 #if kKinds
-  if (texel(34)[v] == 0.0) normal -= x;
+  if (texel(34)[wall] == 0.0) normal -= x;
 #endif
   return normal;
 }
@@ -95,6 +110,17 @@ void first(float t, int kind, int number, inout float reach, inout ivec2 met) {
     met = ivec2(kind, number);
   }
 }
+
+#if kKinds == 2
+/// Takes edge e: the tube around it, or, if it is parabolic, its wall.
+///   x, u, g, scale  as in meetTube
+///   v               sums of the products of the point and the direction with the ends
+void firstOfEdge(int e, vec2 x, vec2 u, float g, float scale, vec2 v, inout float reach,
+                 inout ivec2 met) {
+  if (scale < 0.0) first(meetHorosphere(-scale * v.x, -scale * v.y), kWall, 4 + e, reach, met);
+  else first(meetTube(x, u, g, scale), kEdge, e, reach, met);
+}
+#endif
 
 /// Follows the geodesic until it meets something. `from`: the face that it came in by, or -1. There is
 /// no trigonometry on the way: the distance is half the logarithm of a product.
@@ -123,6 +149,17 @@ void trace(inout Hit hit, inout int from) {
 #endif
     for (int v = 0; v < 4; ++v) first(ahead[v], kWall, v, reach, met);
     vec4 g = texel(26), scale = texel(32);
+#if kKinds == 2
+#define sumsAt(i, j) vec2(vx[i] + vx[j], vu[i] + vu[j])
+    firstOfEdge(0, fx.zw, fu.zw, g.x, scale.x, sumsAt(0, 1), reach, met);
+    firstOfEdge(1, fx.yw, fu.yw, g.y, scale.y, sumsAt(0, 2), reach, met);
+    firstOfEdge(2, fx.yz, fu.yz, g.z, scale.z, sumsAt(0, 3), reach, met);
+    firstOfEdge(3, fx.xw, fu.xw, g.w, scale.w, sumsAt(1, 2), reach, met);
+    g = texel(27);
+    scale = texel(33);
+    firstOfEdge(4, fx.xz, fu.xz, g.x, scale.x, sumsAt(1, 3), reach, met);
+    firstOfEdge(5, fx.xy, fu.xy, g.y, scale.y, sumsAt(2, 3), reach, met);
+#else
     first(meetTube(fx.zw, fu.zw, g.x, scale.x), kEdge, 0, reach, met);
     first(meetTube(fx.yw, fu.yw, g.y, scale.y), kEdge, 1, reach, met);
     first(meetTube(fx.yz, fu.yz, g.z, scale.z), kEdge, 2, reach, met);
@@ -131,6 +168,7 @@ void trace(inout Hit hit, inout int from) {
     scale = texel(33);
     first(meetTube(fx.xz, fu.xz, g.x, scale.x), kEdge, 4, reach, met);
     first(meetTube(fx.xy, fu.xy, g.y, scale.y), kEdge, 5, reach, met);
+#endif
     if (met.y < 0) break;  // only by rounding
     reach = min(reach, 0.99999);
     float c = inversesqrt(1.0 - reach * reach), s = reach * c;
@@ -159,7 +197,7 @@ vec3 paletteOf(int i) { return uPalette[i % 48]; }
 
 /// The hyperbolic size of a pixel on the wall, where it is longest.
 float pixelOnWall(Hit hit) {
-  float incidence = max(abs(dot(texel(4 + hit.number), hit.u)), 0.06);
+  float incidence = max(abs(dot(wallVector(hit.number), hit.u)), 0.06);
   return uPixel * sinh(min(hit.along, 12.0)) / incidence;
 }
 vec3 discsAt(Hit hit, out int disc) {
@@ -173,13 +211,33 @@ vec3 wallColour(Hit hit) {
   float side = 1e9;
   for (int f = 0; f < 4; ++f)
     if (f != hit.number) side = min(side, -dot(texel(f), hit.x));
+#if kKinds == 2
+  // Where an edge is parabolic, its wall is a side; its own sides are two faces and two truncations.
+  if (hit.number > 3) {
+    ivec2 faces = facesAt(hit.number - 4), ends = facesAt(9 - hit.number);
+    side = min(min(-dot(texel(faces.x), hit.x), -dot(texel(faces.y), hit.x)),
+               min(-dot(texel(4 + ends.x), hit.x), -dot(texel(4 + ends.y), hit.x)));
+  } else {
+    for (int e = 0; e < 6; ++e) {
+      ivec2 ends = facesAt(5 - e);
+      if (texel(32 + e / 4)[e & 3] < 0.0 && (ends.x == hit.number || ends.y == hit.number))
+        side = min(side, sinh(log(max(-dot(wallVector(4 + e), hit.x), 1.0))));
+    }
+  }
+#endif
   side = arsinh(side);
   int index = uColourBy == 0 ? 4 * hit.tetrahedron + hit.number
-                             : int(texel(30)[hit.number]);
+                             : int(texel(30)[hit.number & 3]);
+#if kKinds == 2
+  // Colours of annular cusps are counted from the last one on.
+  if (hit.number > 3)
+    index = 47 - (uColourBy == 0 ? 6 * hit.tetrahedron + hit.number - 4
+                                 : int(texel(28 + (hit.number - 4) / 4)[hit.number & 3])) % 48;
+#endif
   vec3 base = mix(paletteOf(index), vec3(0.93, 0.91, 0.86), uColourBy == 0 ? 0.22 : 0.15);
   float blur = smoothstep(0.35, 0.08, pixel);  // what is finer than pixels becomes its mean
   int disc;
-  if (uDiscsOn == 1) base = discsAt(hit, disc);
+  if (uDiscsOn == 1 && hit.number < 4) base = discsAt(hit, disc);
   else if (uGrid == 1) {
     float ring = side / 0.12;
     float away = abs(ring - round(ring)) * 0.12;
@@ -234,7 +292,7 @@ void main() {
     if (uOutput == kIdentities) {
       int disc = 0;
       stand(hit.tetrahedron);
-      if (uDiscsOn == 1 && hit.kind == kWall) discsAt(hit, disc);
+      if (uDiscsOn == 1 && hit.kind == kWall && hit.number < 4) discsAt(hit, disc);
       colour = vec4(float(hit.kind), float(hit.tetrahedron & 255),
                     float(hit.number) + discIdentity(disc),
                     255.0 - float(min(hit.crossings, 200))) / 255.0;

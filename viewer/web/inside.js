@@ -12,7 +12,7 @@ class InsideView {
   connect() {
     this.program =
         this.graphics.program('fullscreen.vert.glsl', 'inside.frag.glsl',
-                              [`#define kKinds ${this.manifold.isCompact ? 0 : 1}`, 'discs.glsl']);
+                              [`#define kKinds ${this.manifold.kinds}`, 'discs.glsl']);
     this.discs = this.manifold.discs.texture(this.graphics);
     const numbers = new Float32Array(4 * kTetrahedronTexels * this.manifold.count);
     for (let t = 0; t < this.manifold.count; ++t)
@@ -23,7 +23,7 @@ class InsideView {
   /// 37 x 4 numbers of a tetrahedron; their order is in inside.frag.glsl.
   record(t) {
     const m = this.manifold;
-    const {faces, vertices, diagonal, singular} = m.tetrahedra[t];
+    const {faces, vertices, diagonal, singular, edges, scale} = m.tetrahedra[t];
     const numbers = new Float32Array(4 * kTetrahedronTexels);
     [...faces, ...vertices].forEach((n, i) => numbers.set([n[0], n[1], n[2], -n[3]], 4 * i));
     m.crossing[t].forEach((matrix, f) => numbers.set(matrix, 32 + 16 * f));
@@ -33,7 +33,7 @@ class InsideView {
       const [k, l] = [0, 1, 2, 3].filter((v) => v !== i && v !== j);
       const cosine = Lorentz.dot(faces[k], faces[l]);
       numbers[104 + e] = cosine;
-      numbers[128 + e] = 1 / (1 - cosine * cosine);
+      numbers[128 + e] = edges[e] ? -scale : 1 / (1 - cosine * cosine);
       numbers[112 + e] = m.edgeClass[t][e] % 4096;
     });
     numbers.set(m.vertexClass[t].map((v) => v % 4096), 120);

@@ -42,23 +42,27 @@ function labelsOf(page) {
     if (isNear(x / count, y / count, number)) add(x / count, y / count, `${t}`);
     if (state.explode > 0) continue;  // edges are elsewhere then
     const isometry = Lorentz.multiply(toModel, cell.isometry);
-    const {corners, faces} = manifold.tetrahedra[t];
+    const {corners, faces, edges} = manifold.tetrahedra[t];
     kEdgeEnds.forEach(([v, w], e) => {
       const ends = [[v, w], [w, v]].map(
           ([i, j]) => corners.find((c) => c.vertex === i && c.other === j).point);
-      const p = model.place(Lorentz.apply(isometry, Lorentz.toPoint(
-          Lorentz.combine(1, ends[0], 1, ends[1]))));
+      // Of a parabolic edge its wall has the name.
+      const middle = edges[e]
+          ? onHorosphere(Lorentz.combine(0.5, ends[0], 0.5, ends[1]), edges[e].wall)
+          : Lorentz.toPoint(Lorentz.combine(1, ends[0], 1, ends[1]));
+      const p = model.place(Lorentz.apply(isometry, middle));
       const away = p.map((value, k) => value - view.eye[k]);
       const [right, up, ahead] = [0, 3, 6].map((k) => dot3(view.axes.slice(k, k + 3), away));
       const px = (right / ahead / view.tangent[0] + 1) / 2 * width;
       const py = (1 - up / ahead / view.tangent[1]) / 2 * height;
       if (!(ahead > 0 && px >= 0 && py >= 0 && px < width && py < height)) return;
-      // One of its two faces must turn its outer side to the eye.
-      const towards = faces.some((normal, f) => {
-        if (f === v || f === w) return false;
-        const {A, b, C} = model.halfSpace(Lorentz.apply(isometry, normal));
-        return A * dot3(view.eye, view.eye) + 2 * dot3(b, view.eye) + C > 0;
-      });
+      // One of its two faces, or that wall, must turn its outer side to the eye.
+      const halfSpaces = edges[e]
+          ? [model.horosphere(Lorentz.apply(isometry, edges[e].wall))]
+          : kEdgeFaces[e].map((f) => model.halfSpace(Lorentz.apply(isometry, faces[f])));
+      const towards = halfSpaces.some(({A, b, C, d = [0, 0, 0]}) => (
+          A * dot3(view.eye, view.eye) + 2 * dot3(b, view.eye) + C -
+              2 * dot3(d, view.eye) ** 2 > 0));
       if (towards && isNear(px, py, number)) add(px, py, `e${manifold.edgeClass[t][e]}`);
     });
   }

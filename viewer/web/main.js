@@ -229,10 +229,7 @@ class Page {
     const frame = numbers('frame', 16), t = Number(this.wishes.get('tetrahedron') ?? -1);
     if (!frame || !this.manifold.tetrahedra[t]) return;
     const stands = Lorentz.orthonormalise(frame), place = Lorentz.column(stands, 3);
-    const {faces, vertices, diagonal} = this.manifold.tetrahedra[t];
-    const isBehind = (v, i) => (
-        diagonal[i] < 0 || Lorentz.dot(v, place) <= (diagonal[i] > 0 ? 0 : -1) + 1e-6);
-    if (!faces.every((n) => Lorentz.dot(n, place) <= 1e-6) || !vertices.every(isBehind)) return;
+    if (!standsIn(this.manifold.tetrahedra[t], place)) return;
     [this.walker.tetrahedron, this.walker.frame] = [t, stands];
   }
 

@@ -4,16 +4,44 @@
 //   0  ideal       a null vector v: of the horosphere of points x with product <x, v> = -1
 //  -1  finite      the vertex itself
 // A point x lies in the cell exactly if its products are <= 0 with faces and hyperideal vertices, and
-// <= -1 with ideal ones.
+// <= -1 with ideal ones and with the null vectors of parabolic edges, s (v_i + v_j) of edge ij.
 const kEdgeEnds = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
 
+const edgeBetween = (i, j) => kEdgeEnds.findIndex((ends) => ends.includes(i) && ends.includes(j));
+
+/// Of the wall of each parabolic edge its null vector and its corners, in cyclic order: on the
+/// truncations of the edge's vertices v < w and in its faces k < l, those of v k, w k, w l, v l. Of
+/// the others null.
+function edgeWalls(vertices, faces, parabolic, scale) {
+  return kEdgeEnds.map(([v, w], e) => {
+    if (!(parabolic >> e & 1)) return null;
+    const wall = Lorentz.combine(scale, vertices[v], scale, vertices[w]), [k, l] = kEdgeEnds[5 - e];
+    // In the plane that is orthogonal to the truncation and the face.
+    const corner = (i, f) => {
+      const [pole, normal] = [vertices[i], faces[f]], o = Lorentz.origin;
+      const q = Lorentz.combine(1, Lorentz.combine(1, o, -Lorentz.dot(o, pole), pole),
+                                -Lorentz.dot(o, normal), normal);
+      const b = -1 / Lorentz.dot(wall, q);
+      return Lorentz.toPoint(Lorentz.combine((1 + b * b * Lorentz.dot(q, q)) / 2, wall, b, q));
+    };
+    return {wall, corners: [corner(v, k), corner(w, k), corner(w, l), corner(v, l)]};
+  });
+}
+
 /// The twelve corners: corner (i, j) is where the edge ij leaves through the truncation of i, or the
-/// vertex i itself if it is finite.
-function tetrahedronCorners(vertices, diagonal) {
+/// vertex i itself if it is finite; of a parabolic edge the middle of the side that its wall has there.
+function tetrahedronCorners(vertices, diagonal, walls) {
   const corners = [];
   for (let i = 0; i < 4; ++i)
     for (let j = 0; j < 4; ++j) {
       if (i === j) continue;
+      const parabolic = walls[edgeBetween(i, j)];
+      if (parabolic) {
+        const [a, b] = (i < j ? [0, 3] : [1, 2]).map((n) => parabolic.corners[n]);
+        corners.push({vertex: i, other: j,
+                      point: onHorosphere(Lorentz.combine(0.5, a, 0.5, b), parabolic.wall)});
+        continue;
+      }
       const product = Lorentz.dot(vertices[i], vertices[j]);
       let point = vertices[i];
       if (diagonal[i] > 0)
@@ -31,13 +59,31 @@ function onHorosphere(mean, v) {
   return Lorentz.combine(1, mean, (Lorentz.dot(mean, mean) + 1) / 2, v);
 }
 
-/// The half-spaces of the eight walls of a tetrahedron, moved by an isometry, in a model of kModels.
-function wallsOf({faces, vertices, diagonal}, isometry, model) {
+/// The half-spaces of the walls of a tetrahedron, moved by an isometry, in a model of kModels: faces,
+/// truncations and, in manifolds with parabolic edges, those of the six edges.
+function wallsOf({faces, vertices, diagonal, edges}, isometry, model) {
   return [
     ...faces.map((n) => model.halfSpace(Lorentz.apply(isometry, n))),
     ...vertices.map((v, i) => (diagonal[i] < 0 ? kNoWall
         : diagonal[i] > 0 ? model.halfSpace(Lorentz.apply(isometry, v))
-                          : model.horosphere(Lorentz.apply(isometry, v))))];
+                          : model.horosphere(Lorentz.apply(isometry, v)))),
+    ...edges.map((edge) => (
+        edge ? model.horosphere(Lorentz.apply(isometry, edge.wall)) : kNoWall))];
+}
+
+/// What cuts a tetrahedron off at its vertices and edges: [{wall, isHorosphere}].
+function cutOff({vertices, diagonal, edges}) {
+  return [
+    ...vertices.flatMap((wall, i) => (
+        diagonal[i] < 0 ? [] : [{wall, isHorosphere: diagonal[i] === 0}])),
+    ...edges.flatMap((edge) => (edge ? [{wall: edge.wall, isHorosphere: true}] : []))];
+}
+
+/// Whether a point lies in a tetrahedron, or beyond it by rounding.
+function standsIn(tetrahedron, point) {
+  return tetrahedron.faces.every((n) => Lorentz.dot(n, point) <= 1e-6) &&
+      cutOff(tetrahedron).every(({wall, isHorosphere}) => (
+          Lorentz.dot(wall, point) <= (isHorosphere ? -1 : 0) + 1e-6));
 }
 /// What every point of a model near the cells lies in.
 const kNoWall = {A: 0, b: [1e-6, 0, 0], C: -1};
@@ -66,14 +112,22 @@ class Manifold {
   constructor(data) {
     this.data = data;
     this.count = data.tetrahedra.length;
+    /// Whether there are parabolic edges.
+    this.hasEdgeWalls = data.tetrahedra.some(({parabolic = 0}) => parabolic !== 0);
+    /// `edges`: none, or of each edge the wall that cuts it off or null.
     this.tetrahedra = data.tetrahedra.map(
-        ({vertices, faces, diagonal = [1, 1, 1, 1], singular = 0}) => {
-      const corners = tetrahedronCorners(vertices, diagonal);
-      return {vertices, faces, diagonal, singular, corners,
-              ball: enclosingBall(corners.map((c) => c.point))};
+        ({vertices, faces, diagonal = [1, 1, 1, 1], singular = 0, parabolic = 0, scale = 1}) => {
+      const edges =
+          this.hasEdgeWalls ? edgeWalls(vertices, faces, parabolic, scale) : [];
+      const corners = tetrahedronCorners(vertices, diagonal, edges);
+      const points = [...corners.map((c) => c.point),
+                      ...edges.flatMap((edge) => edge?.corners ?? [])];
+      return {vertices, faces, diagonal, singular, edges, scale, corners, points,
+              ball: enclosingBall(points)};
     });
-    /// Whether all vertices are hyperideal.
-    this.isCompact = this.tetrahedra.every(({diagonal}) => diagonal.every((d) => d > 0));
+    /// What the shader of the view from inside has to know of (kKinds), as InsideManifold::kinds().
+    this.kinds = this.hasEdgeWalls ? 2
+        : this.tetrahedra.some(({diagonal}) => diagonal.some((d) => d <= 0)) ? 1 : 0;
     this.neighbour = data.gluings.map((row) => row.map(([t]) => t));
     this.pairing = data.face_pairings;
     this.crossing = this.pairing.map((row) => row.map(Lorentz.inverse));

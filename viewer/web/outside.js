@@ -29,18 +29,38 @@ const kModels = {
       return [x[0] * height, x[1] * height, size * height];
     },
     /// Edge 01 of the root upwards in the middle, as in the paper; the truncation of vertex 1
-    /// becomes the unit hemisphere, and everything lies under it.
+    /// becomes the unit hemisphere, and everything lies under it. Of a parabolic edge the next one.
     frame(root) {
       const {faces} = root;
-      const [point, below] = [[1, 0], [0, 1]].map(
+      const edge = kEdgeEnds.findIndex((_, e) => !root.edges[e]);
+      if (edge < 0) return this.frameOfTruncation(root);
+      const [v, w] = kEdgeEnds[edge], [k, l] = kEdgeFaces[edge];
+      const [point, below] = [[w, v], [v, w]].map(
           ([i, j]) => root.corners.find((c) => c.vertex === i && c.other === j).point);
       const unit = (x) => Lorentz.scale(x, 1 / Math.sqrt(Lorentz.dot(x, x)));
-      const inward = unit(Lorentz.combine(-1, faces[2], -1, faces[3]));
-      const across = unit(Lorentz.combine(-1, faces[2], 1, faces[3]));
+      const inward = unit(Lorentz.combine(-1, faces[k], -1, faces[l]));
+      const across = unit(Lorentz.combine(-1, faces[k], 1, faces[l]));
       // Along the edge; of a hyperideal vertex this is its pole.
-      const upwards = root.diagonal[1] > 0
-          ? root.vertices[1]
+      const upwards = root.diagonal[w] > 0
+          ? root.vertices[w]
           : unit(Lorentz.combine(-1, below, -Lorentz.dot(below, point), point));
+      const frame = Lorentz.fromColumns([inward, across, upwards, point]);
+      return determinant(frame) > 0
+          ? frame
+          : Lorentz.fromColumns([inward, Lorentz.scale(across, -1), upwards, point]);
+    },
+    /// The same where all edges are parabolic: where the truncation is nearest to the centre.
+    frameOfTruncation({vertices, faces}) {
+      const pole = vertices[1];
+      const point =
+          Lorentz.toPoint(Lorentz.combine(1, Lorentz.origin, -Lorentz.dot(Lorentz.origin, pole), pole));
+      const axes = [pole];
+      for (const n of [faces[2], faces[3]]) {
+        let x = Lorentz.combine(-1, n, -Lorentz.dot(n, point), point);
+        for (const axis of axes) x = Lorentz.combine(1, x, -Lorentz.dot(x, axis), axis);
+        axes.push(Lorentz.scale(x, 1 / Math.sqrt(Lorentz.dot(x, x))));
+      }
+      const [upwards, inward, across] = axes;
       const frame = Lorentz.fromColumns([inward, across, upwards, point]);
       return determinant(frame) > 0
           ? frame
@@ -220,7 +240,7 @@ class OutsideView {
     };
     gl.depthFunc(gl.LEQUAL);
     let faces = null;
-    if (state.renderer === 'cells' && state.model !== 'klein')
+    if (state.renderer === 'cells' && state.model !== 'klein' && !this.manifold.hasEdgeWalls)
       this.drawCells(state, view, scale, setCamera);
     else
       faces = this.drawFaces(state, view, width, height, scale, setCamera);

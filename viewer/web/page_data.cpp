@@ -1,6 +1,5 @@
 #include "viewer/web/page_data.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <vector>
@@ -120,6 +119,12 @@ void append_embedding(Text& out, const embedding::Embedding& embedding) {
       append_key(out, "diagonal");
       append_list(out, 4, [&](std::size_t i) { append_number(out, tetrahedron.diagonal[i]); });
     }
+    if (tetrahedron.parabolic_edges != 0) {
+      append_key(out, "parabolic");
+      append_number(out, std::size_t{tetrahedron.parabolic_edges});
+      append_key(out, "scale");
+      append_number(out, tetrahedron.parabolic_scale);
+    }
     if (embedding.singular_edges[t] != 0) {
       append_key(out, "singular");
       append_number(out, std::size_t{embedding.singular_edges[t]});
@@ -193,14 +198,9 @@ void append_discs(Text& out, const WallDiscs& discs) {
 }
 
 void check(const PageOptions& options, const topology::Triangulation& triangulation,
-           const structure::Report& report, const embedding::Embedding& embedding) {
+           const structure::Report& report) {
   if (report.outcome != structure::Outcome::kGeometric)
     throw InvalidInput("a page shows a metric, and none was found: " + report.message);
-  if (std::ranges::any_of(embedding.tetrahedra,
-                          [](const auto& shape) { return shape.parabolic_edges != 0; }))
-    throw Unsupported(
-        "a page shows no parabolic edges (cone order 0); `tripus embed FILE -o cells.ply`, with a "
-        "file of the labels, writes their cells for other programs");
   if (options.cells < 1 || options.cells > kMostPageCells) {
     throw InvalidInput(
         fmt::format("a page shows 1 to {} cells, not {}", kMostPageCells, options.cells));
@@ -218,7 +218,7 @@ void check(const PageOptions& options, const topology::Triangulation& triangulat
 
 std::string page_data(const PageOptions& options, const topology::Triangulation& triangulation,
                       const structure::Report& report, const embedding::Embedding& embedding) {
-  check(options, triangulation, report, embedding);
+  check(options, triangulation, report);
   Text out;
   out.append(std::string_view("{\"tripus\":"));
   out.append(detail::json_string(kVersion));

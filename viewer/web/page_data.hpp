@@ -32,7 +32,7 @@ struct PageOptions {
 ///   report     of the same triangulation, geometric
 ///   embedding  of the same triangulation
 /// Throws InvalidInput for a report that is not geometric, for options out of range, and
-/// Unsupported beyond kMostPageTetrahedra and for parabolic edges.
+/// Unsupported beyond kMostPageTetrahedra.
 std::string page_data(const PageOptions& options, const topology::Triangulation& triangulation,
                       const structure::Report& report, const embedding::Embedding& embedding);
 

@@ -23,5 +23,10 @@ const kDepthPalette = Array.from({length: 12}, (_, i) => {
 /// The colour of singular edges.
 const kSingularColour = linearColour('#d01c1f');
 
+/// Colours of annular cusps, those of parabolic edges, are counted from the last one on.
+function lastPaletteColour(i) {
+  return linearPalette[linearPalette.length - 1 - i % linearPalette.length];
+}
+
 /// Colour of tetrahedron i.
 function paletteColour(i) { return linearPalette[i % linearPalette.length]; }

@@ -23,7 +23,9 @@ function showFacts(data) {
   const boundary = data.vertices.filter(({kind}) => kind === 'geodesic')
       .map((v) => `genus ${v.genus}, area ${shown(v.area)}`);
   const cusps = data.vertices.filter(({kind}) => kind === 'cusp').length;
-  const singular = data.cone_angles.flatMap((angle, e) => (angle ? [`${angle} at ${e}`] : []));
+  const parabolic = data.cone_angles.flatMap((angle, e) => (angle === 'order 0' ? [e] : []));
+  const singular = data.cone_angles.flatMap(
+      (angle, e) => (angle && angle !== 'order 0' ? [`${angle} at ${e}`] : []));
   const valences = data.edge_valences;
   const facts = [
     ['Verdict', data.outcome, data.message],
@@ -31,6 +33,8 @@ function showFacts(data) {
     ...(boundary.length ? [['Geodesic boundary', boundary.join('; ')]] : []),
     ...(cusps ? [['Cusps', `${cusps}, cut off at horospheres of area ${
         shown(data.horosphere_area)}`]] : []),
+    ...(parabolic.length ? [['Parabolic edges', `${parabolic.join(', ')}, cut off at horospheres`]]
+                         : []),
     ...(singular.length ? [['Singular edges', singular.join(', ')]] : []),
     ['Tetrahedra', `${data.tetrahedron_count}, ${data.orientable ? '' : 'non-'}orientable`],
     [data.edge_lengths.length === 1 ? 'Edge length' : 'Edge lengths', listOf(data.edge_lengths)],

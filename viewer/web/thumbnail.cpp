@@ -50,6 +50,32 @@ constexpr std::array<double, 3> kFog{0.60, 0.68, 0.76};
 constexpr double kTint = 0.12;
 constexpr double kLineWidth = 0.02;
 
+/// How far a point of a wall is from the sides of it: of vertex 0..3, or 4 + a parabolic edge.
+double distance_from_sides(const embedding::HyperboloidTetrahedron& shape, std::size_t wall,
+                           const Vector4& x) {
+  double side = std::numeric_limits<double>::infinity();
+  const auto plane = [&](const Vector4& n) {
+    side = std::min(side, std::asinh(-lorentz_product(n, x)));
+  };
+  if (wall >= 4) {  // of a parabolic edge: two faces, two truncations
+    for (const int f : topology::kEdgeEnds[5 - (wall - 4)])
+      plane(shape.faces[static_cast<std::size_t>(f)]);
+    for (const int v : topology::kEdgeEnds[wall - 4])
+      plane(shape.vertices[static_cast<std::size_t>(v)]);
+    return side;
+  }
+  for (std::size_t f = 0; f < 4; ++f)
+    if (f != wall) plane(shape.faces[f]);
+  for (std::size_t e = 0; e < 6; ++e) {
+    const auto [v, w] = topology::kEdgeEnds[e];
+    if (!shape.is_parabolic(e) ||
+        (static_cast<std::size_t>(v) != wall && static_cast<std::size_t>(w) != wall))
+      continue;
+    side = std::min(side, std::log(-lorentz_product(shape.parabolic_point(e), x)));
+  }
+  return side;
+}
+
 /// Linear light of what is seen.
 Vector3 colour_of(const Sight& sight) {
   const Vector3 fog(kFog[0], kFog[1], kFog[2]);
@@ -102,16 +128,23 @@ Sight look(const embedding::Embedding& embedding, const topology::Triangulation&
         sight.vertex = v;
       }
     }
+    for (std::size_t e = 0; e < 6; ++e) {
+      if (!here.is_parabolic(e)) continue;
+      const double t = exit_at_horosphere(here.parabolic_point(e), x, u);
+      if (t < reach) {
+        reach = t;
+        sight.wall = true;
+        sight.vertex = 4 + e;
+      }
+    }
     if (reach == 1) return sight;  // only by rounding
     sight.distance += std::atanh(reach);
     advance(x, u, reach);
     if (sight.wall) {
-      sight.facing = std::abs(lorentz_product(here.vertices[sight.vertex], u));
-      sight.side = std::numeric_limits<double>::infinity();
-      for (std::size_t f = 0; f < 4; ++f) {
-        if (f != sight.vertex)
-          sight.side = std::min(sight.side, std::asinh(-lorentz_product(here.faces[f], x)));
-      }
+      const Vector4 wall =
+          sight.vertex < 4 ? here.vertices[sight.vertex] : here.parabolic_point(sight.vertex - 4);
+      sight.facing = std::abs(lorentz_product(wall, u));
+      sight.side = distance_from_sides(here, sight.vertex, x);
       return sight;
     }
     const std::size_t other = triangulation.gluings().neighbour(sight.tetrahedron, face);

@@ -12,10 +12,10 @@ namespace tripus::viewer {
 struct Sight {
   bool wall = false;
   std::size_t tetrahedron = 0;  ///< where it ended
-  std::size_t vertex = 0;       ///< of the wall met
+  std::size_t vertex = 0;       ///< of the wall met; of parabolic edge e 4 + e
   double distance = 0;          ///< along the geodesic
   double facing = 0;            ///< cosine at which it meets the wall
-  double side = 0;  ///< distance of that point from the sides of its truncation triangle
+  double side = 0;              ///< distance of that point from the sides of its wall
 };
 
 /// Follows the geodesic from a point of a tetrahedron through the glued faces.

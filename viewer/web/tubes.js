@@ -54,19 +54,21 @@ class TubeSet {
 
   findEdges(set, cells, apart) {
     const edges = cells.flatMap((cell, number) => {
-      const {corners, diagonal, faces, singular} = set.manifold.tetrahedra[cell.tetrahedron];
+      const {corners, diagonal, faces, singular, edges: walls} =
+          set.manifold.tetrahedra[cell.tetrahedron];
       const isometry = set.isometries[number];
-      return kEdgeEnds.map(([v, w], e) => {
+      return kEdgeEnds.flatMap(([v, w], e) => {
+        if (walls[e]) return [];
         const [begin, end] = [[v, w], [w, v]].map(([i, j]) => Lorentz.apply(
             isometry, corners.find((c) => c.vertex === i && c.other === j).point));
         const middle = this.model.place(Lorentz.toPoint(Lorentz.combine(1, begin, 1, end)));
-        return {
+        return [{
           begin, end, middle, cell: number, isSingular: (singular >> e & 1) === 1,
           isFinite: [diagonal[v] < 0, diagonal[w] < 0],
           normals: () => kEdgeFaces[e].map((f) => Lorentz.apply(isometry, faces[f])),
           edgeClass: set.manifold.edgeClass[cell.tetrahedron][e],
-          isInner: !apart && kEdgeFaces[e].every((f) => set.partner[8 * number + f] < cells.length),
-          along: middle[0] + 0.6180339887 * middle[1] + 0.3247179572 * middle[2]};
+          isInner: !apart && kEdgeFaces[e].every((f) => set.partner[set.walls * number + f] < cells.length),
+          along: middle[0] + 0.6180339887 * middle[1] + 0.3247179572 * middle[2]}];
       });
     });
     if (apart) return edges;

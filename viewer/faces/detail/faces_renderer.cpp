@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string>
 
 #include "embedding/colour.hpp"
@@ -26,7 +25,7 @@ std::vector<HalfSpace> half_spaces_of(const FaceSet& set, std::size_t cell,
                                       const std::vector<std::size_t>& walls) {
   std::vector<HalfSpace> result;
   for (const std::size_t wall : walls)
-    result.push_back(set.half_spaces()[kWallCount * cell + wall]);
+    result.push_back(set.half_spaces()[set.walls_per_cell() * cell + wall]);
   return result;
 }
 
@@ -41,7 +40,7 @@ std::vector<float> palette_numbers() {
 
 }  // namespace
 
-FacesRenderer::FacesRenderer() : kinds_{{{3, {}, {}}, {6, {}, {}}, {kCutBounds, {}, {}}}} {
+FacesRenderer::FacesRenderer() {
   if (!GLEW_VERSION_3_3) {
     throw NoOpenGl(
         "the renderer faces needs OpenGL 3.3; --renderer opencsg does with 2.1, and `tripus view "
@@ -65,14 +64,16 @@ void FacesRenderer::write_records(const PictureOptions& options) {
     texels_.clear();
     first_texel_.clear();
     std::array<std::vector<std::size_t>, kWallCount> bounds;
-    for (std::size_t wall = 0; wall < kWallCount; ++wall) bounds[wall] = bounds_of_wall(wall);
+    for (std::size_t wall = 0; wall < kWallCount; ++wall)
+      bounds[wall] = bounds_of_wall(wall, set_.has_edge_walls());
     for (std::size_t i = 0; i < set_.faces().size(); ++i) {
       const SceneFace& face = set_.faces()[i];
       const SceneCell& cell = scene_.cells[face.cell];
       first_texel_.push_back(static_cast<float>(texels_.size() / 4));
+      if (face.point_count == 0) continue;
       FaceLook look{face.cell, face.wall, face.is_shared(), -1,
                     wall_colour(options.colour_by, cell, face.wall)};
-      if (!is_truncation(face.wall)) look.edge_colours = edge_colours(cell, face.wall);
+      if (is_face(face.wall)) look.edge_colours = edge_colours(cell, face.wall);
       if (!discs_.empty() && is_truncation(face.wall))
         look.first_disc = discs_.first_texel(cell.tetrahedron, face.wall - 4U);
       append_record(texels_, set_.cell_balls()[face.cell], set_.half_spaces()[i],
@@ -91,8 +92,7 @@ void FacesRenderer::write_cuts() {
   cuts_.clear();
   if (!cut_) return;
   const HalfSpace cut{0, {1, 0, 0}, -*cut_};
-  std::vector<std::size_t> all(kWallCount);
-  std::iota(all.begin(), all.end(), std::size_t{0});
+  const std::vector<std::size_t> all = bounds_of_wall(kWallCount, set_.has_edge_walls());
   cuts_.resize(scene_.cells.size());
   for (std::size_t cell = 0; cell < scene_.cells.size(); ++cell) {
     const BoundingBall& ball = set_.cell_balls()[cell];
@@ -162,17 +162,18 @@ void FacesRenderer::add_cell(std::size_t cell, const PictureOptions& options, co
   if (cell_pixels < kSmallestCell * samples) return;
   if (cut_ && cell_ball.centre.x() - *cut_ > cell_ball.radius) return;
   const bool solid = is_solid(options);
-  for (std::size_t i = kWallCount * cell; i < kWallCount * (cell + 1); ++i) {
+  const std::size_t walls = set_.walls_per_cell();
+  for (std::size_t i = walls * cell; i < walls * (cell + 1); ++i) {
     const SceneFace& face = set_.faces()[i];
     if (face.point_count == 0) continue;
-    if (is_truncation(face.wall) ? !options.truncations : !options.faces) continue;
+    if (is_face(face.wall) ? !options.faces : !options.truncations) continue;
     // Through a transparent partner it is seen.
     if (solid && face.is_shared() &&
         (is_transparent(options, cell) || !is_transparent(options, face.partner)))
       continue;
     const std::span points(set_.points().data() + face.first_point, face.point_count);
     if (solid && !may_face(set_.half_spaces()[i], points, face.margin, view.eye)) continue;
-    ProxyMesh& mesh = kinds_[is_truncation(face.wall) ? kTruncations : kFaces].mesh;
+    ProxyMesh& mesh = kinds_[static_cast<std::size_t>(record_kind(face.wall))].mesh;
     // Where cells are small, so are their faces.
     if (cell_pixels < kSmallFace * samples || projector.pixels(face.ball) < kSmallFace)
       projector.add(face.ball, first_texel_[i], mesh);
@@ -180,22 +181,25 @@ void FacesRenderer::add_cell(std::size_t cell, const PictureOptions& options, co
       projector.add(points, face.margin, first_texel_[i], mesh);
   }
   if (solid && cut_ && cuts_[cell].first_texel >= 0)
-    projector.add(cuts_[cell].ball, cuts_[cell].first_texel, kinds_[kCuts].mesh);
+    projector.add(cuts_[cell].ball, cuts_[cell].first_texel,
+                  kinds_[static_cast<std::size_t>(RecordKind::kCut)].mesh);
 }
 
-GLuint FacesRenderer::program_of(Kind& kind, const PictureOptions& options) {
+GLuint FacesRenderer::program_of(RecordKind kind, const PictureOptions& options) {
+  const std::size_t bounds = bound_count(kind, set_.has_edge_walls());
   std::string defined = "#version 330\n";
   const auto define = [&](const char* name, std::size_t value) {
     defined += std::string("#define ") + name + " " + std::to_string(value) + "\n";
   };
-  define("kBounds", kind.bounds);
-  define("kBends", set_.is_bent() ? bends_of_record(kind.bounds) : 0);
+  define("kKind", static_cast<std::size_t>(kind));
+  define("kBounds", bounds);
+  define("kBends", set_.is_bent() ? bends_of_record(kind, bounds) : 0);
   define("kSides", is_solid(options) ? 1 : 2);
   define("kModel", static_cast<std::size_t>(options.model));
-  define("kCut", options.cut_away && kind.bounds != kCutBounds ? 1 : 0);
+  define("kCut", options.cut_away && kind != RecordKind::kCut ? 1 : 0);
   define("kEdges", options.colour_by == ColourBy::kEdge && options.lines ? 1 : 0);
-  define("kDiscs", kind.bounds == 3 && options.discs && !discs_.empty() ? 1 : 0);
-  GlProgram& program = kind.programs[defined];
+  define("kDiscs", kind == RecordKind::kTruncation && options.discs && !discs_.empty() ? 1 : 0);
+  GlProgram& program = kinds_[static_cast<std::size_t>(kind)].programs[defined];
   if (program.name() == 0) {
     using detail::web_asset;
     std::string vertex = defined, fragment = defined;
@@ -222,9 +226,10 @@ void FacesRenderer::draw_meshes(const PictureOptions& options, const Frame& fram
   glActiveTexture(GL_TEXTURE0);
   const double widest =
       !options.lines ? -1e3 : 1.5 * frame.samples * std::max(1.0, frame.height / 900.0);
-  for (Kind& kind : kinds_) {
+  for (std::size_t i = 0; i < kinds_.size(); ++i) {
+    Kind& kind = kinds_[i];
     if (kind.mesh.triangles.empty()) continue;
-    const Uniform uniform{program_of(kind, options)};
+    const Uniform uniform{program_of(static_cast<RecordKind>(i), options)};
     glUseProgram(uniform.program);
     glUniform1i(uniform.at("uFaces"), 0);
     glUniform1i(uniform.at("uDiscs"), 1);

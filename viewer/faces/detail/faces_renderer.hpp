@@ -34,13 +34,11 @@ class FacesRenderer {
   std::size_t draw(const PictureOptions& options, const Frame& frame, const View& view);
 
  private:
-  /// Faces with so many bounds: programs, and what is drawn in this frame.
+  /// Faces of a kind: programs, and what is drawn in this frame.
   struct Kind {
-    std::size_t bounds;
     std::map<std::string, GlProgram> programs = {};  ///< by what is defined in front of them
     ProxyMesh mesh = {};
   };
-  enum KindName : std::size_t { kTruncations, kFaces, kCuts };
 
   /// The cut through a cell.
   struct Cut {
@@ -56,9 +54,9 @@ class FacesRenderer {
   void draw_meshes(const PictureOptions& options, const Frame& frame, const View& view,
                    double alpha);
   bool is_transparent(const PictureOptions& options, std::size_t cell) const;
-  GLuint program_of(Kind& kind, const PictureOptions& options);
+  GLuint program_of(RecordKind kind, const PictureOptions& options);
 
-  std::array<Kind, 3> kinds_;
+  std::array<Kind, kRecordKinds> kinds_;  ///< by RecordKind
   MeshBuffers buffers_;
   GlTexture records_, places_;
 

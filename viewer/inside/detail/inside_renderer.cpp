@@ -58,15 +58,15 @@ InsideRenderer::InsideRenderer() {
 void InsideRenderer::set_manifold(std::shared_ptr<const InsideManifold> manifold) {
   if (manifold == manifold_) return;
   manifold_ = std::move(manifold);
-  const bool has_kinds = !manifold_->is_compact();
-  if (program_.name() == 0 || has_kinds != has_kinds_) {
+  const int kinds = manifold_->kinds();
+  if (program_.name() == 0 || kinds != kinds_) {
     using detail::web_asset;
     const std::string common = common_part();
-    std::string fragment = common + "#define kKinds " + (has_kinds ? "1\n" : "0\n");
+    std::string fragment = common + "#define kKinds " + std::to_string(kinds) + "\n";
     fragment += web_asset("discs.glsl");
     fragment += web_asset("inside.frag.glsl");
     program_ = make_program(common + std::string(web_asset("fullscreen.vert.glsl")), fragment);
-    has_kinds_ = has_kinds;
+    kinds_ = kinds;
   }
   discs_.set(manifold_->discs, DiscLight::kLinear);
   std::vector<float> first_disc;

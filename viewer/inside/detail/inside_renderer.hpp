@@ -22,7 +22,8 @@ class InsideRenderer {
   /// Draws into the framebuffer that is bound: with frame.samples, so many pictures in each
   /// direction whose rays go through the pixels at other places, and their mean. Identities, frame
   /// bytes: what is met (0 nothing, 1 a wall, 2 an edge); the lower byte of the tetrahedron's
-  /// number; the number of the vertex or edge, and 16 times that of the disc.
+  /// number; the number of the vertex or edge (4 + that of a parabolic edge), and 16 times that of
+  /// the disc.
   void draw(const PictureOptions& options, const InsideOptions& inside, const Frame& frame);
 
  private:
@@ -30,7 +31,7 @@ class InsideRenderer {
                    double jitter_x, double jitter_y) const;
 
   std::shared_ptr<const InsideManifold> manifold_;
-  bool has_kinds_ = false;  // of vertices, in the program
+  int kinds_ = 0;  // InsideManifold::kinds() of the program
   GlProgram program_;
   GlTexture records_;
   DrawnDiscs discs_;

@@ -67,8 +67,8 @@ void CellProduct::prepare(double error, const HalfSpace* cut_away) {
   if (cut_) cut_at_ = *cut_away;
   walls_.clear();
   for (std::size_t wall = 0; wall < kWallCount; ++wall)
-    add_wall(half_spaces_[wall], is_truncation(wall) ? WallKind::kTruncation : WallKind::kFace,
-             wall, error_);
+    add_wall(half_spaces_[wall], is_face(wall) ? WallKind::kFace : WallKind::kTruncation, wall,
+             error_);
   // Spheres orthogonal to the model's boundary go on beyond it, and the cell's mirror image lies
   // there; planes of the Klein ball have none. The side is moved out, so that its own mesh cuts off
   // nothing.

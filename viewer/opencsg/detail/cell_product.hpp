@@ -46,7 +46,7 @@ class CellProduct {
   struct Wall {
     HalfSpace local;
     WallKind kind = WallKind::kFace;
-    std::size_t number = 0;  ///< of the cell's wall, 8 for the others
+    std::size_t number = 0;  ///< of the cell's wall, kWallCount for the others
     Operation operation = Operation::kIntersect;
     DrawnMesh mesh;
   };

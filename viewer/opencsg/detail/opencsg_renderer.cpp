@@ -60,11 +60,10 @@ OpenCsgRenderer::Implementation::Implementation()
 
 void OpenCsgRenderer::Implementation::set_scene(const Scene& scene, Model model) {
   // Cells that stay keep their meshes.
-  const bool grows = model == model_ && scene.cells.size() >= scene_.cells.size() &&
-                     std::equal(scene_.cells.begin(), scene_.cells.end(), scene.cells.begin(),
-                                [](const SceneCell& a, const SceneCell& b) {
-                                  return a.walls == b.walls && a.diagonal == b.diagonal;
-                                });
+  const bool grows =
+      model == model_ && scene.cells.size() >= scene_.cells.size() &&
+      std::equal(scene_.cells.begin(), scene_.cells.end(), scene.cells.begin(),
+                 [](const SceneCell& a, const SceneCell& b) { return have_same_walls(a, b); });
   if (!grows) products_.clear();
   scene_ = scene;
   model_ = model;

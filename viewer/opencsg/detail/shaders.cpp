@@ -13,7 +13,7 @@ void main() {
 )";
 
 const std::string_view kWallFragmentShader = R"(#version 120
-const int kMost = 10;          // kMostHalfSpaces
+const int kMost = 16;          // kMostHalfSpaces
 uniform vec4 linear[kMost];    // b, c of the half-spaces a |p|^2 + b.p + c <= 0
 uniform float square[kMost];   // a
 uniform float kind[kMost];     // 0 face, 1 truncation, 2 side of the model, 3 cut-away

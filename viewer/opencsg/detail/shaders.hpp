@@ -4,8 +4,8 @@
 
 namespace tripus::viewer {
 
-/// The most half-spaces of a product: 8 walls, the side of the model and the cut-away.
-inline constexpr int kMostHalfSpaces = 10;
+/// The most half-spaces of a product: 14 walls, the side of the model and the cut-away.
+inline constexpr int kMostHalfSpaces = 16;
 
 /// Shades a primitive of a cell where it is visible. Positions are in the cell's local frame.
 extern const std::string_view kWallVertexShader;

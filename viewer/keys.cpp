@@ -1,5 +1,7 @@
 #include "viewer/keys.hpp"
 
+#include <algorithm>
+
 namespace tripus::viewer {
 namespace {
 
@@ -53,14 +55,36 @@ KeyAction window_action(char32_t character) {
   return KeyAction::kNone;
 }
 
-std::array<std::string, 2> window_help() {
+std::string broken_at_blanks(std::string text, std::size_t letters, std::size_t most_lines) {
+  std::size_t lines = 1;
+  for (std::size_t begin = 0; text.size() - begin > letters; ++lines) {
+    std::size_t blank = text.rfind(' ', begin + letters);
+    if (blank == std::string::npos || blank <= begin) blank = text.find(' ', begin + letters);
+    if (blank == std::string::npos) break;
+    if (lines >= most_lines) {
+      text.resize(blank);
+      return text + " ...";
+    }
+    text[blank] = '\n';
+    begin = blank + 1;
+  }
+  return text;
+}
+
+std::array<std::string, 2> window_help(std::size_t letters, std::size_t most_lines) {
   std::array<std::string, 2> columns;
+  std::size_t lines = 0;
   for (const KeyLine& line : kLines) {
     if (!line.in_window || line.text.empty()) continue;
-    (columns[0] += line.keys) += '\n';
-    (columns[1] += line.text) += '\n';
+    const std::string text = broken_at_blanks(std::string(line.text), letters);
+    const auto taken = 1 + static_cast<std::size_t>(std::ranges::count(text, '\n'));
+    if (lines + taken > most_lines) break;
+    lines += taken;
+    (columns[0] += line.keys) += std::string(taken, '\n');
+    (columns[1] += text) += '\n';
   }
-  for (std::string& column : columns) column.pop_back();
+  for (std::string& column : columns)
+    if (!column.empty()) column.pop_back();
   return columns;
 }
 

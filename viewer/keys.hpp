@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -53,7 +54,14 @@ std::span<const KeyLine> key_lines();
 /// What a character typed in the window asks for; capitals are small letters.
 KeyAction window_action(char32_t character);
 
-/// The window's lines of the list: keys, and beside them what they do.
-std::array<std::string, 2> window_help();
+/// Breaks a text into lines of so many letters, at blanks; longer words stay whole. What does not
+/// go into so many lines is left out, and " ..." says so.
+std::string broken_at_blanks(std::string text, std::size_t letters,
+                             std::size_t most_lines = SIZE_MAX);
+
+/// The window's lines of the list: keys, and beside them what they do, broken into so many letters;
+/// those that fit into so many lines.
+std::array<std::string, 2> window_help(std::size_t letters = SIZE_MAX,
+                                       std::size_t most_lines = SIZE_MAX);
 
 }  // namespace tripus::viewer

@@ -46,6 +46,36 @@ TEST(ViewerKeys, OfTheWindowReachEveryActionAndNoHeldKey) {
   EXPECT_NE(help[1].find("roll"), std::string::npos);
 }
 
+TEST(ViewerKeys, AreHelpedInWindowsOfAnySize) {
+  const auto lines = [](const std::string& text) {
+    return static_cast<std::size_t>(std::ranges::count(text, '\n')) + 1;
+  };
+  const std::size_t all = lines(window_help()[0]);
+  for (const std::size_t letters : {0U, 1U, 10U, 25U, 40U, 100U}) {
+    for (const std::size_t most : {0U, 1U, 2U, 5U, 20U, 1000U}) {
+      const auto [keys, texts] = window_help(letters, most);
+      EXPECT_EQ(lines(keys), lines(texts));
+      EXPECT_LE(lines(keys), std::max<std::size_t>(most, 1));
+      if (most == 1000) {
+        EXPECT_EQ(lines(keys) > all, letters < 60) << letters;
+      }
+      std::size_t longest = 0;
+      for (std::size_t begin = 0; begin < texts.size();) {
+        const std::size_t end = std::min(texts.find('\n', begin), texts.size());
+        // A word may be longer than a line.
+        if (texts.substr(begin, end - begin).find(' ') != std::string::npos)
+          longest = std::max(longest, end - begin);
+        begin = end + 1;
+      }
+      EXPECT_LE(longest, letters);
+    }
+  }
+  EXPECT_EQ(broken_at_blanks("one two three four", 7), "one two\nthree\nfour");
+  EXPECT_EQ(broken_at_blanks("one two three four", 7, 2), "one two\nthree ...");
+  EXPECT_EQ(broken_at_blanks("abcdefghij", 4), "abcdefghij");
+  EXPECT_EQ(broken_at_blanks("", 4), "");
+}
+
 /// Whatever a state says of itself.
 std::string words(const ViewState& state) {
   return state.as_options() + (state.help ? " help" : "") + (state.rate ? " rate" : "") +

@@ -52,5 +52,8 @@ void main() {
   for (int i = 0; i < kBends; ++i) vBend[i] = record(4 + kBounds + (kBounds + 3) / 4 + i);
 #endif
 #endif
+#ifdef kHandOn
+  handOn();
+#endif
   gl_Position = vec4(aCorner.xy, 0.0, 1.0);
 }

@@ -304,7 +304,9 @@ class FaceDrawing {
         `#define kBends ${set.bends(kind)}\n#define kSides ${isSolid(state) ? 1 : 2}\n` +
         `#define kModel ${set.model.number}\n` +
         `#define kDiscs ${discs}\n#define kCut ${cut ? 1 : 0}\n` +
-        `#define kEdges ${edges ? 1 : 0}\n`;
+        `#define kEdges ${edges ? 1 : 0}\n` +
+        // Of few bounds, or there would be more numbers than graphics cards must take.
+        (set.boundCount(kind) === 3 && !set.isBent ? '#define kHandOn\n' : '');
     if (!programs.has(defined))
       programs.set(defined, this.graphics.program(
           'faces.vert.glsl', 'outside_faces.frag.glsl', [defined, 'outside_camera.glsl'],

@@ -1,5 +1,8 @@
 // One triangle over the whole picture, behind everything.
 void main() {
+#ifdef kHandOn
+  handOn();
+#endif
   vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
   gl_Position = vec4(corner, 1.0, 1.0);
 }

@@ -27,7 +27,9 @@ class Graphics {
     const program = gl.createProgram();
     const parts = [[gl.VERTEX_SHADER, vertex, []], [gl.FRAGMENT_SHADER, fragment, more]];
     for (const [kind, name, own] of parts) {
-      const source = ['common.glsl', ...shared, ...own, name].map(shaderSource).join('\n');
+      const stage = `#define kVertex ${kind === gl.VERTEX_SHADER ? 1 : 0}`;
+      const source =
+          ['common.glsl', stage, ...shared, ...own, name].map(shaderSource).join('\n');
       const shader = gl.createShader(kind);
       gl.shaderSource(shader, source);
       gl.compileShader(shader);

@@ -235,8 +235,8 @@ class OutsideView {
       gl.uniform3fv(program.at('uKey'), key);
       gl.uniform1i(program.at('uOutput'), state.identities ? 1 : 0);
       gl.uniform3fv(program.at('uInk'), linearColour(state.theme.outside.uInk));
-      gl.uniform1f(program.at('uGlass'), state.model === 'upper' ? 0 : 1);
-      gl.uniform1f(program.at('uSoft'), 1 / (3 * Math.sqrt(2 * view.tangent[1] / height)));
+      gl.uniform1f(program.at('uSoft'), state.model === 'upper'
+          ? 0 : 1 / (3 * Math.sqrt(2 * view.tangent[1] / height)));
     };
     gl.depthFunc(gl.LEQUAL);
     let faces = null;
@@ -269,7 +269,7 @@ class OutsideView {
            `#define kStrips ${kSkyStrips}`);
     draw(isOutside ? 'outside_ball.vert.glsl' : 'fullscreen.vert.glsl', 'outside_ground.frag.glsl',
          isOutside ? gl.TRIANGLE_FAN : gl.TRIANGLES, isOutside ? 8 : 3,
-         `#define kUpper ${isUpper ? 1 : 0}`);
+         `#define kHandOn\n#define kUpper ${isUpper ? 1 : 0}`);
   }
 
   drawFaces(state, view, width, height, scale, setCamera) {

@@ -1,6 +1,7 @@
 // An octagon around the unit ball as the eye, which is outside, sees it, behind everything. After a
-// camera.
+// camera that hands its numbers on.
 void main() {
+  handOn();
   float away = length(uEye);
   vec3 towards = uEye / away;
   vec3 side = normalize(cross(towards, abs(towards.z) < 0.8 ? vec3(0, 0, 1) : vec3(1, 0, 0)));

@@ -11,7 +11,7 @@ float gridLine(float x, float footprint) {
 
 void main() {
   vec3 ray = rayThroughPixel(gl_FragCoord.xy);
-  float height = gl_FragCoord.y / uSize.y;
+  float height = heightOnPicture(gl_FragCoord.y);
   vec3 back = mix(uLow, uHigh, smoothstep(0.0, 1.0, height));
 #if kUpper
   if (ray.z < -1e-4) {

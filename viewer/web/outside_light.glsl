@@ -1,5 +1,4 @@
-// The light of the outside view.
-uniform vec3 uKey;         // unit, towards the light
+// The light of the outside view, after its camera.
 
 /// Soft light: a key over the camera's shoulder, so that no view is dark, the sky above and a little
 /// from the ground.

@@ -27,7 +27,7 @@ struct ViewState {
   std::shared_ptr<const InsideManifold> manifold = nullptr;  ///< null: no view from inside
   bool is_inside = false;                                    ///< needs the manifold
   InsideOptions inside = {};
-  bool help = true;
+  bool help = false;
   bool rate = false;  ///< whether frames are counted on screen
 
   /// Does what a key asks for, except kPicture, kLink and kTransparent, which need a window.

@@ -10,32 +10,30 @@
 namespace tripus::viewer {
 namespace {
 
-/// Breaks a text at blanks, where it can.
-std::string in_lines(std::string text, std::size_t letters) {
-  for (std::size_t begin = 0; begin + letters < text.size();) {
-    std::size_t blank = text.rfind(' ', begin + letters);
-    if (blank == std::string::npos || blank <= begin) blank = text.find(' ', begin + letters);
-    if (blank == std::string::npos) break;
-    text[blank] = '\n';
-    begin = blank + 1;
-  }
-  return text;
-}
+/// A line and a letter of the font, about, at the scale 1.
+constexpr int kLine = 12;
+constexpr double kLetter = 6.2;
+/// The help's texts begin so far to the right of its keys.
+constexpr int kHelpColumn = 130;
+
+std::size_t whole(double count) { return static_cast<std::size_t>(std::max(count, 0.0)); }
 
 }  // namespace
 
 void draw_overlay(const Scene& scene, const ViewState& state, const Overlay& overlay) {
   const auto [width, height] = overlay.picture;
-  const int scale = std::max(1, height / 500);
-  const float line = 18.0F * static_cast<float>(scale);
-  draw_text(overlay.status, 10, 10, scale, width, height);
-  if (!overlay.said.empty()) {
-    // Letters are some 6 wide; the slider is beside them.
-    const auto letters = static_cast<std::size_t>(std::max(20, (width / scale - 250) / 6));
-    const std::string lines = in_lines(overlay.said, letters);
-    const auto count = 1 + std::ranges::count(lines, '\n');
-    draw_text(lines, 10, static_cast<float>(height) - static_cast<float>(count) * line, scale,
-              width, height);
+  const int scale = std::max(1, std::min(width, height) / 500);
+  const int across = width / scale, up = height / scale;
+  const auto at = [&](int pixels) { return static_cast<float>(pixels * scale); };
+  draw_text(overlay.status, at(10), at(10), scale, width, height);
+  // In small windows the help takes its place.
+  if (!overlay.said.empty() && (!state.help || up > 450)) {
+    // Beside the slider or, where that leaves too little, above it.
+    const bool beside = across > 560;
+    const std::string lines = broken_at_blanks(
+        overlay.said, whole((across - (beside ? 250 : 20)) / kLetter), whole(0.5 * up / kLine));
+    const auto count = 1 + static_cast<int>(std::ranges::count(lines, '\n'));
+    draw_text(lines, at(10), at(up - kLine * count - (beside ? 6 : 36)), scale, width, height);
   }
   draw_legend(slider(state.cells, overlay.window[0], overlay.window[1],
                      static_cast<float>(height) / static_cast<float>(overlay.window[1])),
@@ -44,9 +42,10 @@ void draw_overlay(const Scene& scene, const ViewState& state, const Overlay& ove
   if (scene.discs != nullptr && state.shown.discs)
     draw_legend(legend_of(*scene.discs, width, height), width, height);
   if (!state.help) return;
-  const auto columns = window_help();
-  draw_text(columns[0], 10, 10 + line, scale, width, height);
-  draw_text(columns[1], 10 + 130.0F * static_cast<float>(scale), 10 + line, scale, width, height);
+  const auto columns =
+      window_help(whole((across - kHelpColumn - 20) / kLetter), whole((up - 40.0) / kLine));
+  draw_text(columns[0], at(10), at(28), scale, width, height);
+  draw_text(columns[1], at(10 + kHelpColumn), at(28), scale, width, height);
 }
 
 }  // namespace tripus::viewer

@@ -18,6 +18,7 @@ class FlatDrawing {
  public:
   FlatDrawing(int width, int height) {
     glPushAttrib(GL_ALL_ATTRIB_BITS);
+    glViewport(0, 0, width, height);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);

@@ -83,15 +83,16 @@ Vector4 middle_of_edge(const SceneCell& cell, std::size_t v, std::size_t w) {
   return sum / std::sqrt(-geometry::lorentz_product(sum, sum));
 }
 
-/// The half-spaces of which one must not hold the eye for an edge to be seen: those of its faces,
-/// or, if it is parabolic, that of its wall.
-std::vector<HalfSpace> half_spaces_at_edge(Model model, const SceneCell& cell, std::size_t edge) {
-  if (parabolic_edge(cell, edge) != nullptr)
-    return {half_space(model, cell, kPlainWallCount + edge)};
-  std::vector<HalfSpace> result;
-  for (const std::size_t face : faces_at_edge(edge))
-    result.push_back(half_space(model, cell, face));
-  return result;
+/// Whether an edge is on the side of its cell that turns to the eye, seen from a pixel at its
+/// middle: one of its faces turns there, or, if it is parabolic, its wall is seen.
+bool is_seen(const Image& image, int x, int y, const SceneCell& cell, std::size_t number,
+             std::size_t edge, Model model, const Vector3& eye) {
+  if (parabolic_edge(cell, edge) == nullptr)
+    return std::ranges::any_of(faces_at_edge(edge), [&](std::size_t face) {
+      return half_space(model, cell, face)(eye) > 0;
+    });
+  const auto seen = seen_at(image, x, y);
+  return seen && seen->cell + 1 == number && seen->wall == kPlainWallCount + edge;
 }
 
 }  // namespace
@@ -190,9 +191,8 @@ std::vector<SceneLabel> labels_of(const Scene& scene, const PictureOptions& opti
         // An edge is seen where its cell is seen around its middle, and one of its faces turns
         // towards the eye.
         if (!is_near(identities, static_cast<int>(px), static_cast<int>(py), number)) continue;
-        if (std::ranges::any_of(
-                half_spaces_at_edge(options.model, cell, edge),
-                [&](const HalfSpace& half_space) { return half_space(view.eye) > 0; }))
+        if (is_seen(identities, static_cast<int>(px), static_cast<int>(py), cell, number, edge,
+                    options.model, view.eye))
           add(px, py, fmt::format("e{}", cell.edge_class[edge]));
       }
     }

@@ -14,6 +14,7 @@
 #include "tests/support/orb_examples.hpp"
 #include "tests/support/scene_rays.hpp"
 #include "viewer/faces/proxies.hpp"
+#include "viewer/scene_words.hpp"
 
 namespace tripus::viewer {
 namespace {
@@ -192,6 +193,26 @@ TEST(ViewerFaces, AreWhereRaysMeetThemAtParabolicEdges) {
   EXPECT_GT(agreement.compared, 4000);
   EXPECT_GT(agreement.edge_walls, 300);
   EXPECT_LE(agreement.wrong * 1000, agreement.compared);
+}
+
+TEST(ViewerFaces, HaveNamesOfParabolicEdgesOnTheirWalls) {
+  const testing::Embedded manifold = *testing::try_embed_parabolic("cPcbbbihq 0=0");
+  int names = 0;
+  for (const Model model : kModels) {
+    Scene scene = scene_of(manifold, 1, model);
+    add_classes(scene, manifold.triangulation, manifold.report.edge_lengths);
+    PictureOptions options;
+    options.model = model;
+    const Image image = draw(scene, options, Pixels::kIdentities, 400, 300);
+    for (const SceneLabel& label : labels_of(scene, options, image)) {
+      if (label.text != "e0") continue;
+      ++names;
+      const auto seen = seen_at(image, static_cast<int>(label.x), static_cast<int>(label.y));
+      ASSERT_TRUE(seen);
+      EXPECT_TRUE(is_edge_wall(seen->wall)) << geometry::to_string(model) << ' ' << seen->wall;
+    }
+  }
+  EXPECT_GE(names, 4);
 }
 
 TEST(ViewerFaces, AreWhereRaysMeetThemWithAsManyCellsAsThereMayBe) {

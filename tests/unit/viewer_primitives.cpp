@@ -8,11 +8,14 @@
 
 #include "embedding/universal_cover.hpp"
 #include "structure/solve.hpp"
+#include "tests/support/embedded_manifolds.hpp"
 #include "topology/isosig.hpp"
 #include "viewer/camera.hpp"
+#include "viewer/inside/inside_manifold.hpp"
 #include "viewer/opencsg/half_space_mesh.hpp"
 #include "viewer/picture.hpp"
 #include "viewer/scene.hpp"
+#include "viewer/scene_words.hpp"
 
 namespace tripus::viewer {
 namespace {
@@ -274,6 +277,47 @@ TEST(ViewerPicture, RefusesWhatCannotBeDrawn) {
   refuses([](auto& o) { o.cut_away = NAN; });
   refuses([](auto& o) { o.samples = 5; });
   refuses([](auto& o) { o.faces = o.truncations = false; });
+}
+
+// One edge class of two is parabolic: it is named by its wall, which has a colour of its own.
+TEST(ViewerWords, NameParabolicEdges) {
+  const testing::Embedded manifold = *testing::try_embed_parabolic("dLQbcccherw 1=0");
+  embedding::UniversalCoverOptions one;
+  one.max_cells = 1;
+  Scene scene =
+      make_scene("scene", manifold.embedding,
+                 embedding::universal_cover(manifold.embedding, manifold.triangulation, one),
+                 geometry::Matrix4::Identity());
+  add_classes(scene, manifold.triangulation, manifold.report.edge_lengths);
+  const SceneCell& cell = scene.cells[0];
+  const InsideManifold inside =
+      inside_manifold(manifold.embedding, manifold.triangulation, manifold.report.edge_lengths);
+  int parabolic = 0;
+  for (std::size_t e = 0; e < 6; ++e) {
+    const std::string words =
+        topology::kEdgeEnds[e][0] == 0
+            ? "0" + std::to_string(topology::kEdgeEnds[e][1])
+            : std::to_string(10 * topology::kEdgeEnds[e][0] + topology::kEdgeEnds[e][1]);
+    const std::string face = describe(scene, 0, faces_at_edge(e)[0]);
+    EXPECT_EQ(has_wall(cell, 8 + e), cell.edge_class[e] == 1);
+    if (cell.edge_class[e] != 1) {
+      EXPECT_NE(face.find(words + " of class 0 (length"), std::string::npos) << face;
+      continue;
+    }
+    ++parabolic;
+    const std::string expected =
+        "tetrahedron 0, horosphere of the parabolic edge " + words + " of class 1";
+    EXPECT_EQ(describe(scene, 0, 8 + e), expected);
+    EXPECT_EQ(describe_inside(inside, 1, 0, 4 + e), expected);
+    EXPECT_NE(face.find(words + " of class 1 (parabolic)"), std::string::npos) << face;
+    for (std::size_t wall = 0; wall < 8; ++wall)
+      EXPECT_NE(wall_colour(ColourBy::kComponent, cell, 8 + e),
+                wall_colour(ColourBy::kComponent, cell, wall));
+    EXPECT_NE(wall_colour(ColourBy::kTetrahedron, cell, 8 + e),
+              wall_colour(ColourBy::kTetrahedron, cell, 4));
+  }
+  EXPECT_GT(parabolic, 0);
+  EXPECT_LT(parabolic, 6);
 }
 
 TEST(ViewerColours, TellThingsApart) {

@@ -88,6 +88,8 @@ TEST(ViewerProxies, HoldTheirFaces) {
           for (int k = 0; k < 20; ++k) {
             const Vector3 p = random_point(model, scene.cells[face.cell], face.wall, random);
             EXPECT_LE((p - face.ball.centre).norm(), face.ball.radius * (1 + 1e-9));
+            const BoundingBall& around = set.cell_balls()[face.cell];
+            EXPECT_LE((p - around.centre).norm(), around.radius * (1 + 1e-9)) << name;
             const Vector4 clip = view.projection * view.model_view * p.homogeneous();
             const Eigen::Vector2d place = clip.head<2>() / clip[3];
             if (place.cwiseAbs().maxCoeff() < 1) {

@@ -11,6 +11,7 @@ function labelsOf(page) {
     const at = 4 * ((height - 1 - y) * width + x);
     return (pixels[at + 2] & 15) === 0 ? -1 : pixels[at] + 256 * pixels[at + 1];
   };
+  const wallAt = (x, y) => (pixels[4 * ((height - 1 - y) * width + x) + 2] & 15) - 1;
   const isNear = (x, y, cell) => {
     for (let j = -2; j <= 2; ++j)
       for (let i = -2; i <= 2; ++i)
@@ -56,13 +57,13 @@ function labelsOf(page) {
       const px = (right / ahead / view.tangent[0] + 1) / 2 * width;
       const py = (1 - up / ahead / view.tangent[1]) / 2 * height;
       if (!(ahead > 0 && px >= 0 && py >= 0 && px < width && py < height)) return;
-      // One of its two faces, or that wall, must turn its outer side to the eye.
-      const halfSpaces = edges[e]
-          ? [model.horosphere(Lorentz.apply(isometry, edges[e].wall))]
-          : kEdgeFaces[e].map((f) => model.halfSpace(Lorentz.apply(isometry, faces[f])));
-      const towards = halfSpaces.some(({A, b, C, d = [0, 0, 0]}) => (
-          A * dot3(view.eye, view.eye) + 2 * dot3(b, view.eye) + C -
-              2 * dot3(d, view.eye) ** 2 > 0));
+      // One of its two faces must turn its outer side to the eye, or that wall must be seen.
+      const turns = (f) => {
+        const {A, b, C} = model.halfSpace(Lorentz.apply(isometry, faces[f]));
+        return A * dot3(view.eye, view.eye) + 2 * dot3(b, view.eye) + C > 0;
+      };
+      const towards = edges[e] ? wallAt(Math.floor(px), Math.floor(py)) === kPlainWalls + e
+                               : kEdgeFaces[e].some(turns);
       if (towards && isNear(px, py, number)) add(px, py, `e${manifold.edgeClass[t][e]}`);
     });
   }

@@ -24,7 +24,7 @@ MORE = {"by edge": "size=100x80&model=ball&cells=6&colour=edge",
         "reference": "size=200x150&model=ball&cells=20&renderer=cells",
         "moved": "size=200x150&model=ball&cells=20&keys=w:0.6,d:0.5",
         "hollow": "size=100x80&model=ball&cells=6&hollow=1&cut=0",
-        "named": "size=300x220&model=ball&cells=6&labels=1",
+        "named": "size=300x220&model=ball&cells=1&yaw=1.1&labels=1",
         "said": "size=80x60&model=ball&cells=1&yaw=1.1&hover=" +
                 ",".join(f"{x / 20}:{y / 20}" for x in range(20) for y in range(20)),
         "said inside": "size=80x60&view=inside&tube=0.12&hover=" +

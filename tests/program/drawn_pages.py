@@ -11,6 +11,25 @@ from tracers import InsideTracer, OutsideTracer, defect
 BACKGROUND, MAGENTA = (0, 0), (255, 0, 255)
 
 
+def shown_and_missing(page, wishes):
+    """Of each wish the surfaces of all pixels, drawn with whole polygons, and the pixels which the
+    polygons that follow the sides of faces leave out although a ray meets their face; faces seen
+    edge-on may reach beyond their borders."""
+    data = page_data(page.read_text())
+    pictures = draw(page, *(wish + polygons for wish in wishes for polygons in ("", "&polygons=whole")))
+    for wish, tight, whole in zip(wishes, pictures[::2], pictures[1::2]):
+        assert (tight.problem, whole.problem) == ("", ""), (wish, tight.problem, whole.problem)
+        tracer, surfaces, missing = OutsideTracer(data, whole), [], []
+        for i in range(0, len(whole.identities), 4):
+            low, high, surface = there = tuple(whole.identities[i:i + 3])
+            surfaces.append(surface)
+            x, y = i // 4 % whole.width, i // 4 // whole.width
+            if (tuple(tight.identities[i:i + 3]) != there and
+                    tracer.see(x + 0.5, y + 0.5) == (low + 256 * high, surface)):
+                missing.append((x, y))
+        yield wish, surfaces, missing
+
+
 class DrawnPages:
     """For a ProgramTest with WISHES: of each input of `tripus view` the wishes of its page by name,
     drawn by one browser for each page, which takes seconds to start."""

@@ -1,9 +1,8 @@
 """Pages of manifolds with parabolic edges: what is cut off at their horospheres."""
 
-from browser import draw, page_data
-from drawn_pages import DrawnPages
+from drawn_pages import DrawnPages, shown_and_missing
 from support import TRIPUS, ProgramTest
-from tracers import CUT, OutsideTracer, edge_walls, product
+from tracers import CUT, edge_walls, product
 
 # All six edges of each tetrahedron; one of two edge classes; beside a cusp; not orientable.
 ALL, SOME = TRIPUS + " 0=0", "dLQbcccherw 0=0"
@@ -89,22 +88,11 @@ class ParabolicPolygons(ProgramTest):
     def test_hold_all_pixels_of_their_faces(self):
         for manifold in (ALL, SOME):
             self.run_program("view", manifold, "-o", "page.html")
-            data = page_data((self.folder / "page.html").read_text())
             wishes = [f"size=100x75&model={model}&cells=20&yaw={yaw}&pitch=0.7&distance={distance}"
                       for model in ("ball", "upper", "klein")
                       for yaw, distance in ((0.4, 1.4), (3.3, 2.9))]
-            pictures = draw(self.folder / "page.html", *(
-                wish + polygons for wish in wishes for polygons in ("", "&polygons=whole")))
             seen = 0
-            for wish, tight, whole in zip(wishes, pictures[::2], pictures[1::2]):
-                self.assertEqual((tight.problem, whole.problem), ("", ""))
-                tracer, missing = OutsideTracer(data, whole), []
-                for i in range(0, len(whole.identities), 4):
-                    low, high, surface = there = tuple(whole.identities[i:i + 3])
-                    seen += surface in EDGE_WALLS
-                    x, y = i // 4 % whole.width, i // 4 // whole.width
-                    if (tuple(tight.identities[i:i + 3]) != there and
-                            tracer.see(x + 0.5, y + 0.5) == (low + 256 * high, surface)):
-                        missing.append((x, y))
+            for wish, surfaces, missing in shown_and_missing(self.folder / "page.html", wishes):
+                seen += sum(surface in EDGE_WALLS for surface in surfaces)
                 self.assertLessEqual(len(missing), 1, (manifold, wish, missing))
             self.assertGreater(seen, 100, manifold)

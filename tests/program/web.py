@@ -11,7 +11,7 @@ from random import Random
 
 import samples
 from browser import draw, notice, page_data, page_text
-from drawn_pages import MAGENTA, DrawnPages
+from drawn_pages import MAGENTA, DrawnPages, shown_and_missing
 from live_browser import LiveBrowser
 from support import DATA, TRIPUS, TRIPUS_VOLUME, ProgramTest, read_json
 from tracers import CUT, InsideTracer, OutsideTracer, defect, multiply, product
@@ -585,25 +585,13 @@ class Polygons(ProgramTest):
         for arguments in ([TRIPUS], [ASYMMETRIC], ["eLMkbbddddhape"], [FIGURE_EIGHT], [GIESEKING],
                           ["dLQbccchrqg"], [TRIPUS, "--cone-order", "0=3"]):
             self.run_program("view", *arguments, "-o", "page.html")
-            data = page_data((self.folder / "page.html").read_text())
             wishes = [f"size=100x75&model={model}&cells={random.choice((3, 20, 40))}"
                       f"&yaw={random.uniform(0, 6):.4f}&pitch={random.uniform(0.1, 1.5):.4f}"
                       f"&distance={random.uniform(1.1, 4.5):.4f}{more}"
                       for model in ("ball", "upper", "klein") for more in ("", "&cut=0.1", "")]
-            pictures = draw(self.folder / "page.html", *(
-                wish + polygons for wish in wishes for polygons in ("", "&polygons=whole")))
             seen = 0
-            for wish, tight, whole in zip(wishes, pictures[::2], pictures[1::2]):
-                self.assertEqual((tight.problem, whole.problem), ("", ""))
-                tracer, missing = OutsideTracer(data, whole), []
-                for i in range(0, len(whole.identities), 4):
-                    low, high, surface = there = tuple(whole.identities[i:i + 3])
-                    seen += surface > 0
-                    # Faces seen edge-on may reach beyond their borders.
-                    x, y = i // 4 % whole.width, i // 4 // whole.width
-                    if (tuple(tight.identities[i:i + 3]) != there and
-                            tracer.see(x + 0.5, y + 0.5) == (low + 256 * high, surface)):
-                        missing.append((x, y))
+            for wish, surfaces, missing in shown_and_missing(self.folder / "page.html", wishes):
+                seen += sum(surface > 0 for surface in surfaces)
                 self.assertLessEqual(len(missing), 1, (arguments, wish, missing))
             self.assertGreater(seen, 2000, arguments)
 

@@ -7,17 +7,12 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "viewer/scene.hpp"
 
 namespace tripus::viewer {
 namespace {
 
 using geometry::lorentz_product;
-
-/// The two faces at edge e, which are opposite to the ends of the other one.
-std::array<std::size_t, 2> faces_at(std::size_t e) {
-  const auto [k, l] = topology::kEdgeEnds[5 - e];
-  return {static_cast<std::size_t>(k), static_cast<std::size_t>(l)};
-}
 
 /// Class numbers choose colours; larger ones would not be exact in single precision.
 float as_class(std::uint32_t number) { return static_cast<float>(number % 4096); }
@@ -38,7 +33,7 @@ void write_record(float* texels, const InsideManifold& m, std::size_t t,
     put(100 + f, m.entry[t][f]);
   }
   for (std::size_t e = 0; e < 6; ++e) {
-    const auto [k, l] = faces_at(e);
+    const auto [k, l] = faces_at_edge(e);
     const double cosine = lorentz_product(shape.faces[k], shape.faces[l]);
     put(104 + e, cosine);
     put(128 + e, shape.is_parabolic(e) ? -shape.parabolic_scale : 1 / (1 - cosine * cosine));
@@ -125,7 +120,7 @@ std::string describe_inside(const InsideManifold& manifold, int kind, std::size_
                   topology::kEdgeEnds[number][0], topology::kEdgeEnds[number][1], edge);
   if (edge < manifold.edge_lengths.size())
     text += fmt::format(", length {:.8g}", manifold.edge_lengths[edge]);
-  const auto [k, l] = faces_at(number);
+  const auto [k, l] = faces_at_edge(number);
   const auto& faces = manifold.tetrahedra[tetrahedron].faces;
   const double cosine = -lorentz_product(faces[k], faces[l]);
   return text + fmt::format(", angle {:.6g} degrees",

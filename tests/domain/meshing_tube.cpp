@@ -29,6 +29,7 @@ TEST_P(BadGraph, IsRefusedWithPlaceAndReason) {
 const Bad kBad[] = {
     {"Nothing", "", {"JSON: syntax error at byte"}},
     {"NoObject", "[1,2]", {"found an array of 2", "expected an object"}},
+    {"KeyTwice", R"({"edges": [], "edges": []})", {"the key", "occurs twice"}},
     {"NaN", R"({"edges": [[[NaN,0,0],[1,0,0]]]})", {"JSON: syntax error"}},
     {"HugeNumber", R"({"edges": [[[1e999,0,0],[1,0,0]]]})", {"too large; numbers must be finite"}},
     {"LargeNumber",

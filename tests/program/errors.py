@@ -303,6 +303,7 @@ class Lengths(ProgramTest):
         "zeros": (b"\0\0", "is a binary file"), "not utf8": (b"1\xff", "is not a number"),
         "json": ("[1", "syntax error at byte"), "json empty": ("[]", "holds no numbers"),
         "json overflow": ("[1e999]", "JSON"), "json word": ('[1, "2"]', "edge length 1 is not"),
+        "json twice": ('{"edge_lengths": [1], "edge_lengths": [2]}', "occurs twice"),
         "json null": ("[null]", "edge length 0 is not a number"),
         "json object": ("{}", 'no "edge_lengths"'), "json list": ('{"edge_lengths": 1}', "array"),
         "json deep": ("[" * 200000, "nested more than 32"), "json not utf8": (b'{"\xff": 1}', "JSON"),

@@ -118,6 +118,8 @@ class Certificates(ProgramTest):
     def test_that_are_none(self):
         for content, says in (("{", "syntax error"), ("[]", "expected an object"),
                               ('{"kind": "none", "edge": [0.5], "vertex": []}', "edge class 0"),
+                              ('{"proof": {"radii": 1}, "proof": 2}', "occurs twice"),
+                              ('{"proof": ' * 100000, "nested more than 32 levels deep"),
                               ('{"kind": "perhaps", "edge": [], "vertex": []}', '"kind"'),
                               (json.dumps(self.json_answer("solve", TRIPUS)), "carries none")):
             with self.subTest(content[:40]):

@@ -75,8 +75,11 @@ class PlainReader : public nlohmann::json_sax<json> {
   bool has_gluings() const { return done_; }
 
   bool key(string_t& name) override {
-    if (depth_ == 1) key_ = name;
-    return key_ != "cone_orders" && !(done_ && key_ == "gluings");
+    if (depth_ != 1) return true;
+    key_ = name;
+    const bool again = (key_ == "gluings" && done_) || (key_ == "name" && is_named_);
+    is_named_ = is_named_ || key_ == "name";
+    return key_ != "cone_orders" && !again;
   }
   bool start_object(std::size_t) override { return !in_table() && open(); }
   bool end_object() override { return close(); }
@@ -148,7 +151,7 @@ class PlainReader : public nlohmann::json_sax<json> {
   NamedGluings result_;
   std::string key_;  // at the top level
   std::size_t depth_ = 0;
-  bool done_ = false;
+  bool done_ = false, is_named_ = false;
   std::size_t sides_ = 0, row_begins_ = 0;
   int entries_ = 0;  // of a face
   std::uint64_t other_ = 0;
